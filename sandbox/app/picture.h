@@ -1,0 +1,25 @@
+// One picture of a state, without a window: what `snapshot` writes and what tests look at. The same code draws the
+// window on screen.
+#pragma once
+
+#include <optional>
+
+#include "render/renderer.h"
+#include "state/presets.h"
+#include "state/scene.h"
+
+namespace viewing {
+
+enum class PictureView { window, camera, depth, stencil, observer };
+
+struct PictureRequest {
+    PictureView view = PictureView::window;
+    glm::ivec2 size_px{1280, 720};
+    std::optional<int> samples;  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
+};
+
+/// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.
+Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
+                           const PictureRequest& request);
+
+}  // namespace viewing

@@ -1,0 +1,211 @@
+#include "app/studio.h"
+
+#include <backends/imgui_impl_opengl3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "state/fields.h"
+#include "ui/fonts.h"
+
+namespace viewing {
+namespace {
+
+ImTextureID texture_id(const View& view) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(view.texture()));
+}
+
+std::string renderer_name() {
+    std::string name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    name = name.substr(0, name.find(" ("));
+    return "OpenGL 3.3 core · " + name;
+}
+
+/// 15955400 → "15 955 400", so that it can be read aloud.
+std::string grouped(std::uint32_t value) {
+    std::string digits = std::to_string(value);
+    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
+        digits.insert(static_cast<std::size_t>(at), " ");
+    return digits;
+}
+
+/// Each part can be left out where the bar is narrow.
+std::vector<std::string> describe(const PixelReport& pixel) {
+    char text[160];
+    std::vector<std::string> parts;
+    std::snprintf(text, sizeof text, "pixel (%d, %d)  #%02x%02x%02x", pixel.pixel.x, pixel.pixel.y, pixel.color.r,
+                  pixel.color.g, pixel.color.b);
+    parts.emplace_back(text);
+    parts.push_back(!pixel.written ? "background"
+                                   : pixel.object + (pixel.front_facing ? ", front face" : ", back face"));
+    if (pixel.written && pixel.has_depth) parts.push_back("eye z " + widgets::NumberText(pixel.eye_z, 3));
+    if (pixel.written && !pixel.has_depth) parts.emplace_back("no depth written");
+    std::snprintf(text, sizeof text, "z_window %.6f", pixel.window_depth);
+    parts.emplace_back(text);
+    parts.push_back(
+        "stored " + grouped(pixel.stored) +
+        (pixel.precision.is_float ? " (float bits)" : " of 2" + widgets::RaisedText(pixel.precision.bits) + "−1"));
+    parts.push_back("stencil " + std::to_string(pixel.stencil));
+    return parts;
+}
+
+}  // namespace
+
+Studio::Studio(Renderer& renderer, Session opened)
+    : session(std::move(opened)), renderer_(renderer), renderer_name_(renderer_name()) {
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;  // no file is touched that was not named
+    io.LogFilename = nullptr;
+    io.ConfigWindowsMoveFromTitleBarOnly = true;
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Studio::~Studio() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Studio::apply_looks(double device_scale) {
+    const UiParams& ui = session.params.ui;
+    const widgets::Palette& palette = widgets::palette_of(static_cast<widgets::ThemeKind>(ui.theme));
+    const auto scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
+    if (scale == looks_scale_ && ui.theme == theme_) return;
+    widgets::Context& context = workbench.widgets;
+    context.palette = palette;
+    context.scale = scale;
+    if (scale != looks_scale_) {
+        context.fonts = load_fonts(scale);
+        ImGui_ImplOpenGL3_DestroyFontsTexture();
+        ImGui_ImplOpenGL3_CreateFontsTexture();
+    }
+    widgets::ApplyStyle(context);
+    looks_scale_ = scale;
+    theme_ = ui.theme;
+    settling_ = 3;
+}
+
+Status Studio::draw_camera_view(const Layout& layout) {
+    if (layout.camera.empty()) return std::monostate{};
+    return renderer_.draw(plan_, session.scene(), layout.camera.size_px(), camera_);
+}
+
+Status Studio::draw_observer_view(const Layout& layout) {
+    if (layout.observer.empty()) return std::monostate{};
+    const glm::ivec2 size = layout.observer.size_px();
+    const ObserverView observer = derive_observer(session.params.observer, {size});
+    return renderer_.draw(plan_observer(session.params, derived_, observer), session.scene(), size, observer_);
+}
+
+Status Studio::draw_lower_right_view(const Layout& layout) {
+    if (layout.lower_right.empty()) return std::monostate{};
+    const glm::ivec2 size = layout.lower_right.size_px();
+    Params params = session.params;
+    const Scene& scene = session.scene();
+    switch (workbench.views.topic) {
+        case LowerTopic::depth: {
+            params.view.shows = Shows::depth;
+            params.view.depth_scale = DepthScale::linear;
+            const Viewport viewport{size, renderer_.capabilities().clip_control};
+            const Derived derived = derive(params, scene, viewport);
+            FramePlan fitted = plan(params, derived);
+            fitted.shown_range = fitting_range(params, derived, scene);
+            return renderer_.draw(fitted, scene, size, lower_right_);
+        }
+        case LowerTopic::moving_world: {
+            const ObserverView beside = derive_moving_world(params.observer, derived_, {size});
+            return renderer_.draw(plan_observer(params, derived_, beside), scene, size, lower_right_);
+        }
+        case LowerTopic::passes:
+            break;
+    }
+    return std::monostate{};
+}
+
+Status Studio::draw_views(const Layout& layout, bool is_interactive) {
+    // With a scene that is slow to draw, only the view that is being moved follows; the others catch up at rest.
+    constexpr double slow_ms = 80.0;
+    const bool is_held = session.is_moving() || ImGui::IsAnyItemActive();
+    views_are_behind_ = is_interactive && frame_ms_ > slow_ms && is_held;
+    const bool only_observer = views_are_behind_ && workbench.views.hovered == ViewName::observer;
+    if (only_observer) return draw_observer_view(layout);
+    if (Status done = draw_camera_view(layout); !done || views_are_behind_) return done;
+    if (Status done = draw_observer_view(layout); !done) return done;
+    return draw_lower_right_view(layout);
+}
+
+std::vector<std::string> Studio::pixel_parts() {
+    const std::optional<glm::ivec2> pixel = workbench.views.hovered_pixel;
+    const glm::ivec2 size = camera_.size_px();
+    if (!pixel || session.is_moving() || ImGui::IsAnyItemActive()) return {};
+    if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.x || pixel->y >= size.y) return {};
+    if (!probe_is_fresh_) {
+        if (Status done = probe_.prepare(renderer_, plan_, session.scene(), derived_, size); !done) return {};
+        probe_is_fresh_ = true;
+    }
+    return describe(probe_.at(*pixel, session.scene()));
+}
+
+Requests Studio::frame(const Surroundings& surroundings) {
+    const auto started = std::chrono::steady_clock::now();
+    apply_looks(surroundings.device_scale);
+    session.update_scene();
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
+    io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
+
+    const Layout layout = workbench.layout(io.DisplaySize);
+    const Drawn wanted{session.params,
+                       session.scene_version(),
+                       layout.camera.size_px(),
+                       layout.observer.size_px(),
+                       layout.lower_right.size_px(),
+                       workbench.views.topic};
+    const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
+    if (wanted != drawn_ || catch_up) {
+        const glm::ivec2 camera_px = glm::max(layout.camera.size_px(), glm::ivec2(1));
+        const Viewport viewport{camera_px, renderer_.capabilities().clip_control};
+        derived_ = derive(session.params, session.scene(), viewport);
+        before_ = derive(session.before_latest_edit(), session.scene(), viewport);
+        plan_ = plan(session.params, derived_);
+        if (Status done = draw_views(layout, surroundings.shows_time); !done) session.message = {done.error(), true};
+        drawn_ = wanted;
+        probe_is_fresh_ = false;
+        settling_ = std::max(settling_, 2);
+    }
+
+    if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
+    char time[32];
+    std::snprintf(time, sizeof time, "%5.1f ms", frame_ms_);
+    const StatusLine status{renderer_name_, surroundings.shows_time ? time : "–", pixel_parts()};
+    const Pictures pictures{texture_id(camera_), texture_id(observer_), texture_id(lower_right_)};
+
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui::NewFrame();
+    const Requests requests = workbench.draw(session, derived_, before_, plan_, pictures, status, surroundings.input);
+    ImGui::Render();
+    glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
+    glViewport(0, 0, surroundings.size_px.x, surroundings.size_px.y);
+    const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(workbench.widgets.palette.ground);
+    glClearColor(ground.x, ground.y, ground.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+
+    if (settling_ > 0) --settling_;
+    const bool behind = views_are_behind_ && !ImGui::IsAnyItemActive();
+    const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params;
+    redraw_in_s_ = busy ? 0.0 : session.loading_fraction() ? 0.05 : widgets::RedrawIn(workbench.widgets);
+    if (surroundings.shows_time) {
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - started;
+        frame_ms_ = frame_ms_ == 0.0 ? took.count() : frame_ms_ * 0.6 + took.count() * 0.4;
+    }
+    return requests;
+}
+
+Image Studio::read() const {
+    return {window_.size_px().x, window_.size_px().y, gl::read_pixels(window_.framebuffer(), window_.size_px())};
+}
+
+}  // namespace viewing

@@ -1,0 +1,79 @@
+// Everything that turns a session into pixels: renderer, views, user interface, and the framebuffer of the whole
+// window. Needs a current GL context, on screen or not; knows no window system.
+#pragma once
+
+#include <memory>
+
+#include "render/probe.h"
+#include "render/renderer.h"
+#include "ui/workbench.h"
+
+namespace viewing {
+
+class Studio {
+public:
+    /// `renderer` and the context behind it must outlive the studio. Makes the ImGui context and its GL backend.
+    Studio(Renderer& renderer, Session session);
+    ~Studio();
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
+    Session session;
+    Workbench workbench;
+
+    /// What a frame needs from outside. `shows_time`: false in pictures that have to repeat.
+    struct Surroundings {
+        glm::ivec2 size_px{1280, 720};
+        double device_scale = 1.0;  ///< of the monitor; the state's ui.scale and the theme's type multiply it
+        bool shows_time = false;
+        FrameInput input;
+    };
+
+    /// Draws one frame into the studio's own framebuffer. ImGui's mouse and text input must be in its IO by then.
+    /// What cannot be drawn keeps its last picture, and the message says why: a lecture goes on.
+    Requests frame(const Surroundings& surroundings);
+
+    GLuint framebuffer() const { return window_.framebuffer(); }
+    Image read() const;
+    /// The camera's picture alone.
+    const View& camera_view() const { return camera_; }
+
+    /// In how many seconds another frame is wanted though no input comes: 0 at once, negative never.
+    double redraw_in_s() const { return redraw_in_s_; }
+
+private:
+    void apply_looks(double device_scale);
+    Status draw_views(const Layout& layout, bool is_interactive);
+    Status draw_camera_view(const Layout& layout);
+    Status draw_observer_view(const Layout& layout);
+    Status draw_lower_right_view(const Layout& layout);
+    std::vector<std::string> pixel_parts();
+
+    Renderer& renderer_;
+    std::string renderer_name_;
+    View camera_, observer_, lower_right_;
+    gl::ColorTarget window_;
+    PixelProbe probe_;
+    bool probe_is_fresh_ = false;
+    bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
+
+    // What the pictures were drawn for: nothing is drawn again while it is the same.
+    struct Drawn {
+        Params params;
+        int scene_version = -1;
+        glm::ivec2 camera_px{0}, observer_px{0}, lower_right_px{0};
+        LowerTopic topic = LowerTopic::depth;
+        bool operator==(const Drawn&) const = default;
+    };
+    Drawn drawn_;
+    Derived derived_, before_;
+    FramePlan plan_;
+
+    Theme theme_ = Theme::dark;
+    float looks_scale_ = 0.0F;
+    int settling_ = 0;  ///< frames until ImGui has laid out what changed
+    double frame_ms_ = 0.0;
+    double redraw_in_s_ = 0.0;
+};
+
+}  // namespace viewing

@@ -1,0 +1,38 @@
+#include "cli/as_json.h"
+
+#include <array>
+#include <cstdio>
+
+namespace viewing {
+
+Json as_json(const glm::ivec2& pair) {
+    return Json::array({pair.x, pair.y});
+}
+
+Json as_json(const glm::dvec3& vector) {
+    return Json::array({vector.x + 0.0, vector.y + 0.0, vector.z + 0.0});
+}
+
+Json as_json(const glm::dmat4& matrix) {
+    Json rows = Json::array();
+    for (glm::length_t row = 0; row < 4; ++row) {
+        Json entries = Json::array();
+        for (glm::length_t column = 0; column < 4; ++column) entries.push_back(matrix[column][row] + 0.0);
+        rows.push_back(std::move(entries));
+    }
+    return rows;
+}
+
+std::string as_text(const Color& color) {
+    std::array<char, 8> text;
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.r, color.g, color.b);
+    return text.data();
+}
+
+Json as_json(const std::vector<Problem>& problems) {
+    Json sentences = Json::array();
+    for (const Problem& problem : problems) sentences.push_back(problem.sentence);
+    return sentences;
+}
+
+}  // namespace viewing

@@ -1,0 +1,59 @@
+// compare: two PNG files.
+#include "cli/commands.h"
+#include "cli/compare.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/thresholds.h"
+#include "render/png.h"
+#include "state/document.h"
+
+namespace viewing {
+namespace {
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    std::string a_file, b_file;
+    options.group("Pictures");
+    options.positional("A.png", a_file, "The picture that is looked at");
+    options.positional("B.png", b_file, "What it is compared with");
+    ThresholdOptions thresholds(options);
+    std::optional<std::string> output, json;
+    options.group("Output");
+    options.text("-o,--output", "DIFF.png", output,
+                 "Writes a picture of the differences: A in faint grey, small differences blue, those beyond the "
+                 "threshold orange-red, what only one picture has violet");
+    options.text("--json", "FILE|-", json, "Writes the whole report as JSON; - for standard output");
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    if (a_file.empty() || b_file.empty()) options.refuse("two pictures are needed: " + std::string(self.synopsis));
+    if (output && json && *output == "-" && *json == "-")
+        options.refuse("-o and --json cannot both be standard output");
+    const CompareOptions limits = thresholds.values();
+    const Image a = value_or_end(read_png(a_file));
+    const Image b = value_or_end(read_png(b_file));
+    for (const auto& target : {output, json})
+        if (target) check_output(*target);
+
+    const CompareReport report = compare_images(a, b, limits);
+    if (output) write_output(*output, encode_png(diff_picture(a, b, limits)));
+    if (json) write_output(*json, print_document(Json::parse(as_json(report))) + "\n");
+    const bool stdout_is_taken = output == "-" || json == "-";
+    if (!stdout_is_taken) print(sentence(report) + "\n");
+    return report.equal ? ExitStatus::done : ExitStatus::different;
+}
+
+}  // namespace
+
+constinit const Command compare_command{
+    "compare",
+    "A.png B.png [--worst N] [--share F] [-o DIFF.png] [--json FILE|-]",
+    "how much two PNG files differ, by how much at worst, and where",
+    "Says in one line whether two pictures are equal within thresholds. A pixel counts as different when a channel "
+    "differs by more than --worst levels; the pictures are equal when at most the share --share of the pixels does. "
+    "Different sizes are a difference.",
+    "compare mine.png reference.png\n"
+    "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png",
+    "0129",
+    run};
+
+}  // namespace viewing

@@ -1,0 +1,45 @@
+#include "cli/headless.h"
+
+#include "cli/values.h"
+
+namespace viewing {
+
+namespace {
+
+gl::EglContext quick_context(const std::string& device) {
+    gl::prefer_quick_start();
+    return value_or_end(gl::EglContext::make(device), ExitStatus::no_context);
+}
+
+}  // namespace
+
+Headless::Headless(const std::string& device) : context_(quick_context(device)) {
+    Result<Renderer> made = Renderer::make();
+    if (!made) throw Failure(ExitStatus::gl_error, made.error());
+    renderer_.emplace(*std::move(made));
+    require_no_errors();
+}
+
+void Headless::require_no_errors() {
+    const std::vector<std::string>& errors = log_.errors();
+    if (errors.empty()) return;
+    const std::string more = errors.size() > 1 ? " (and " + std::to_string(errors.size() - 1) + " more)" : "";
+    throw Failure(ExitStatus::gl_error, "GL error: " + errors.front() + more);
+}
+
+void add_device_option(Options& options, std::optional<std::string>& device) {
+    options.text(
+        "--device", "N|auto", device,
+        "The EGL device that draws: its number (viewing-sandbox doctor), or auto for the first hardware device "
+        "that works; left out: software, whose pictures repeat");
+}
+
+std::string device_option(const Options& options, const std::optional<std::string>& device) {
+    if (!device || *device == "auto") return device.value_or("");
+    const auto count = static_cast<int>(gl::egl_devices().size());
+    if (count == 0) throw Failure(ExitStatus::no_context, "--device " + *device + ": EGL knows no devices here");
+    whole_option(options, "--device", *device, 0, count - 1);
+    return *device;
+}
+
+}  // namespace viewing

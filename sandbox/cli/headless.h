@@ -1,0 +1,45 @@
+// A context without a display and a renderer in it: what every command that draws starts with.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "cli/options.h"
+#include "gl/debug.h"
+#include "gl/egl_context.h"
+#include "render/renderer.h"
+
+namespace viewing {
+
+class Headless {
+public:
+    /// `device` as EglContext::make takes it. Throws Failure: no context, or a driver that refuses a shader.
+    explicit Headless(const std::string& device);
+
+    Renderer& renderer() { return *renderer_; }
+    const gl::EglContext& context() const { return context_; }
+
+    /// Throws Failure with GL's own words when it has reported an error so far.
+    void require_no_errors();
+
+    /// The value of a drawing; its error, or one that GL reported, ends the command.
+    template <typename T>
+    T drawn(Result<T> result) {
+        require_no_errors();
+        return value_or_end(std::move(result), ExitStatus::gl_error);
+    }
+
+private:
+    gl::EglContext context_;
+    gl::DebugLog log_;
+    std::optional<Renderer> renderer_;
+};
+
+/// Declares --device.
+void add_device_option(Options& options, std::optional<std::string>& device);
+
+/// The wish for EglContext::make; refuses what is neither "auto" nor the index of a device.
+std::string device_option(const Options& options, const std::optional<std::string>& device);
+
+}  // namespace viewing

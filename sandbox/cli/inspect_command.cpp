@@ -1,0 +1,77 @@
+// inspect: what is at one pixel, read back from the buffers.
+#include "cli/as_json.h"
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/state_arguments.h"
+#include "cli/values.h"
+#include "frame/plan.h"
+#include "render/probe.h"
+
+namespace viewing {
+namespace {
+
+/// What only a surface has is null for the background, and what its depth says where it wrote none.
+Json report_as_json(const PixelReport& report) {
+    const auto of_surface = [&report](Json value) { return report.written ? std::move(value) : Json(); };
+    const auto of_depth = [&report](Json value) { return report.has_depth ? std::move(value) : Json(); };
+    return {{"pixel", as_json(report.pixel)},
+            {"color", as_text(report.color)},
+            {"depth",
+             {{"window", report.window_depth},
+              {"stored", report.stored},
+              {"bits", report.precision.is_float ? 32 : report.precision.bits},
+              {"ndc", report.ndc_z},
+              {"eye_z", of_depth(report.eye_z)},
+              {"step", of_depth(report.step)}}},
+            {"stencil", report.stencil},
+            {"object", of_surface(report.object)},
+            {"facing", of_surface(report.front_facing ? "front" : "back")},
+            {"world", of_depth(as_json(report.world))}};
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    std::optional<std::string> pixel_text, size_text, device_text;
+    options.group("Pixel");
+    options.text("--pixel", "X,Y", pixel_text, "Which one; 0,0 is the top left");
+    options.text("--size", "WxH", size_text, size_help);
+    add_device_option(options, device_text);
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    const glm::ivec2 size_px = size_option(options, size_text);
+    const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
+    const LoadedState state = state_arguments.load();
+    const Scene scene = scene_of(state);
+
+    Headless headless(device_option(options, device_text));
+    const bool clip_control = headless.renderer().capabilities().clip_control;
+    const Derived derived = derive(state.params, scene, Viewport{size_px, clip_control});
+    PixelProbe probe;
+    headless.drawn(probe.prepare(headless.renderer(), plan(state.params, derived), scene, derived, size_px));
+    const PixelReport report = probe.at(pixel, scene);
+    headless.require_no_errors();
+    print(print_document(report_as_json(report)) + "\n");
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command inspect_command{
+    "inspect",
+    "[STATE] [--set PATH=VALUE]… --pixel X,Y [--size WxH] [--device N|auto]",
+    "colour, depth, stencil and object at one pixel, as JSON",
+    "Draws the camera view without multisampling and reads one pixel back: its "
+    "colour, the depth as stored and as it is in "
+    "the eye's space, the width of one stored code there (step), the stencil "
+    "value, and whose surface it is. \"object\" is "
+    "null for the background and \"plane\" for the plane's patch; eye_z, step and world "
+    "are null where no depth was written.",
+    "inspect --pixel 640,360\n"
+    "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
+    "02349",
+    run};
+
+}  // namespace viewing

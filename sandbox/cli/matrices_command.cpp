@@ -1,0 +1,108 @@
+// matrices: every matrix of the lecture with its numbers, no GL needed.
+#include <array>
+#include <utility>
+
+#include "cli/as_json.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/state_arguments.h"
+#include "cli/values.h"
+#include "frame/matrix_text.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::array format_names{"json", "text", "latex", "glm", "glsl", "numpy", "matlab"};
+constexpr std::array formats{MatrixFormat::text, MatrixFormat::latex, MatrixFormat::glm,
+                             MatrixFormat::glsl, MatrixFormat::numpy, MatrixFormat::matlab};
+
+Json facts_as_json(const Facts& facts) {
+    return {{"plane_dot_light", facts.plane_dot_light + 0.0},
+            {"det_mirror", facts.det_mirror},
+            {"rank_shadow", facts.rank_shadow},
+            {"depth_step_at_target", facts.depth_step_at_target},
+            {"target_distance", facts.target_distance},
+            {"det_shadow", facts.det_shadow + 0.0},
+            {"shadow_residual", facts.shadow_residual},
+            {"mirror_residual", facts.mirror_residual},
+            {"view_residual", facts.view_residual}};
+}
+
+Json followed_as_json(const FollowedPoint& followed) {
+    return {{"point", as_json(followed.point_world)},
+            {"shadow", followed.shadow_world ? as_json(*followed.shadow_world) : Json()},
+            {"plane_distance", followed.plane_distance + 0.0},
+            {"foot", as_json(followed.foot_world)},
+            {"mirrored", as_json(followed.mirrored_world)}};
+}
+
+Json all_as_json(const Derived& derived) {
+    Json all{{"world_from_view", as_json(derived.world_from_view)},
+             {"view_from_world", as_json(derived.view_from_world)},
+             {"clip_from_view", as_json(derived.clip_from_view)},
+             {"clip_from_world", as_json(derived.clip_from_world)},
+             {"shadow_from_world", as_json(derived.shadow_from_world)},
+             {"shadow_sign", static_cast<int>(derived.shadow_sign)},
+             {"mirror_from_world", as_json(derived.mirror_from_world)},
+             {"facts", facts_as_json(derived.facts)},
+             {"problems", as_json(derived.problems)}};
+    if (derived.followed) all["followed"] = followed_as_json(*derived.followed);
+    return all;
+}
+
+std::string all_as_text(const Derived& derived, MatrixFormat format) {
+    const std::array named{std::pair("world_from_view", &derived.world_from_view),
+                           std::pair("view_from_world", &derived.view_from_world),
+                           std::pair("clip_from_view", &derived.clip_from_view),
+                           std::pair("clip_from_world", &derived.clip_from_world),
+                           std::pair("shadow_from_world", &derived.shadow_from_world),
+                           std::pair("mirror_from_world", &derived.mirror_from_world)};
+    std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
+    for (const auto& [name, matrix] : named)
+        text += (name == named.front().first ? "" : "\n") + matrix_text(name, *matrix, format);
+    if (format != MatrixFormat::text) return text;
+    text += "\nshadow_sign = " + std::string(derived.shadow_sign < 0.0 ? "-1" : "1") + "\n";
+    for (const Problem& problem : derived.problems) text += problem.sentence + "\n";
+    return text;
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    std::optional<std::string> size, format;
+    options.group("Output");
+    options.text("--size", "WxH", size,
+                 "Size of the picture in pixels, whose aspect the projection has; default 1280x720");
+    options.text(
+        "--format", "FORMAT", format,
+        "json (default), text, latex, numpy, matlab: rows as on the slides; glm, glsl: columns first, as their "
+        "constructors take them");
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), format_names);
+    const Viewport viewport{size_option(options, size)};
+    const LoadedState state = state_arguments.load();
+    const Derived derived = derive(state.params, scene_of(state), viewport);
+    print(chosen == 0 ? print_document(all_as_json(derived)) + "\n" : all_as_text(derived, formats[chosen - 1]));
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command matrices_command{
+    "matrices",
+    "[STATE] [--set PATH=VALUE]… [--size WxH] [--format json|text|latex|glm|glsl|numpy|matlab]",
+    "V, P, S and R with their facts, in the format of your choice",
+    "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S (uploaded "
+    "is "
+    "shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (P·L) S and R² = I) "
+    "and "
+    "sentences about what is wrong. Needs no GL.",
+    "matrices\n"
+    "matrices --set light.position=[12,20,0,0] --format latex\n"
+    "matrices --format numpy > matrices.py",
+    "029",
+    run};
+
+}  // namespace viewing

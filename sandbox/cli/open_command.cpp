@@ -1,0 +1,36 @@
+// open: the window on screen.
+#include "app/window.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/state_arguments.h"
+
+namespace viewing {
+namespace {
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    const LoadedState state = state_arguments.load();
+    // What is wrong with the scene is said before there is a window; while this one lives, the window shares its
+    // meshes.
+    const Scene scene = scene_of(state);
+    value_or_end(run_window(state, static_cast<int>(ExitStatus::no_context)), ExitStatus::no_context);
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command open_command{"open",
+                                     "[STATE] [--set PATH=VALUE]…",
+                                     "the window: panel, views, matrices (what happens without a command)",
+                                     "Opens the window with a state. The word open may be left out.",
+                                     "\n"
+                                     "open mine.json\n"
+                                     "--set camera.navigation=walk --set scene=walkthrough\n"
+                                     "bunny.obj",
+                                     "0239",
+                                     run};
+
+}  // namespace viewing

@@ -1,0 +1,47 @@
+// What one command takes, declared once: parsed by CLI11, and printed as the command's --help.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/commands.h"
+
+namespace viewing {
+
+class Options {
+public:
+    explicit Options(const Command& command);
+    ~Options();
+    Options(const Options&) = delete;
+    Options& operator=(const Options&) = delete;
+
+    /// The options declared after this stand under this title in the help.
+    void group(const char* title);
+
+    // `names` as "-o,--output"; `value_name` stands behind them in the help. Targets must outlive parse().
+    void positional(const char* name, std::string& value, const char* help);
+    void text(const char* names, const char* value_name, std::optional<std::string>& value, const char* help);
+    void texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help);
+    void flag(const char* names, bool& value, const char* help);
+
+    /// Fills the targets. False when --help was asked for and printed instead. Throws Failure for an unknown option
+    /// (with the nearest known one), a missing value, one argument too many.
+    [[nodiscard]] bool parse(const Arguments& arguments);
+
+    /// "snapshot: --size: must be …": ends the command as bad usage.
+    [[noreturn]] void refuse(const std::string& what) const;
+
+private:
+    struct Parser;
+    std::unique_ptr<Parser> parser_;
+};
+
+/// Text wrapped at the help's width, every line indented; words are separated by single spaces.
+std::string wrapped(const std::string& text, std::size_t indent);
+
+/// The rows of the exit statuses whose digits are given.
+std::string exit_status_table(const std::string& digits);
+
+}  // namespace viewing

@@ -1,0 +1,68 @@
+#include "cli/output.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <system_error>
+
+#include "cli/exit_status.h"
+#include "state/file.h"
+
+namespace viewing {
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void cannot_write(const std::string& target, const std::string& why) {
+    throw Failure(ExitStatus::bad_input, target + ": cannot be written: " + why);
+}
+
+std::string reason(int code) {
+    return std::generic_category().message(code);
+}
+
+}  // namespace
+
+void print(std::string_view text) {
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        cannot_write("standard output", reason(errno));
+}
+
+void write_output(const std::string& target, std::span<const std::uint8_t> bytes) {
+    if (target == "-") {
+        print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    } else {
+        value_or_end(write_file(target, bytes));
+    }
+}
+
+void write_output(const std::string& target, std::string_view text) {
+    write_output(target, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void check_output(const std::string& target) {
+    if (target == "-") return;
+    if (target.empty()) throw Failure(ExitStatus::bad_input, "an output needs a file name, and this one is empty");
+    std::error_code error;
+    const fs::file_status there = fs::status(target, error);
+    if (fs::is_directory(there)) cannot_write(target, "it is a directory");
+    if (fs::exists(there) && !fs::is_regular_file(there)) {
+        if (::access(target.c_str(), W_OK) != 0) cannot_write(target, reason(errno));
+        return;
+    }
+    const fs::path file = fs::weakly_canonical(fs::absolute(target, error), error);
+    const fs::path folder = file.parent_path();
+    if (!fs::is_directory(folder, error)) cannot_write(target, "there is no folder " + folder.string());
+    if (::access(folder.c_str(), W_OK) != 0) cannot_write(target, reason(errno));
+}
+
+bool is_plain_file(const std::string& target) {
+    std::error_code error;
+    const fs::file_status there = fs::status(target, error);
+    return target != "-" && (!fs::exists(there) || fs::is_regular_file(there));
+}
+
+}  // namespace viewing

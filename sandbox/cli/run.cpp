@@ -1,0 +1,116 @@
+// Read commands.h for what a command is, then snapshot_command.cpp for the longest of them.
+#include "cli/run.h"
+
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "state/presets.h"
+#include "state/words.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::array all_commands{&open_command,    &snapshot_command, &compare_command, &matrices_command,
+                                  &inspect_command, &measure_command,  &state_command,   &params_command,
+                                  &presets_command, &doctor_command};
+
+std::string main_help() {
+    std::string text =
+        "viewing-sandbox: camera, hidden surfaces, planar shadow and reflection to try out\n\n"
+        "Usage: viewing-sandbox [COMMAND] [ARGUMENTS…]\n"
+        "       viewing-sandbox [STATE] [--set PATH=VALUE]…      the same as open\n\nCommands:\n";
+    for (const Command* command : all_commands) {
+        const std::string name = command->name;
+        text += "  " + name + std::string(11 - name.size(), ' ') + command->about + "\n";
+    }
+    text += "\n";
+    text += wrapped(
+        "STATE is a path to a .json file, the name of a preset, a Wavefront .obj file to look at, or - for "
+        "standard input; left out, it is the opening preset. --set changes it field by field, in the order "
+        "given; viewing-sandbox params lists the fields. Results go to standard output, messages to "
+        "standard error.",
+        0);
+    return text +
+           "\nOptions:\n"
+           "  -h, --help       this text, or behind a command all about it\n"
+           "  --version        the program's version\n"
+           "\nExamples:\n"
+           "  viewing-sandbox\n"
+           "  viewing-sandbox --set projection.near=0.01 --set depth.format=d16\n"
+           "  viewing-sandbox bunny.obj\n"
+           "  viewing-sandbox snapshot -o picture.png --size 1920x1080\n"
+           "  viewing-sandbox matrices --set light.position=[12,20,0,0] --format latex\n"
+           "  viewing-sandbox state > mine.json\n\n" +
+           exit_status_table("0123456789");
+}
+
+/// A first word that is no command is a STATE, unless there is none of that name and a command nearly has it.
+void refuse_misspelt_command(const std::string& word) {
+    std::vector<std::string> names;
+    for (const Command* command : all_commands) names.emplace_back(command->name);
+    const std::optional<std::string> meant = nearest_name(word, names);
+    std::error_code error;
+    if (!meant || std::filesystem::exists(word, error)) return;
+    for (const NamedFile& preset : presets())
+        if (preset.name == word) return;
+    throw Failure(
+        ExitStatus::bad_input,
+        one_line(word) + ": neither a command, a file nor a preset; did you mean the command " + *meant + "?");
+}
+
+ExitStatus dispatch(const Arguments& arguments) {
+    const std::string first = arguments.empty() ? "" : arguments.front();
+    const Arguments rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
+    if (first == "help" && !rest.empty() && find_command(rest.front()) != nullptr)
+        return dispatch({rest.front(), "--help"});
+    if (first == "--help" || first == "-h" || first == "help") {
+        print(main_help());
+        return ExitStatus::done;
+    }
+    if (first == "--version") {
+        print("viewing-sandbox " VIEWING_SANDBOX_VERSION "\n");
+        return ExitStatus::done;
+    }
+    if (const Command* command = find_command(first)) return command->run(*command, rest);
+    refuse_misspelt_command(first);
+    return open_command.run(open_command, arguments);
+}
+
+int end(ExitStatus status, const char* sentence) {
+    std::fprintf(stderr, "%s\n", sentence);
+    return static_cast<int>(status);
+}
+
+}  // namespace
+
+std::span<const Command* const> commands() {
+    return all_commands;
+}
+
+const Command* find_command(const std::string& name) {
+    for (const Command* command : all_commands)
+        if (name == command->name) return command;
+    return nullptr;
+}
+
+int run_command_line(const Arguments& arguments) {
+    try {
+        return static_cast<int>(dispatch(arguments));
+    } catch (const Failure& failure) {
+        return end(failure.status, failure.what());
+    } catch (const std::bad_alloc&) {
+        return end(ExitStatus::internal_error, "internal error: there is not enough memory");
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "internal error: ");
+        return end(ExitStatus::internal_error, error.what());
+    }
+}
+
+}  // namespace viewing

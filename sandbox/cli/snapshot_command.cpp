@@ -1,0 +1,234 @@
+// snapshot: a picture of a state into a PNG file, without a display. Bad input is refused before GL is touched.
+// What is drawn is app/picture.h; read headless.h for the context.
+#include <array>
+#include <cmath>
+
+#include "app/picture.h"
+#include "cli/as_json.h"
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/state_arguments.h"
+#include "cli/thresholds.h"
+#include "cli/time_limit.h"
+#include "cli/values.h"
+#include "gl/facts.h"
+#include "render/png.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
+constexpr glm::ivec2 smallest_window_px{320, 240};
+
+/// The options as they were typed.
+struct Typed {
+    std::optional<std::string> output, view, size, samples, device, repeat, compare, timeout, json;
+    bool fail_if_blank = false;
+};
+
+/// The same, checked.
+struct Wish {
+    PictureRequest picture;
+    std::string view;
+    std::string device;
+    int repeat = 1;
+    CompareOptions limits;
+};
+
+/// What was drawn, and by whom.
+struct Drawn {
+    Image image;
+    std::string device, renderer, gl_version;
+};
+
+void declare(Options& options, Typed& typed) {
+    options.group("Picture");
+    options.text("-o,--output", "OUT.png", typed.output, "The file to write; - for standard output");
+    options.text("--view", "VIEW", typed.view,
+                 "window (default): everything as on screen; camera: the picture alone; depth, stencil: the camera's "
+                 "buffers made visible; observer: the scene from outside");
+    options.text("--size", "WxH", typed.size, size_help);
+    options.text("--samples", "0|4", typed.samples, "Multisampling; default: view.samples of the state");
+    add_device_option(options, typed.device);
+    options.group("Checks");
+    options.text("--repeat", "N", typed.repeat,
+                 "Draws N times, each in a new context; exit 7 unless all are byte-equal");
+    options.flag("--fail-if-blank", typed.fail_if_blank, "Exit 5 when all pixels have the same colour");
+    options.text(
+        "--compare", "REF.png", typed.compare,
+        "Compares with a reference: exit 1 when different, 6 when there is none; the picture is written all the same");
+}
+
+Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds) {
+    if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
+    if (typed.output == "-" && typed.json == "-") options.refuse("-o and --json cannot both be standard output");
+    if (thresholds.given() && !typed.compare) options.refuse("--worst and --share need --compare REF.png");
+
+    Wish wish;
+    const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), view_names);
+    wish.view = view_names[view];
+    wish.picture.view = static_cast<PictureView>(view);
+    wish.picture.size_px = size_option(options, typed.size);
+    const glm::ivec2 size_px = wish.picture.size_px;
+    if (wish.picture.view == PictureView::window &&
+        (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
+        options.refuse("--size: the window has at least 320x240 pixels; --view camera can be smaller");
+    if (typed.samples) {
+        constexpr std::array choices{"0", "4"};
+        wish.picture.samples = choice_option(options, "--samples", *typed.samples, choices) == 0 ? 0 : 4;
+    }
+    if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
+    wish.limits = thresholds.values();
+    for (const auto& target : {typed.output, typed.json})
+        if (target) check_output(*target);
+    return wish;
+}
+
+/// None when the file is not there; one that cannot be read or is no PNG is bad input.
+std::optional<Image> reference(const std::string& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) return std::nullopt;
+    return value_or_end(read_png(file));
+}
+
+/// Pixels of 8 bits hold no NaN, so it is looked for where it would come from: in what is uploaded, as floats.
+bool is_finite(const glm::dmat4& matrix) {
+    for (glm::length_t column = 0; column < 4; ++column)
+        for (glm::length_t row = 0; row < 4; ++row)
+            if (!std::isfinite(static_cast<float>(matrix[column][row]))) return false;
+    return true;
+}
+
+void refuse_nan(const Derived& derived) {
+    const std::array named{std::pair("the projection", &derived.clip_from_view),
+                           std::pair("the view matrix", &derived.view_from_world),
+                           std::pair("the shadow matrix", &derived.shadow_from_world),
+                           std::pair("the mirror matrix", &derived.mirror_from_world)};
+    for (const auto& [name, matrix] : named)
+        if (!is_finite(*matrix))
+            throw Failure(ExitStatus::nan_or_blank, std::string(name) + " has an entry that is not a finite number");
+}
+
+bool is_blank(const Image& image) {
+    for (std::size_t at = 4; at < image.rgba.size(); ++at)
+        if (image.rgba[at] != image.rgba[at % 4]) return false;
+    return true;
+}
+
+Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) {
+    Headless headless(wish.device);
+    Image image = headless.drawn(draw_picture(headless.renderer(), state, scene, wish.picture));
+    const gl::ContextFacts facts = gl::context_facts();
+    return {std::move(image), headless.context().description(), facts.renderer, facts.version};
+}
+
+Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
+    Drawn first = draw_once(wish, state, scene);
+    for (int i = 2; i <= wish.repeat; ++i) {
+        const Drawn again = draw_once(wish, state, scene);
+        if (again.image == first.image) continue;
+        const CompareReport report = compare_images(again.image, first.image, {0, 0.0});
+        throw Failure(ExitStatus::not_repeatable, "not repeatable: drawing " + std::to_string(i) + " of " +
+                                                      std::to_string(wish.repeat) +
+                                                      " is not the first one: " + sentence(report));
+    }
+    return first;
+}
+
+int samples_of(const Wish& wish, const Params& params) {
+    const bool is_buffer = wish.picture.view == PictureView::depth || wish.picture.view == PictureView::stencil;
+    return is_buffer ? 0 : wish.picture.samples.value_or(params.view.samples);
+}
+
+Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, const Drawn& drawn,
+                    const Derived& derived, const std::optional<CompareReport>& compared, ExitStatus status) {
+    return {{"status", static_cast<int>(status)},
+            {"meaning", meaning(status)},
+            {"output", typed.output ? Json(*typed.output) : Json()},
+            {"view", wish.view},
+            {"size", as_json(wish.picture.size_px)},
+            {"samples", samples_of(wish, params)},
+            {"repeat", wish.repeat},
+            {"device", drawn.device},
+            {"renderer", drawn.renderer},
+            {"gl_version", drawn.gl_version},
+            {"blank", is_blank(drawn.image)},
+            {"problems", as_json(derived.problems)},
+            {"reference", typed.compare ? Json(*typed.compare) : Json()},
+            {"compare", compared ? Json::parse(as_json(*compared)) : Json()}};
+}
+
+/// The comparison's sentence is a result, unless something else was asked for on standard output.
+void tell(const Typed& typed, const std::optional<CompareReport>& compared) {
+    if (!typed.compare) return;
+    if (!compared) throw Failure(ExitStatus::reference_missing, *typed.compare + ": there is no such reference");
+    if (typed.output != "-" && typed.json != "-")
+        print(sentence(*compared) + "\n");
+    else if (!compared->equal)
+        throw Failure(ExitStatus::different, *typed.compare + ": " + sentence(*compared));
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    Typed typed;
+    declare(options, typed);
+    const ThresholdOptions thresholds(options);
+    options.group("Running");
+    options.text("--timeout", "S", typed.timeout, "Exit 8 when the picture is not there after so many seconds");
+    options.text("--json", "FILE|-", typed.json,
+                 "Writes a report as JSON: what was drawn by whom, problems, the comparison");
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    Wish wish = checked(options, typed, thresholds);
+    std::optional<TimeLimit> limit;
+    if (typed.timeout) limit.emplace(number_option(options, "--timeout", *typed.timeout, 0.001, 86400.0));
+    const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
+    const LoadedState state = state_arguments.load();
+    const Scene scene = scene_of(state);
+    const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});
+    refuse_nan(derived);
+
+    wish.device = device_option(options, typed.device);
+    const Drawn drawn = draw(wish, state, scene);
+    if (typed.fail_if_blank && is_blank(drawn.image))
+        throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
+
+    // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
+    if (limit && (!typed.output || is_plain_file(*typed.output))) limit->lift();
+    if (typed.output) write_output(*typed.output, encode_png(drawn.image));
+    std::optional<CompareReport> compared;
+    if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
+    const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing
+                              : compared && !compared->equal ? ExitStatus::different
+                                                             : ExitStatus::done;
+    if (typed.json)
+        write_output(
+            *typed.json,
+            print_document(report_as_json(typed, wish, state.params, drawn, derived, compared, status)) + "\n");
+    tell(typed, compared);
+    return status;
+}
+
+}  // namespace
+
+constinit const Command snapshot_command{
+    "snapshot",
+    "[STATE] [--set PATH=VALUE]… -o OUT.png [--view VIEW] [--size WxH] [OPTIONS]",
+    "a picture of a state into a PNG file, without a display",
+    "Draws one picture through EGL alone: no display, no X. The same state gives a byte-equal file, always. Every "
+    "picture is "
+    "drawn under GL's debug output, and an error ends the command with exit 4. Unless the exit status is 0, 1 or 6, no "
+    "file "
+    "is touched.",
+    "snapshot -o window.png\n"
+    "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
+    "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"
+    "snapshot --view camera --compare reference.png --worst 3 -o picture.png --json report.json\n"
+    "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",
+    "0123456789",
+    run};
+
+}  // namespace viewing

@@ -1,0 +1,74 @@
+#include "cli/state_arguments.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+#include "state/json.h"
+#include "state/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool ends_in_obj(const std::string& file) {
+    std::string ending = fs::path(file).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".obj";
+}
+
+bool sets_scene(const std::string& setting) {
+    constexpr std::string_view path = "scene";
+    return setting.starts_with(path) && setting.size() > path.size() &&
+           std::string_view("=.[").find(setting[path.size()]) != std::string_view::npos;
+}
+
+/// Makes the working directory what the scene's relative files are relative to, in place of the state's folder.
+void rebase_to_working_directory(LoadedState& loaded) {
+    if (auto* scene = std::get_if<SceneDescription>(&loaded.params.scene)) {
+        for (ObjectDescription& object : scene->objects)
+            if (!object.file.empty()) object.file = (loaded.base / object.file).string();
+    }
+    loaded.base.clear();
+}
+
+}  // namespace
+
+StateArguments::StateArguments(Options& options) : options_(options) {
+    options.group("State");
+    options.positional("STATE", state_,
+                       "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
+                       "at, or - for standard input; left out: the opening preset");
+    options.texts("--set", "PATH=VALUE", settings_,
+                  "Sets one field, a group or an element after STATE was read, as often as wanted, in order: "
+                  "projection.near=0.01, light.position=[2,5,1,0], depth.func=always (viewing-sandbox params)");
+    options.text("--mesh", "FILE.obj", mesh_, "Shows this Wavefront mesh in place of the state's scene");
+}
+
+LoadedState StateArguments::load() const {
+    const bool state_is_mesh = ends_in_obj(state_);
+    if (mesh_ && state_is_mesh) options_.refuse("--mesh: STATE is a mesh already");
+    if (mesh_ && !ends_in_obj(*mesh_))
+        options_.refuse("--mesh: " + one_line(*mesh_) + " must be a Wavefront .obj file");
+
+    LoadedState loaded = value_or_end(load_state(state_is_mesh ? "" : state_));
+    if (mesh_ || state_is_mesh) {
+        std::error_code error;
+        loaded.params.scene = fs::absolute(mesh_.value_or(state_), error).string();
+        loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
+    }
+    if (std::ranges::any_of(settings_, sets_scene)) {
+        rebase_to_working_directory(loaded);
+        loaded.scene_origin = "--set scene";
+    }
+    loaded.params = value_or_end(apply_settings(std::move(loaded.params), settings_));
+    return loaded;
+}
+
+Scene scene_of(const LoadedState& state) {
+    return value_or_end(load_scene(state.params.scene, state.base, nullptr, state.scene_origin));
+}
+
+}  // namespace viewing

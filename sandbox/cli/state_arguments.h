@@ -1,0 +1,36 @@
+// STATE, --mesh and --set: what every command takes that looks at a state.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options.h"
+#include "state/presets.h"
+#include "state/scene.h"
+
+namespace viewing {
+
+class StateArguments {
+public:
+    /// Declares them under the title "State".
+    explicit StateArguments(Options& options);
+    StateArguments(const StateArguments&) = delete;
+    StateArguments& operator=(const StateArguments&) = delete;
+
+    /// STATE, then the mesh in place of its scene, then the settings in order. Relative files in STATE are relative to
+    /// its folder, those in settings to the working directory; they are written back as given, except that an inline
+    /// scene which settings change has all its files relative to the working directory. Throws Failure.
+    LoadedState load() const;
+
+private:
+    const Options& options_;
+    std::string state_;
+    std::vector<std::string> settings_;
+    std::optional<std::string> mesh_;
+};
+
+/// The scene of a state with its meshes. Throws Failure.
+Scene scene_of(const LoadedState& state);
+
+}  // namespace viewing

@@ -1,0 +1,18 @@
+// --timeout: ends the process when its time has run out, wherever it hangs.
+#pragma once
+
+namespace viewing {
+
+/// From construction until lift() or the end of the object: when `seconds` are over, one sentence on stderr and exit
+/// status 8. One at a time per process; uses SIGALRM, so that it needs no thread and works inside a driver.
+class TimeLimit {
+public:
+    explicit TimeLimit(double seconds);
+    ~TimeLimit() { lift(); }
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
+
+    void lift();
+};
+
+}  // namespace viewing

@@ -1,0 +1,85 @@
+#include "cli/values.h"
+
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "render/png.h"
+#include "state/words.h"
+
+namespace viewing {
+namespace {
+
+constexpr long long most_pixels = 64'000'000;
+
+template <typename Number>
+std::optional<Number> parse(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+/// Two whole numbers with a sign between them.
+std::optional<glm::ivec2> parse_pair(const std::string& text, char between) {
+    const std::size_t at = text.find(between);
+    if (at == std::string::npos) return std::nullopt;
+    const std::optional<int> x = parse<int>(std::string_view(text).substr(0, at));
+    const std::optional<int> y = parse<int>(std::string_view(text).substr(at + 1));
+    if (!x || !y) return std::nullopt;
+    return glm::ivec2(*x, *y);
+}
+
+std::string got(const std::string& text) {
+    return ", got \"" + one_line(text) + "\"";
+}
+
+}  // namespace
+
+glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text) {
+    if (!text) return default_size_px;
+    const std::optional<glm::ivec2> size = parse_pair(*text, 'x');
+    if (!size) options.refuse("--size: must be WIDTHxHEIGHT in pixels, such as 1280x720" + got(*text));
+    const bool sides_fit =
+        size->x >= 1 && size->y >= 1 && size->x <= largest_image_side && size->y <= largest_image_side;
+    if (!sides_fit || static_cast<long long>(size->x) * size->y > most_pixels)
+        options.refuse("--size: each side must be from 1 to " + std::to_string(largest_image_side) +
+                       " and the picture at most 64 million pixels" + got(*text));
+    return *size;
+}
+
+glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px) {
+    const std::string range = "X from 0 to " + std::to_string(size_px.x - 1) + " and Y from 0 to " +
+                              std::to_string(size_px.y - 1) + ", counted from the top left";
+    if (!text) options.refuse("--pixel is missing: X,Y with " + range);
+    const std::optional<glm::ivec2> pixel = parse_pair(*text, ',');
+    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= size_px.x || pixel->y >= size_px.y)
+        options.refuse("--pixel: must be X,Y with " + range + got(*text));
+    return *pixel;
+}
+
+int whole_option(const Options& options, const char* name, const std::string& text, int min, int max) {
+    const std::optional<int> value = parse<int>(text);
+    if (!value || *value < min || *value > max)
+        options.refuse(std::string(name) + ": must be a whole number from " + std::to_string(min) + " to " +
+                       std::to_string(max) + got(text));
+    return *value;
+}
+
+double number_option(const Options& options, const char* name, const std::string& text, double min, double max) {
+    const std::optional<double> value = parse<double>(text);
+    if (!value || !(*value >= min && *value <= max))
+        options.refuse(std::string(name) + ": must be a number from " + format_number(min) + " to " +
+                       format_number(max) + got(text));
+    return *value;
+}
+
+std::size_t choice_option(const Options& options, const char* name, const std::string& text,
+                          std::span<const char* const> names) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (text == names[i]) return i;
+    const std::vector<std::string> known(names.begin(), names.end());
+    options.refuse(std::string(name) + ": must be one of " + joined(names) + got(text) + suggestion(text, known));
+}
+
+}  // namespace viewing

@@ -1,0 +1,34 @@
+// Values of options, from the text a person typed. Every refusal names the option and what is allowed.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "cli/options.h"
+
+namespace viewing {
+
+/// The size of a picture when --size is left out.
+inline constexpr glm::ivec2 default_size_px{1280, 720};
+
+/// "1280x720": sides 1 … 16384, at most 64 million pixels. Left out: the default.
+glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text);
+
+/// "X,Y" inside a picture of that size.
+glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px);
+
+/// A whole number, or any finite number, between two limits, both allowed.
+int whole_option(const Options& options, const char* name, const std::string& text, int min, int max);
+double number_option(const Options& options, const char* name, const std::string& text, double min, double max);
+
+/// The index of a name; a misspelt one gets the nearest.
+std::size_t choice_option(const Options& options, const char* name, const std::string& text,
+                          std::span<const char* const> names);
+
+/// What --help says about --size.
+inline constexpr const char* size_help =
+    "Width and height of the picture in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default 1280x720";
+
+}  // namespace viewing

@@ -1,0 +1,103 @@
+# Puts files into the program, so that it needs neither the source tree nor installed fonts when it runs.
+# The assembler's .incbin copies them as they are: no generated source of millions of numbers, and a changed
+# file costs one assembler run.
+
+# embed_files(TARGET HEADER ACCESSOR [TEXT] FILES…)
+# Makes the static library TARGET. Its header, included as HEADER, declares
+#     std::string_view           viewing::ACCESSOR(std::string_view file_name);   with TEXT
+#     std::span<const std::byte> viewing::ACCESSOR(std::string_view file_name);   without
+# which give a file's bytes by its name without folders, and nothing for an unknown name.
+function(embed_files target header accessor)
+    cmake_parse_arguments(EMBED "TEXT" "" "" ${ARGN})
+    set(files ${EMBED_UNPARSED_ARGUMENTS})
+    if(EMBED_TEXT)
+        set(view "std::string_view")
+        set(element "char")
+        set(view_header "<string_view>")
+    else()
+        set(view "std::span<const std::byte>")
+        set(element "std::byte")
+        set(view_header "<cstddef>\n#include <span>\n#include <string_view>")
+    endif()
+
+    set(assembly "    .section .rodata\n")
+    set(symbols "")
+    set(branches "")
+    set(index 0)
+    foreach(file IN LISTS files)
+        cmake_path(GET file FILENAME name)
+        set(symbol "${accessor}_${index}")
+        string(APPEND assembly
+            "    .balign 16\n    .global ${symbol}\n${symbol}:\n    .incbin \"${file}\"\n${symbol}_end:\n"
+            "    .byte 0\n    .balign 8\n    .global ${symbol}_size\n${symbol}_size:\n    .8byte ${symbol}_end - ${symbol}\n")
+        string(APPEND symbols
+            "extern const ${element} ${symbol}[];\nextern const std::uint64_t ${symbol}_size;\n")
+        string(APPEND branches
+            "    if (file_name == \"${name}\") return {${symbol}, static_cast<std::size_t>(${symbol}_size)};\n")
+        math(EXPR index "${index} + 1")
+    endforeach()
+    string(APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
+
+    set(folder ${PROJECT_BINARY_DIR}/generated)
+    file(CONFIGURE OUTPUT ${folder}/${target}.S CONTENT "@assembly@" @ONLY)
+    file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT
+"// Made by sandbox/embed.cmake. The files that are part of the program, by name.
+#pragma once
+
+#include @view_header@
+
+namespace viewing {
+
+/// The bytes of an embedded file; empty when there is none of this name.
+@view@ @accessor@(std::string_view file_name);
+
+}  // namespace viewing
+")
+    file(CONFIGURE OUTPUT ${folder}/${target}.cpp @ONLY CONTENT
+"#include \"@header@\"
+
+#include <cstddef>
+#include <cstdint>
+
+extern \"C\" {
+@symbols@}
+
+namespace viewing {
+
+@view@ @accessor@([[maybe_unused]] std::string_view file_name) {
+@branches@    return {};
+}
+
+}  // namespace viewing
+")
+    set_source_files_properties(${folder}/${target}.S PROPERTIES OBJECT_DEPENDS "${files}")
+    add_library(${target} STATIC ${folder}/${target}.S ${folder}/${target}.cpp)
+    target_include_directories(${target} PUBLIC ${folder})
+endfunction()
+
+# find_font(RESULT FILE FOLDER PACKAGE): the path of a font as Debian's PACKAGE installs it, else an error that names it.
+function(find_font result file folder package)
+    find_file(VIEWING_FONT_${file} ${file} PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES ${folder})
+    mark_as_advanced(VIEWING_FONT_${file})
+    if(NOT VIEWING_FONT_${file})
+        message(FATAL_ERROR "The font ${file} is missing: install Debian's package ${package} (apt-get install ${package}), "
+                            "or pass -DVIEWING_FONT_${file}=/path/to/${file}")
+    endif()
+    set(${result} ${VIEWING_FONT_${file}} PARENT_SCOPE)
+endfunction()
+
+function(embed_shaders)
+    file(GLOB shaders CONFIGURE_DEPENDS
+         ${PROJECT_SOURCE_DIR}/shaders/*.vert ${PROJECT_SOURCE_DIR}/shaders/*.frag ${PROJECT_SOURCE_DIR}/shaders/*.glsl)
+    embed_files(embedded_shaders embedded/shaders.h embedded_shader TEXT ${shaders})
+endfunction()
+
+function(embed_fonts)
+    find_font(regular Inter-Regular.otf opentype/inter fonts-inter)
+    find_font(semibold Inter-SemiBold.otf opentype/inter fonts-inter)
+    find_font(mono JetBrainsMono-Regular.ttf truetype/jetbrains-mono fonts-jetbrains-mono)
+    find_font(mono_medium JetBrainsMono-Medium.ttf truetype/jetbrains-mono fonts-jetbrains-mono)
+    find_font(signs DejaVuSans.ttf truetype/dejavu fonts-dejavu-core)
+    embed_files(embedded_fonts embedded/fonts.h embedded_font
+                ${regular} ${semibold} ${mono} ${mono_medium} ${signs})
+endfunction()

@@ -1,0 +1,24 @@
+// The range of eye distances that a depth picture needs to have contrast.
+#include <algorithm>
+
+#include "frame/plan.h"
+
+namespace viewing {
+
+glm::dvec2 fitting_range(const Params& params, const Derived& derived, const Scene& scene) {
+    const ProjectionParams& projection = params.projection;
+    glm::dvec2 range(projection.far, projection.near);
+    const auto take = [&](const glm::dvec3& corner) {
+        const double distance = -(derived.view_from_world * glm::dvec4(corner, 1.0)).z;
+        range = {std::min(range.x, distance), std::max(range.y, distance)};
+    };
+    for (const glm::dvec3& corner : derived.patch.corners()) take(corner);
+    const Bounds& bounds = scene.bounds_world;
+    for (int corner = 0; corner < 8 && !bounds.empty(); ++corner)
+        take({corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,
+              corner & 4 ? bounds.max.z : bounds.min.z});
+    range = glm::clamp(range, projection.near, projection.far);
+    return range.x < range.y ? range : glm::dvec2(projection.near, projection.far);
+}
+
+}  // namespace viewing

@@ -1,0 +1,99 @@
+// Every matrix and number that is shown or uploaded, computed once from the parameters.
+// derive is pure: no GL, no clock, no files. Read derive.cpp, then plan.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/plane.h"
+#include "state/params.h"
+#include "state/scene.h"
+
+namespace viewing {
+
+struct Viewport {
+    glm::ivec2 size_px{1280, 720};
+    bool clip_control = true;  ///< the driver has glClipControl, which reversed depth wants
+
+    double aspect() const { return size_px.y > 0 ? static_cast<double>(size_px.x) / size_px.y : 1.0; }
+};
+
+/// The followed vertex on its way through S and R.
+struct FollowedPoint {
+    glm::dvec3 point_world{0.0};
+    glm::dvec4 shadow_homogeneous{0.0};      ///< S p, before the division by w
+    std::optional<glm::dvec3> shadow_world;  ///< s = S p ÷ w; none where w = 0
+    double plane_distance = 0.0;             ///< k = n·p + d
+    glm::dvec3 foot_world{0.0};              ///< p − k n
+    glm::dvec3 mirrored_world{0.0};          ///< R p
+};
+
+/// Measured, not promised: residuals are the largest absolute entry.
+struct Facts {
+    double plane_dot_light = 0.0;
+    double det_shadow = 0.0;
+    double det_mirror = 0.0;
+    int rank_shadow = 0;
+    double shadow_residual = 0.0;       ///< of S² − (P·L) S
+    double mirror_residual = 0.0;       ///< of R² − I
+    double view_residual = 0.0;         ///< of V C − I
+    double depth_step_at_target = 0.0;  ///< resolvable_depth_step() at the camera's target
+    double target_distance = 0.0;       ///< eye distance of the target, at least near
+};
+
+/// A sentence for a person, and the group of fields where its cause lies ("light", "plane", …): it is shown there.
+struct Problem {
+    std::string sentence;
+    std::string_view group;
+};
+
+struct Derived {
+    double aspect = 1.0;
+    glm::dmat4 world_from_view{1.0};           ///< C
+    glm::dmat4 view_from_world{1.0};           ///< V, as uploaded (the slips included)
+    glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
+    glm::dmat4 clip_from_world{1.0};           ///< P V
+    bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: w = 0 and the direction towards the eye, as of a light
+
+    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< sign kept
+    PlanePatch patch{};
+    double eye_side = 1.0;        ///< P·eye for the unit plane: its sign is the side that is seen
+    bool light_in_plane = false;  ///< P·L counts as zero: no shadow is defined
+
+    glm::dmat4 shadow_from_world{1.0};  ///< S
+    double shadow_sign = 1.0;           ///< uploaded: shadow_sign · S
+    glm::dmat4 mirror_from_world{1.0};  ///< R
+
+    std::optional<FollowedPoint> followed;
+    Facts facts;
+    std::vector<Problem> problems;
+};
+
+Derived derive(const Params& params, const Scene& scene, const Viewport& viewport);
+
+/// Whether the light shines on the side of the plane that an eye with P·eye = `eye_side` sees.
+bool light_reaches(const Derived& derived, double eye_side);
+
+/// The observer's camera, and what it sees, for a viewport of its own.
+struct ObserverView {
+    glm::dmat4 world_from_view{1.0};
+    glm::dmat4 view_from_world{1.0};
+    glm::dmat4 clip_from_world{1.0};
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};
+};
+ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
+
+/// The lecture's other reading of the same picture: the camera stays at the origin and the world is moved by V.
+ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport);
+
+/// The precision of a depth format.
+DepthPrecision precision_of(DepthFormat format);
+
+/// The eight corners of the view frustum in world space: near then far, each counter-clockwise from bottom left as the
+/// camera sees them. From the camera's pose and lens, so it shows where the camera is even while a slip breaks V.
+std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
+
+}  // namespace viewing

@@ -1,0 +1,105 @@
+// The frame as a list of passes: the technique as data. The GL layer executes it, the panel lists it with the GL
+// calls in the lecture's words, and a test reads it without a GPU. Read plan.cpp next.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/derive.h"
+
+namespace viewing {
+
+/// What a pass draws.
+enum class Subject { objects, patch };
+
+/// How its fragments get their colour.
+enum class Shading {
+    lit,    ///< ambient, diffuse and a modest highlight
+    unlit,  ///< ambient only
+    flat,   ///< one colour
+    facing  ///< front and back faces in two colours
+};
+
+enum class StencilOp { keep, replace, increment };
+
+struct StencilState {
+    bool test = false;
+    CompareFunc func = CompareFunc::always;
+    int reference = 0;
+    StencilOp on_pass = StencilOp::keep;  ///< where stencil and depth test pass; elsewhere the value is kept
+    bool operator==(const StencilState&) const = default;
+};
+
+struct DepthState {
+    bool test = true;
+    CompareFunc func = CompareFunc::less;
+    bool write = true;
+    bool operator==(const DepthState&) const = default;
+};
+
+enum class Blend { none, alpha };
+
+/// A plane in world space; what lies on its negative side is cut off, before the pass's own matrix is applied.
+using ClipPlane = glm::dvec4;
+
+struct Pass {
+    std::string name;
+    std::string reason;  ///< one sentence: why it is there
+    Subject subject = Subject::objects;
+    Shading shading = Shading::lit;
+    glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
+    glm::dmat4 clip_from_world{1.0};
+    glm::dmat4 view_from_world{1.0};
+    bool is_mirror_image = false;
+    std::vector<ClipPlane> clip_planes;  ///< at most two
+    DepthState depth;
+    StencilState stencil;
+    CullParams cull;
+    Blend blend = Blend::none;
+    bool color_write = true;
+    std::optional<DepthOffset> offset;  ///< glPolygonOffset
+    glm::dvec4 light_world{0.0, 1.0, 0.0, 0.0};
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< w = 0: parallel lines of sight, from this direction
+    glm::dvec3 sky_world{0.0, 1.0, 0.0};       ///< where ambient light is strongest
+    glm::dvec4 color{0.0, 0.0, 0.0, 1.0};      ///< flat: the colour; patch: its alpha is in w
+};
+
+struct FramePlan {
+    Color background;
+    Color unwritten;                            ///< what the depth view shows where nothing was drawn
+    Color patch_light, patch_dark, patch_line;  ///< the two tones of the ground and its lines
+    bool clear_depth = true;
+    double clear_depth_value = 1.0;
+    DepthFormat depth_format = DepthFormat::d24;
+    DepthMapping depth_mapping = DepthMapping::standard;
+    Lens lens;  ///< for logarithmic depth and for showing depth in eye units
+    bool clip_zero_to_one = false;
+    Shows shows = Shows::color;
+    DepthScale depth_scale = DepthScale::linear;
+    glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that the linear scale shows as black and white: near and far
+    int samples = 0;
+    PlanePatch patch{};
+    DepthOffset decal_offset;  ///< for objects marked as decals
+    std::vector<Pass> passes;
+};
+
+/// The camera view's frame.
+FramePlan plan(const Params& params, const Derived& derived);
+
+/// The eye distances between which everything lies that can be seen, inside near and far: for a depth picture with
+/// contrast.
+glm::dvec2 fitting_range(const Params& params, const Derived& derived, const Scene& scene);
+
+/// The observer's frame: the same scene, shadow and mirror seen from outside, with plain depth and colour.
+FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
+
+/// The GL calls of a pass with their current values, in the lecture's words.
+std::vector<std::string> gl_calls(const Pass& pass);
+
+/// "GL_LEQUAL" and the like.
+std::string gl_name(CompareFunc func);
+std::string gl_name(CullFace face);
+std::string gl_name(FrontFace front);
+
+}  // namespace viewing

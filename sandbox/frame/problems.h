@@ -1,0 +1,11 @@
+// What is wrong or surprising in a state, as sentences with the place where their cause lies.
+#pragma once
+
+#include "frame/derive.h"
+
+namespace viewing {
+
+/// Everything in `derived` but its problems must be there already.
+std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene);
+
+}  // namespace viewing

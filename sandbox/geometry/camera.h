@@ -1,0 +1,37 @@
+// The camera's pose as angles and as matrices. Angles in degrees, as the state file has them.
+// Source: lecture, Camera Movement; with pitch and roll V = (T Ry Rx Rz)⁻¹.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace viewing {
+
+/// Yaw about y, then pitch about x, then roll about z, each in the frame the one before left (degrees).
+struct Angles {
+    double yaw_deg = 0.0;
+    double pitch_deg = 0.0;
+    double roll_deg = 0.0;
+    bool operator==(const Angles&) const = default;
+};
+
+/// R = Ry(yaw) Rx(pitch) Rz(roll).
+glm::dmat4 rotation_from_angles(const Angles& angles);
+
+/// The angles of a rotation: yaw and roll in (−180, 180], pitch in [−90, 90]. At the poles (|pitch| = 90)
+/// roll and yaw turn about the same axis; roll is then 0 and yaw carries both.
+Angles angles_from_rotation(const glm::dmat3& rotation);
+
+/// C = T(position) R: columns are right, up, back and the eye. Looks along −z at angles 0.
+glm::dmat4 world_from_view(const glm::dvec3& position, const Angles& angles);
+
+/// V = C⁻¹ written out for a rigid C: Rᵀ and −Rᵀ·eye; no general inverse.
+glm::dmat4 view_from_world(const glm::dmat4& world_from_view);
+
+/// T(position) R(rotation) S(scale), the pose of an object.
+glm::dmat4 world_from_model(const glm::dvec3& position, const Angles& rotation, const glm::dvec3& scale);
+
+/// The angles (roll 0) that look from `eye` at `target`. Equal points: looks along −z.
+Angles angles_looking_at(const glm::dvec3& eye, const glm::dvec3& target);
+
+}  // namespace viewing

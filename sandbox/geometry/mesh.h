@@ -1,0 +1,37 @@
+// A triangle mesh as every room sees it: positions, normals, indices. Shapes make it, files are read
+// into it, visibility/ sorts it, render/ uploads it. Read shapes.h next.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace viewing {
+
+/// Indexed triangles in model space, counter-clockwise seen from outside, one unit normal per vertex.
+struct Mesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;      ///< same count as positions
+    std::vector<std::uint32_t> indices;  ///< three per triangle
+
+    std::size_t triangle_count() const { return indices.size() / 3; }
+};
+
+/// Axis-aligned box; empty (min > max) until something was added.
+struct Bounds {
+    glm::dvec3 min{1e300};
+    glm::dvec3 max{-1e300};
+
+    bool empty() const { return min.x > max.x; }
+    void add(const glm::dvec3& point) {
+        min = glm::min(min, point);
+        max = glm::max(max, point);
+    }
+    glm::dvec3 center() const { return (min + max) * 0.5; }
+    glm::dvec3 size() const { return max - min; }
+};
+
+/// The bounds of all vertices; empty for a mesh without any.
+Bounds bounds_of(const Mesh& mesh);
+
+}  // namespace viewing

@@ -1,0 +1,239 @@
+// The motion model: held keys set rates, rates are smoothed exactly, poses are integrated in short substeps.
+#include "geometry/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+using Vec3 = glm::dvec3;
+
+constexpr double max_step_s = 0.25, max_substep_s = 1.0 / 240.0;
+constexpr double slow_factor = 0.25;
+constexpr double max_orbit_pitch_deg = 89.9, min_orbit_distance = 0.01;
+constexpr double orbit_zoom_length = 2.5;  // this far forward brings the eye e times nearer
+constexpr double rest_fraction = 1e-3;     // of the full speed: slower than this is at rest
+
+double wrapped(double degrees) {
+    const double turned = std::remainder(degrees, 360.0);
+    return turned <= -180.0 ? 180.0 : turned;
+}
+
+glm::dquat quaternion(const Angles& angles) {
+    return glm::quat_cast(glm::dmat3(rotation_from_angles(angles)));
+}
+
+/// The rotation about the axes x, y, z at once, by as many degrees.
+glm::dquat turn_about_own_axes(const Vec3& degrees) {
+    const double angle = glm::radians(glm::length(degrees));
+    return angle == 0.0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::angleAxis(angle, glm::normalize(degrees));
+}
+
+/// `angles` after a turn about the camera's own axes; untouched by no turn.
+Angles turned_about_own_axes(const Angles& angles, const Vec3& degrees) {
+    if (degrees == Vec3(0.0)) {
+        return angles;
+    }
+    return angles_from_rotation(glm::mat3_cast(glm::normalize(quaternion(angles) * turn_about_own_axes(degrees))));
+}
+
+Vec3 view_forward(const Angles& angles) {
+    return -Vec3(rotation_from_angles(angles)[2]);
+}
+
+/// The direction of view projected to the ground and normalised, but from the yaw, so that it is there when looking
+/// straight down, too. A camera that is upside down looks against its yaw.
+Vec3 ground_forward(const Angles& angles) {
+    const bool upside_down = std::abs(std::remainder(angles.pitch_deg, 360.0)) > 90.0;
+    return (upside_down ? -1.0 : 1.0) * view_forward({angles.yaw_deg, 0.0, 0.0});
+}
+
+/// Zeros what the mode cannot do.
+void keep_available(Vec3& move, Vec3& turn, MotionMode mode, const MotionSlips& slips) {
+    const MovingFreedoms can = available_freedoms(mode);
+    const bool local_look = slips.creeping_roll && mode == MotionMode::walk;
+    move *= Vec3(can.strafe, can.lift, can.forward);
+    turn *= Vec3(can.pitch || local_look, can.yaw, can.roll);
+    if (mode == MotionMode::orbit) {  // sideways and up are turns there, see wanted_rates
+        move.x = move.y = 0.0;
+    }
+}
+
+/// The rates that the held keys ask for.
+struct WantedRates {
+    Vec3 velocity, turn_rate_deg;
+};
+
+WantedRates wanted_rates(const MotionInput& input, MotionMode mode, const MotionSlips& slips,
+                         const MotionTuning& tuning) {
+    const double factor = input.slow ? slow_factor : 1.0;
+    Vec3 move = input.move / std::max(1.0, glm::length(input.move));
+    Vec3 turn(input.pitch, input.yaw, input.roll);
+    if (mode == MotionMode::orbit) {  // to the right of the target means turning left, up means looking down
+        turn += Vec3(-move.y, move.x, 0.0);
+    }
+    turn = glm::clamp(turn, -1.0, 1.0);
+    keep_available(move, turn, mode, slips);
+    return {move * (tuning.speed * factor), turn * (tuning.turn_deg * factor)};
+}
+
+/// Lets `rate` approach `wanted` for dt_s and returns what it adds up to meanwhile, both exactly.
+Vec3 approach(Vec3& rate, const Vec3& wanted, double full_rate, double smoothing_s, double dt_s) {
+    const double left_over = smoothing_s > 0.0 ? std::exp(-dt_s / smoothing_s) : 0.0;
+    const Vec3 lag = rate - wanted;
+    const Vec3 path = wanted * dt_s + lag * (smoothing_s * (1.0 - left_over));
+    rate = wanted + lag * left_over;
+    if (wanted == Vec3(0.0) && glm::length(rate) <= rest_fraction * full_rate) {
+        rate = Vec3(0.0);
+    }
+    return path;
+}
+
+Pose fly(Pose pose, const Vec3& path, const Vec3& turn) {
+    const Angles halfway = turned_about_own_axes(pose.angles, turn * 0.5);
+    pose.position += glm::dmat3(rotation_from_angles(halfway)) * Vec3(path.x, path.y, -path.z);
+    pose.angles = turned_about_own_axes(pose.angles, turn);
+    return pose;
+}
+
+Pose walk(Pose pose, const Vec3& path, const Vec3& turn, const MotionSlips& slips) {
+    const double height = pose.position.y;
+    const Angles halfway{pose.angles.yaw_deg + turn.y * 0.5, pose.angles.pitch_deg, pose.angles.roll_deg};
+    pose.position += path.z * (slips.walk_slows ? view_forward(halfway) : ground_forward(halfway));
+    pose.position.y = height;
+    if (slips.creeping_roll) {
+        pose.angles = turned_about_own_axes(pose.angles, turn);
+    } else if (turn.y != 0.0) {
+        pose.angles.yaw_deg = wrapped(pose.angles.yaw_deg + turn.y);
+    }
+    return pose;
+}
+
+/// Turns the whole camera about the target so that it has `angles` afterwards.
+void carry_about_target(Pose& pose, const Angles& angles) {
+    const glm::dmat3 before(rotation_from_angles(pose.angles)), after(rotation_from_angles(angles));
+    pose.position = pose.target + after * (glm::transpose(before) * (pose.position - pose.target));
+    pose.angles = angles;
+}
+
+/// The slip: goes on over the pole while up stays world y, so that the picture turns over there.
+void orbit_without_limit(Pose& pose, Motion& motion, const Vec3& turn) {
+    const double distance = glm::length(pose.position - pose.target);
+    const Angles aim = angles_looking_at(pose.position, pose.target);
+    const double yaw = aim.yaw_deg + turn.y;
+    const double pitch = aim.pitch_deg + (motion.past_pole ? -turn.x : turn.x);
+    motion.past_pole ^= std::abs(pitch) > 90.0;
+    pose.position = pose.target - distance * view_forward({yaw, pitch, 0.0});
+    pose.angles = angles_looking_at(pose.position, pose.target);
+}
+
+void orbit_turn(Pose& pose, Motion& motion, const Vec3& turn, const MotionSlips& slips) {
+    if (turn == Vec3(0.0)) {
+        return;
+    }
+    if (slips.pole_flip) {
+        orbit_without_limit(pose, motion, turn);
+    } else if (slips.creeping_roll) {
+        carry_about_target(pose, turned_about_own_axes(pose.angles, turn));
+    } else {
+        Angles angles = pose.angles;
+        angles.yaw_deg = wrapped(angles.yaw_deg + turn.y);
+        // A camera that came here beyond the limit is not thrown back, but gets no further.
+        const double limit = std::max(max_orbit_pitch_deg, std::abs(angles.pitch_deg));
+        angles.pitch_deg = std::clamp(angles.pitch_deg + turn.x, -limit, limit);
+        carry_about_target(pose, angles);
+    }
+}
+
+/// Multiplies the distance to the target by `factor`, but goes no nearer than the smallest distance.
+void zoom(Pose& pose, double factor) {
+    const Vec3 offset = pose.position - pose.target;
+    const double distance = glm::length(offset);
+    if (factor == 1.0 || distance == 0.0) {
+        return;
+    }
+    const double nearest = std::min(distance, min_orbit_distance);
+    pose.position = pose.target + offset * (std::max(distance * factor, nearest) / distance);
+}
+
+void pan(Pose& pose, const glm::dvec2& shift) {
+    const glm::dmat3 axes(rotation_from_angles(pose.angles));
+    const Vec3 moved = axes[0] * shift.x + axes[1] * shift.y;
+    pose.position += moved;
+    pose.target += moved;
+}
+
+Pose moved(Pose pose, Motion& motion, const Vec3& path, const Vec3& turn, MotionMode mode, const MotionSlips& slips) {
+    switch (mode) {
+        case MotionMode::fly:
+            return fly(pose, path, turn);
+        case MotionMode::walk:
+            return walk(pose, path, turn, slips);
+        case MotionMode::orbit:
+            break;
+    }
+    orbit_turn(pose, motion, turn, slips);
+    zoom(pose, std::exp(-path.z / orbit_zoom_length));
+    return pose;
+}
+
+}  // namespace
+
+bool MotionInput::idle() const {
+    return move == Vec3(0.0) && yaw == 0.0 && pitch == 0.0 && roll == 0.0 && look_deg == glm::dvec2(0.0) &&
+           pan == glm::dvec2(0.0) && zoom == 1.0;
+}
+
+bool Motion::at_rest() const {
+    return velocity == Vec3(0.0) && turn_rate_deg == Vec3(0.0);
+}
+
+Pose step(const Pose& pose, Motion& motion, const MotionInput& input, MotionMode mode, const MotionSlips& slips,
+          const MotionTuning& tuning, double dt_s) {
+    keep_available(motion.velocity, motion.turn_rate_deg, mode, slips);
+    motion.past_pole = motion.past_pole && mode == MotionMode::orbit && slips.pole_flip;
+
+    Vec3 no_path(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
+    keep_available(no_path, look, mode, slips);
+    Pose result = moved(pose, motion, no_path, look, mode, slips);
+    if (mode == MotionMode::orbit) {
+        zoom(result, input.zoom);
+        pan(result, input.pan);
+    }
+
+    const WantedRates wanted = wanted_rates(input, mode, slips, tuning);
+    const double step_s = dt_s > 0.0 ? std::min(dt_s, max_step_s) : 0.0;
+    const double substeps = std::ceil(step_s / max_substep_s);
+    for (int i = 0; i < static_cast<int>(substeps); ++i) {
+        const double substep_s = step_s / substeps;
+        const Vec3 path = approach(motion.velocity, wanted.velocity, tuning.speed, tuning.smoothing_s, substep_s);
+        const Vec3 turn =
+            approach(motion.turn_rate_deg, wanted.turn_rate_deg, tuning.turn_deg, tuning.smoothing_s, substep_s);
+        result = moved(result, motion, path, turn, mode, slips);
+    }
+    return result;
+}
+
+MovingFreedoms available_freedoms(MotionMode mode) {
+    const bool walks = mode == MotionMode::walk;
+    return {.forward = true,
+            .strafe = !walks,
+            .lift = !walks,
+            .yaw = true,
+            .pitch = !walks,
+            .roll = mode == MotionMode::fly};
+}
+
+MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, MotionMode mode) {
+    const MovingFreedoms can = available_freedoms(mode);
+    const bool orbits = mode == MotionMode::orbit;
+    return {.forward = can.forward && (motion.velocity.z != 0.0 || (orbits && input.zoom != 1.0)),
+            .strafe = can.strafe && (motion.velocity.x != 0.0 || (orbits && input.pan.x != 0.0)),
+            .lift = can.lift && (motion.velocity.y != 0.0 || (orbits && input.pan.y != 0.0)),
+            .yaw = can.yaw && (motion.turn_rate_deg.y != 0.0 || input.look_deg.x != 0.0),
+            .pitch = can.pitch && (motion.turn_rate_deg.x != 0.0 || input.look_deg.y != 0.0),
+            .roll = can.roll && motion.turn_rate_deg.z != 0.0};
+}
+
+}  // namespace viewing

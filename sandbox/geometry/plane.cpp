@@ -1,0 +1,96 @@
+// The lecture's two matrices of a plane, and the patch that is drawn for it. Read projection.cpp next.
+#include "geometry/plane.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+double sign_of(double value) {
+    return value < 0.0 ? -1.0 : 1.0;
+}
+
+int index_of_largest(const glm::dvec3& magnitudes) {
+    int largest = 0;
+    for (int i = 1; i < 3; ++i) {
+        if (magnitudes[i] > magnitudes[largest]) {
+            largest = i;
+        }
+    }
+    return largest;
+}
+
+int last_index_of_smallest(const glm::dvec3& magnitudes) {
+    int smallest = 0;
+    for (int i = 1; i < 3; ++i) {
+        if (magnitudes[i] <= magnitudes[smallest]) {
+            smallest = i;
+        }
+    }
+    return smallest;
+}
+
+}  // namespace
+
+glm::dvec4 unit_plane(const glm::dvec4& plane) {
+    const double length = glm::length(glm::dvec3(plane));
+    assert(length > 0.0 && "a plane needs a normal");
+    return plane / length;
+}
+
+glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light) {
+    return glm::dmat4(glm::dot(plane, light)) - glm::outerProduct(light, plane);
+}
+
+double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light) {
+    return sign_of(glm::dot(plane, light));
+}
+
+glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane) {
+    const glm::dvec3 n(unit_plane);
+    glm::dmat4 mirror(glm::dmat3(1.0) - 2.0 * glm::outerProduct(n, n));
+    mirror[3] = {-2.0 * unit_plane.w * n + 0.0, 1.0};
+    return mirror;
+}
+
+glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view) {
+    // The corner of the frustum that lies deepest behind the new near plane.
+    const glm::dvec4 corner_clip(sign_of(plane_view.x), sign_of(plane_view.y), 1.0, 1.0);
+    const glm::dvec4 corner_view = glm::inverse(clip_from_view) * corner_clip;
+
+    // That corner is to lie on the far plane: row 3 = scaled plane − row 4. Where the whole frustum lies in front of
+    // the new near plane any positive scale clips it all.
+    constexpr double min_reach = 1e-9;
+    const double reach = std::max(glm::dot(plane_view, corner_view), min_reach);
+    const glm::dvec4 scaled_plane = plane_view * (2.0 / reach);
+    for (int column = 0; column < 4; ++column) {
+        clip_from_view[column][2] = scaled_plane[column] - clip_from_view[column][3];
+    }
+    return clip_from_view;
+}
+
+std::array<glm::dvec3, 4> PlanePatch::corners() const {
+    const glm::dvec3 a = u * extent, b = v * extent;
+    return {center - a - b, center + a - b, center + a + b, center - a + b};
+}
+
+glm::dmat4 PlanePatch::world_from_patch() const {
+    return {{u * extent, 0.0}, {normal, 0.0}, {v * extent, 0.0}, {center, 1.0}};
+}
+
+PlanePatch plane_patch(const glm::dvec4& plane, double extent) {
+    glm::dvec4 unit = unit_plane(plane);
+    unit *= sign_of(unit[index_of_largest(glm::abs(glm::dvec3(unit)))]);
+    unit += 0.0;  // no negative zeros, which would tell P from −P
+
+    const glm::dvec3 normal(unit);
+    glm::dvec3 axis(0.0);
+    axis[last_index_of_smallest(glm::abs(normal))] = 1.0;
+    const glm::dvec3 u = glm::normalize(glm::cross(normal, axis)) + 0.0;
+    const glm::dvec3 v = glm::cross(u, normal) + 0.0;
+    return {-unit.w * normal + 0.0, u, v, normal, extent};
+}
+
+}  // namespace viewing

@@ -1,0 +1,46 @@
+// The plane a x + b y + c z + d = 0: its unit form, the patch drawn for it, and the two matrices of
+// the lecture, shadow (Blinn 1988) and reflection.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+namespace viewing {
+
+/// The plane scaled so that (a, b, c) has length 1, its sign kept. The normal must not be zero.
+glm::dvec4 unit_plane(const glm::dvec4& plane);
+
+/// S = (P·L) I − L Pᵀ sends p to where the ray from the light L through p meets the plane (after ÷ w).
+/// P is used as given: pass a unit plane to get the numbers on display. L.w = 1 point light, 0 parallel.
+/// S² = (P·L) S, S L = 0, rank 3; rank 1 when P·L = 0. Source: lecture, Projection Shadow Matrix.
+glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
+
+/// +1 or −1: the factor that makes w positive for every caster between light and plane, so that the
+/// clipper keeps the shadow. +1 when P·L = 0.
+double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
+
+/// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.
+glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane);
+
+/// Replaces the near plane of a projection (clip range −1 … 1) by a plane given in view space, so that
+/// what lies on its negative side is clipped. The eye must lie on the negative side (w < 0).
+/// A plane beyond the whole frustum clips everything.
+/// Source: Lengyel 2005, Oblique View Frustum Depth Projection and Clipping.
+glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view);
+
+/// The square drawn for a plane: centre nearest the world's origin, half-axes u and v of length
+/// `extent`. The same for P, −P and 2P.
+struct PlanePatch {
+    glm::dvec3 center;
+    glm::dvec3 u;       ///< unit
+    glm::dvec3 v;       ///< unit; u × v = −normal
+    glm::dvec3 normal;  ///< unit, largest component positive
+    double extent;
+
+    std::array<glm::dvec3, 4> corners() const;  ///< counter-clockwise about u × v
+    glm::dmat4 world_from_patch() const;        ///< sends (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
+};
+
+PlanePatch plane_patch(const glm::dvec4& plane, double extent);
+
+}  // namespace viewing

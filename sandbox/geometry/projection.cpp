@@ -1,0 +1,99 @@
+// Projection matrices and the way of eye depth to a stored code. Read ray.h next.
+#include "geometry/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace viewing {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// |d(window depth) / d(eye distance)|.
+double depth_slope(const Lens& lens, DepthMapping mapping, double distance) {
+    if (mapping == DepthMapping::logarithmic) {
+        return 1.0 / (distance * std::log(lens.far / lens.near));
+    }
+    if (lens.orthographic) {
+        return 1.0 / (lens.far - lens.near);
+    }
+    return lens.far * lens.near / ((lens.far - lens.near) * distance * distance);
+}
+
+/// The gap between a float32 in (0, 1] and the next one towards 0.
+double float_gap(double depth) {
+    const float stored = static_cast<float>(std::clamp(depth, 0.0, 1.0));
+    const float smallest = std::numeric_limits<float>::denorm_min();
+    return std::max(stored - std::nextafter(stored, 0.0F), smallest);
+}
+
+}  // namespace
+
+glm::dmat4 clip_from_view(const Lens& lens, double aspect) {
+    if (lens.orthographic) {
+        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
+        return glm::orthoRH_NO(-half_width, half_width, -half_height, half_height, lens.near, lens.far);
+    }
+    return glm::perspectiveRH_NO(glm::radians(lens.fovy_deg), aspect, lens.near, lens.far);
+}
+
+glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect) {
+    if (lens.orthographic) {
+        const double half_height = lens.height / 2.0, half_width = half_height * aspect;
+        return glm::orthoRH_ZO(-half_width, half_width, -half_height, half_height, lens.far, lens.near);
+    }
+    return glm::perspectiveRH_ZO(glm::radians(lens.fovy_deg), aspect, lens.far, lens.near);
+}
+
+double window_depth(const Lens& lens, DepthMapping mapping, double distance) {
+    const double n = lens.near, f = lens.far, z = distance;
+    const bool linear = lens.orthographic && mapping != DepthMapping::logarithmic;
+    if (z <= 0.0 && !linear) {
+        return mapping == DepthMapping::reversed ? infinity : -infinity;
+    }
+    switch (mapping) {
+        case DepthMapping::standard:
+            return linear ? (z - n) / (f - n) : f * (z - n) / ((f - n) * z);
+        case DepthMapping::reversed:
+            return linear ? (f - z) / (f - n) : n * (f - z) / ((f - n) * z);
+        case DepthMapping::logarithmic:
+            break;
+    }
+    return std::log(z / n) / std::log(f / n);
+}
+
+double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double depth) {
+    const double n = lens.near, f = lens.far, d = depth;
+    const bool linear = lens.orthographic;
+    switch (mapping) {
+        case DepthMapping::standard:
+            return linear ? n + d * (f - n) : f * n / (f - d * (f - n));
+        case DepthMapping::reversed:
+            return linear ? f - d * (f - n) : f * n / (n + d * (f - n));
+        case DepthMapping::logarithmic:
+            break;
+    }
+    return n * std::pow(f / n, d);
+}
+
+double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance) {
+    const double stored_distance = std::max(distance, lens.near);
+    const double code = precision.is_float ? float_gap(window_depth(lens, mapping, stored_distance))
+                                           : 1.0 / (std::exp2(precision.bits) - 1.0);
+    return code / depth_slope(lens, mapping, stored_distance);
+}
+
+double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance) {
+    const double stored = depth_step(lens, mapping, precision, distance);
+    if (!precision.is_float) {
+        return stored;
+    }
+    const auto eye_depth = static_cast<float>(std::max(distance, lens.near));
+    const double unit =
+        static_cast<double>(std::nextafter(eye_depth, std::numeric_limits<float>::infinity())) - eye_depth;
+    return std::max(stored, unit / 2.0);
+}
+
+}  // namespace viewing

@@ -1,0 +1,47 @@
+// Projection matrices and what becomes of eye depth on the way to a stored code.
+// Eye distance is positive in front of the camera here: distance = −eye_z.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace viewing {
+
+enum class DepthMapping { standard, reversed, logarithmic };
+
+struct Lens {
+    bool orthographic = false;
+    double fovy_deg = 40.0;  ///< full vertical angle, perspective only
+    double height = 6.0;     ///< full vertical size in world units, orthographic only
+    double near = 0.5;
+    double far = 40.0;
+};
+
+/// P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height.
+glm::dmat4 clip_from_view(const Lens& lens, double aspect);
+
+/// P with near and far swapped for a clip range of 0 … 1: near → 1, far → 0.
+glm::dmat4 clip_from_view_reversed(const Lens& lens, double aspect);
+
+/// Window depth in [0, 1] of an eye distance. Outside near … far the value lies outside [0, 1]; at or behind the eye it
+/// is infinite where the mapping divides by the distance.
+double window_depth(const Lens& lens, DepthMapping mapping, double distance);
+
+/// The inverse of window_depth.
+double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double depth);
+
+/// How precisely a depth buffer stores: a number of bits, or a 32-bit float.
+struct DepthPrecision {
+    int bits = 24;
+    bool is_float = false;
+};
+
+/// The width in eye distance of one stored code at `distance` (facts: Δz ≈ z² (f−n) / (f n (2^b − 1))),
+/// for a float format the width of one unit in the last place there. Positive and finite:
+/// what is nearer than `near` counts as at `near`, beyond `far` the formula is carried on.
+double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
+
+/// depth_step, but for a float format never less than half a unit in the last place of a float32 at `distance`: the
+/// eye depth is rounded to one before it is mapped and stored, so finer codes near a window depth of 0 tell nothing.
+double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance);
+
+}  // namespace viewing

@@ -1,0 +1,52 @@
+// Rays for picking and dragging: through a pixel, against planes, lines, triangles and whole meshes.
+// Read navigation.h next.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "geometry/mesh.h"
+
+namespace viewing {
+
+/// origin + t · direction, t ≥ 0. Lengths t are in units of `direction`, which need not be unit.
+struct Ray {
+    glm::dvec3 origin, direction;
+
+    glm::dvec3 at(double t) const { return origin + t * direction; }
+};
+
+/// The ray through a point of the window, `ndc` in −1 … 1 with y up: starts on the near plane, unit direction, in the
+/// space that `clip_from_world` starts from. The matrix must be invertible with a clip range of −1 … 1.
+Ray ray_through_pixel(const glm::dmat4& clip_from_world, const glm::dvec2& ndc);
+
+/// Where the ray meets the plane a x + b y + c z + d = 0; none when parallel to it or when it lies behind.
+std::optional<double> intersect_plane(const Ray& ray, const glm::dvec4& plane);
+
+/// The s at which origin + s · direction comes nearest to the ray: for dragging along an axis. None when they are
+/// parallel or the nearest point lies behind the ray's origin.
+std::optional<double> closest_point_parameter_on_line(const Ray& ray, const glm::dvec3& origin,
+                                                      const glm::dvec3& direction);
+
+/// A point of a triangle a b c: barycentric.x · a + barycentric.y · b + barycentric.z · c.
+struct TriangleHit {
+    double t;
+    glm::dvec3 barycentric;
+};
+
+/// From either side; edges count as inside. None for a triangle without area or seen edge-on.
+/// Source: Möller and Trumbore 1997.
+std::optional<TriangleHit> intersect_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& triangle);
+
+struct MeshHit {
+    std::size_t triangle;  ///< its indices begin at mesh.indices[3 · triangle]
+    double t;
+    glm::dvec3 barycentric;
+};
+
+/// The nearest hit, every triangle tried; the ray is in model space.
+std::optional<MeshHit> intersect_mesh(const Ray& ray_in_model, const Mesh& mesh);
+
+}  // namespace viewing

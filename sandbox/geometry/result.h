@@ -1,0 +1,49 @@
+// The value-or-message that every outer edge returns (files, arguments, GL start).
+// Inside the program a wrong call is a programmer's mistake and asserts instead.
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace viewing {
+
+/// One sentence for a person: what was wrong, where, and what is allowed.
+struct Error {
+    std::string message;
+};
+
+/// Either a value or one sentence that says why there is none.
+template <typename T>
+class [[nodiscard]] Result {
+public:
+    Result(T value) : content_(std::move(value)) {}
+    Result(Error error) : content_(std::move(error)) {}
+
+    explicit operator bool() const { return content_.index() == 0; }
+    const std::string& error() const { return std::get<1>(content_).message; }
+
+    T& operator*() & { return value(); }
+    const T& operator*() const& { return value(); }
+    T operator*() && { return std::move(value()); }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+
+private:
+    T& value() {
+        assert(content_.index() == 0);
+        return std::get<0>(content_);
+    }
+    const T& value() const {
+        assert(content_.index() == 0);
+        return std::get<0>(content_);
+    }
+
+    std::variant<T, Error> content_;
+};
+
+/// A Result without a value: done, or one sentence why not.
+using Status = Result<std::monostate>;
+
+}  // namespace viewing

@@ -1,0 +1,32 @@
+// The shapes of the scene format, made from formulas: all centred on their origin, wound
+// counter-clockwise seen from outside, with unit normals.
+#pragma once
+
+#include <array>
+
+#include "geometry/mesh.h"
+
+namespace viewing {
+
+Mesh box_mesh();                                                ///< side 2, flat normals (24 vertices)
+Mesh sphere_mesh(int slices = 48, int stacks = 24);             ///< radius 1, poles on the y axis
+Mesh torus_mesh(int slices = 64, int sides = 32);               ///< radii 0.9 and 0.34, axis y
+Mesh cylinder_mesh(int slices = 48);                            ///< radius 1, height 2, axis y, closed
+Mesh cone_mesh(int slices = 48);                                ///< radius 1, height 2, axis y, tip up, closed
+Mesh quad_mesh();                                               ///< side 2 in the plane y = 0, front face up
+Mesh triangle_mesh(const std::array<glm::dvec3, 3>& vertices);  ///< one flat triangle, front face counter-clockwise
+
+/// Newell's 32 bicubic Bézier patches, each cut into resolution × resolution × 2 triangles; axis y,
+/// centred, scaled so that its longest side is 2. Degenerate triangles at the poles are left out.
+/// `resolution` is clamped to 1 … 64.
+Mesh teapot_mesh(int resolution = 10);
+
+/// Centres the mesh on its bounds and scales it uniformly so that its longest side is 2.
+/// A mesh without extent is only centred.
+void center_and_fit(Mesh& mesh);
+
+/// Area-weighted vertex normals for a mesh that has none or the wrong number; zero-area triangles add
+/// nothing, and a vertex that only such triangles use gets (0, 1, 0).
+void make_normals(Mesh& mesh);
+
+}  // namespace viewing

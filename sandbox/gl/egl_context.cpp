@@ -1,0 +1,152 @@
+#include "gl/egl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace viewing::gl {
+namespace {
+
+template <typename Function>
+Function egl_function(const char* name) {
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+bool has_word(const char* words, const char* word) {
+    if (!words) return false;
+    const std::size_t length = std::strlen(word);
+    for (const char* at = std::strstr(words, word); at; at = std::strstr(at + 1, word))
+        if ((at == words || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0')) return true;
+    return false;
+}
+
+std::vector<EGLDeviceEXT> raw_devices() {
+    const auto query = egl_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    EGLint count = 0;
+    if (!query || !query(0, nullptr, &count) || count <= 0) return {};
+    std::vector<EGLDeviceEXT> devices(static_cast<std::size_t>(count));
+    query(count, devices.data(), &count);
+    devices.resize(static_cast<std::size_t>(count));
+    return devices;
+}
+
+DeviceInfo describe(EGLDeviceEXT device, int index) {
+    const auto query_string = egl_function<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    DeviceInfo info{index, false, ""};
+    if (!query_string) return info;
+    const char* extensions = query_string(device, EGL_EXTENSIONS);
+    info.software = has_word(extensions, "EGL_MESA_device_software");
+    if (has_word(extensions, "EGL_EXT_device_drm"))
+        if (const char* node = query_string(device, EGL_DRM_DEVICE_FILE_EXT)) info.name = node;
+    if (info.software) info.name = "software";
+    return info;
+}
+
+EGLDisplay platform_display(EGLenum platform, void* native) {
+    const auto get = egl_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    if (!get || !has_word(eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS), "EGL_EXT_platform_base"))
+        return EGL_NO_DISPLAY;
+    return get(platform, native, nullptr);
+}
+
+EGLContext core_context(EGLDisplay display) {
+    if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
+    // No surface is ever made: drawing goes into own framebuffers, whose formats are chosen there.
+    const EGLint config_wish[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    if (!eglChooseConfig(display, config_wish, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
+    const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   3,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                   EGL_CONTEXT_OPENGL_DEBUG,
+                                   EGL_TRUE,
+                                   EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
+}
+
+}  // namespace
+
+std::vector<DeviceInfo> egl_devices() {
+    std::vector<DeviceInfo> infos;
+    for (EGLDeviceEXT device : raw_devices()) infos.push_back(describe(device, static_cast<int>(infos.size())));
+    return infos;
+}
+
+void prefer_quick_start() {
+    setenv("GALLIVM_PERF", "nopt", 0);
+    setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
+}
+
+Result<EglContext> EglContext::make(const std::string& wish) {
+    const std::vector<EGLDeviceEXT> devices = raw_devices();
+    const auto try_display = [](EGLDisplay display, std::string description) -> std::optional<EglContext> {
+        if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return std::nullopt;
+        EglContext made;
+        made.display_ = display;
+        made.description_ = std::move(description);
+        made.context_ = core_context(display);
+        if (made.context_ == EGL_NO_CONTEXT ||
+            !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, static_cast<EGLContext>(made.context_)))
+            return std::nullopt;
+        return made;
+    };
+    const auto try_device = [&](int index) {
+        const DeviceInfo info = describe(devices[static_cast<std::size_t>(index)], index);
+        return try_display(platform_display(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(index)]),
+                           "EGL device " + std::to_string(index) + (info.software ? " (software)" : ""));
+    };
+    const auto count = static_cast<int>(devices.size());
+
+    if (!wish.empty() && wish != "auto") {
+        char* end = nullptr;
+        const long index = std::strtol(wish.c_str(), &end, 10);
+        if (*end != '\0' || index < 0 || index >= count)
+            return Error{"--device " + wish + ": there is no such EGL device; allowed are auto and 0 … " +
+                         std::to_string(count - 1) + " (see viewing-sandbox doctor)"};
+        if (std::optional<EglContext> made = try_device(static_cast<int>(index))) return std::move(*made);
+        return Error{"--device " + wish + ": this EGL device gives no OpenGL 3.3 core context"};
+    }
+    for (const bool software : {false, true}) {
+        if (!software && wish != "auto") continue;
+        for (int index = 0; index < count; ++index)
+            if (describe(devices[static_cast<std::size_t>(index)], index).software == software)
+                if (std::optional<EglContext> made = try_device(index)) return std::move(*made);
+    }
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    if (auto made = try_display(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY),
+                                "EGL surfaceless (software forced)"))
+        return std::move(*made);
+    return Error{
+        "no OpenGL 3.3 core context: EGL offers neither a software device nor a surfaceless display; install libegl1 "
+        "and "
+        "libgl1-mesa-dri, and see viewing-sandbox doctor"};
+}
+
+EglContext::EglContext(EglContext&& other) noexcept
+    : display_(std::exchange(other.display_, nullptr)),
+      context_(std::exchange(other.context_, nullptr)),
+      description_(std::move(other.description_)) {}
+
+EglContext& EglContext::operator=(EglContext&& other) noexcept {
+    std::swap(display_, other.display_);
+    std::swap(context_, other.context_);
+    std::swap(description_, other.description_);
+    return *this;
+}
+
+EglContext::~EglContext() {
+    if (!display_) return;
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_) eglDestroyContext(display_, static_cast<EGLContext>(context_));
+    eglTerminate(display_);
+}
+
+}  // namespace viewing::gl

@@ -1,0 +1,91 @@
+#include "gl/objects.h"
+
+#include <string>
+
+namespace viewing::gl {
+namespace {
+
+struct DeleteShader {
+    void operator()(GLuint name) const { glDeleteShader(name); }
+};
+using Shader = Handle<DeleteShader>;
+
+template <typename Log, typename Get>
+std::string log_of(GLuint name, Get get, Log log) {
+    GLint length = 0;
+    get(name, GL_INFO_LOG_LENGTH, &length);
+    std::string text(static_cast<std::size_t>(length > 0 ? length : 1), '\0');
+    log(name, length, nullptr, text.data());
+    while (!text.empty() && (text.back() == '\0' || text.back() == '\n')) text.pop_back();
+    return text;
+}
+
+Result<Shader> compile(GLenum stage, std::string_view defines, std::string_view source) {
+    Shader shader(glCreateShader(stage));
+    static constexpr std::string_view version = "#version 330 core\n";
+    const GLchar* parts[] = {version.data(), defines.data(), source.data()};
+    const GLint lengths[] = {static_cast<GLint>(version.size()), static_cast<GLint>(defines.size()),
+                             static_cast<GLint>(source.size())};
+    glShaderSource(shader.name(), 3, parts, lengths);
+    glCompileShader(shader.name());
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
+    if (compiled == GL_FALSE)
+        return Error{"a shader does not compile: " + log_of(shader.name(), glGetShaderiv, glGetShaderInfoLog)};
+    return shader;
+}
+
+template <typename Owner, typename Generate>
+Owner generated(Generate generate) {
+    GLuint name = 0;
+    generate(1, &name);
+    return Owner(name);
+}
+
+}  // namespace
+
+Buffer make_buffer() {
+    return generated<Buffer>(glGenBuffers);
+}
+VertexArray make_vertex_array() {
+    return generated<VertexArray>(glGenVertexArrays);
+}
+Texture make_texture() {
+    return generated<Texture>(glGenTextures);
+}
+Renderbuffer make_renderbuffer() {
+    return generated<Renderbuffer>(glGenRenderbuffers);
+}
+Framebuffer make_framebuffer() {
+    return generated<Framebuffer>(glGenFramebuffers);
+}
+
+Result<Program> make_program(std::string_view vertex_source, std::string_view fragment_source,
+                             std::string_view defines) {
+    Result<Shader> vertex = compile(GL_VERTEX_SHADER, defines, vertex_source);
+    if (!vertex) return Error{vertex.error()};
+    Result<Shader> fragment = compile(GL_FRAGMENT_SHADER, defines, fragment_source);
+    if (!fragment) return Error{fragment.error()};
+
+    Program program(glCreateProgram());
+    glAttachShader(program.name(), vertex->name());
+    glAttachShader(program.name(), fragment->name());
+    glLinkProgram(program.name());
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
+    if (linked == GL_FALSE)
+        return Error{"a program does not link: " + log_of(program.name(), glGetProgramiv, glGetProgramInfoLog)};
+    glDetachShader(program.name(), vertex->name());
+    glDetachShader(program.name(), fragment->name());
+    return program;
+}
+
+Capabilities Capabilities::of_current_context() {
+    Capabilities found;
+    const bool desktop = epoxy_is_desktop_gl();
+    found.clip_control = desktop && (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"));
+    found.clip_distance = desktop;
+    return found;
+}
+
+}  // namespace viewing::gl

@@ -1,0 +1,7 @@
+// The program. Everything it does starts from the command line: read cli/run.cpp next.
+#include "cli/run.h"
+
+int main(int argc, char** argv) {
+    const int first = argc > 0 ? 1 : 0;
+    return viewing::run_command_line({argv + first, argv + argc});
+}

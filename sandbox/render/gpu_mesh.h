@@ -1,0 +1,38 @@
+// Meshes on the GPU, uploaded once and kept as long as some scene holds them.
+#pragma once
+
+#include <memory>
+#include <unordered_map>
+
+#include "geometry/mesh.h"
+#include "gl/objects.h"
+
+namespace viewing {
+
+struct GpuMesh {
+    gl::VertexArray vertex_array;
+    gl::Buffer vertices, indices;
+    GLsizei index_count = 0;
+
+    void draw() const;
+};
+
+/// Interleaves position and normal and uploads; attribute 0 is the position, 1 the normal.
+GpuMesh upload(const Mesh& mesh);
+
+class GpuMeshes {
+public:
+    const GpuMesh& of(const std::shared_ptr<const Mesh>& mesh);
+
+    /// Frees what no scene holds any more.
+    void drop_unused();
+
+private:
+    struct Entry {
+        std::weak_ptr<const Mesh> source;
+        GpuMesh mesh;
+    };
+    std::unordered_map<const Mesh*, Entry> entries_;
+};
+
+}  // namespace viewing

@@ -1,0 +1,93 @@
+#include "render/programs.h"
+
+#include <string>
+
+#include "embedded/shaders.h"
+
+namespace viewing {
+namespace {
+
+Result<gl::Program> load(const char* vertex, const char* fragment, std::string_view defines = "") {
+    Result<gl::Program> made = gl::make_program(embedded_shader(vertex), embedded_shader(fragment), defines);
+    if (!made) return Error{std::string(fragment) + ": " + made.error()};
+    return made;
+}
+
+GLint uniform(const gl::Program& program, const char* name) {
+    return glGetUniformLocation(program.name(), name);
+}
+
+}  // namespace
+
+Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
+    if (const auto found = surfaces_.find(kind); found != surfaces_.end()) return &found->second;
+    std::string defines = "#define SHADING " + std::to_string(kind.shading) + "\n";
+    if (kind.is_patch) defines += "#define IS_PATCH\n";
+    if (kind.write_depth) defines += "#define WRITE_DEPTH\n";
+    if (kind.clips) defines += capabilities_.clip_distance ? "#define CLIP_DISTANCE\n" : "#define CLIP_BY_DISCARD\n";
+    Result<gl::Program> program = load("surface.vert", "surface.frag", defines);
+    if (!program) return Error{program.error()};
+    SurfaceProgram& made = surfaces_[kind];
+    made.program = std::move(*program);
+
+    struct Location {
+        GLint SurfaceProgram::*member;
+        const char* name;
+    };
+    static constexpr Location locations[] = {
+        {&SurfaceProgram::clip_from_model, "clip_from_model"},
+        {&SurfaceProgram::world_from_model, "world_from_model"},
+        {&SurfaceProgram::world_from_normal, "world_from_normal"},
+        {&SurfaceProgram::clip_plane_model, "clip_plane_model"},
+        {&SurfaceProgram::light_world, "light_world"},
+        {&SurfaceProgram::eye_world, "eye_world"},
+        {&SurfaceProgram::sky_world, "sky_world"},
+        {&SurfaceProgram::base_color, "base_color"},
+        {&SurfaceProgram::alpha, "alpha"},
+        {&SurfaceProgram::patch_tones, "patch_tones"},
+        {&SurfaceProgram::patch_extent, "patch_extent"},
+        {&SurfaceProgram::facing_colors, "facing_colors"},
+        {&SurfaceProgram::view_z_of_model, "view_z_of_model"},
+        {&SurfaceProgram::view_w_of_model, "view_w_of_model"},
+        {&SurfaceProgram::depth_levels, "depth_levels"},
+        {&SurfaceProgram::logarithmic_range, "logarithmic_range"},
+        {&SurfaceProgram::depth_offset, "depth_offset"},
+    };
+    for (const Location& location : locations) made.*location.member = uniform(made.program, location.name);
+    return &made;
+}
+
+Result<const ShowDepthProgram*> Programs::show_depth() {
+    if (show_depth_.program) return &show_depth_;
+    Result<gl::Program> program = load("fullscreen.vert", "show_depth.frag");
+    if (!program) return Error{program.error()};
+    show_depth_.mapping = uniform(*program, "mapping");
+    show_depth_.linear_scale = uniform(*program, "linear_scale");
+    show_depth_.orthographic = uniform(*program, "orthographic");
+    show_depth_.near_far = uniform(*program, "near_far");
+    show_depth_.shown_range = uniform(*program, "shown_range");
+    show_depth_.cleared = uniform(*program, "cleared");
+    show_depth_.unwritten_color = uniform(*program, "unwritten_color");
+    show_depth_.program = std::move(*program);
+    return &show_depth_;
+}
+
+Result<const ShowStencilProgram*> Programs::show_stencil() {
+    if (show_stencil_.program) return &show_stencil_;
+    Result<gl::Program> program = load("fullscreen.vert", "show_stencil.frag");
+    if (!program) return Error{program.error()};
+    show_stencil_.stencil_colors = uniform(*program, "stencil_colors");
+    show_stencil_.program = std::move(*program);
+    return &show_stencil_;
+}
+
+Result<const ConstantProgram*> Programs::constant() {
+    if (constant_.program) return &constant_;
+    Result<gl::Program> program = load("fullscreen.vert", "constant.frag");
+    if (!program) return Error{program.error()};
+    constant_.value = uniform(*program, "value");
+    constant_.program = std::move(*program);
+    return &constant_;
+}
+
+}  // namespace viewing

@@ -1,0 +1,63 @@
+// The sandbox's GL programs with their uniforms, compiled when first needed.
+#pragma once
+
+#include <compare>
+#include <map>
+
+#include "frame/plan.h"
+#include "gl/objects.h"
+
+namespace viewing {
+
+/// One way to draw a surface: each has a program of its own.
+struct SurfaceKind {
+    static constexpr int identity = 4;  ///< one more than Shading has: identities for colours, to read back
+
+    int shading = 0;  ///< a Shading, or identity
+    bool is_patch = false;
+    bool clips = false;
+    bool write_depth = false;
+    auto operator<=>(const SurfaceKind&) const = default;
+};
+
+/// shaders/surface.*: `WRITE_DEPTH` is for depths the fixed pipeline cannot store by itself (few bits, logarithmic).
+struct SurfaceProgram {
+    gl::Program program;
+    GLint clip_from_model, world_from_model, world_from_normal, clip_plane_model;
+    GLint light_world, eye_world, sky_world, base_color, alpha, patch_tones, patch_extent, facing_colors;
+    GLint view_z_of_model, view_w_of_model, depth_levels, logarithmic_range, depth_offset;
+};
+
+struct ShowDepthProgram {
+    gl::Program program;
+    GLint mapping, linear_scale, orthographic, near_far, shown_range, cleared, unwritten_color;
+};
+
+struct ShowStencilProgram {
+    gl::Program program;
+    GLint stencil_colors;
+};
+
+struct ConstantProgram {
+    gl::Program program;
+    GLint value;
+};
+
+class Programs {
+public:
+    explicit Programs(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
+
+    Result<const SurfaceProgram*> surface(const SurfaceKind& kind);
+    Result<const ShowDepthProgram*> show_depth();
+    Result<const ShowStencilProgram*> show_stencil();
+    Result<const ConstantProgram*> constant();
+
+private:
+    gl::Capabilities capabilities_;
+    std::map<SurfaceKind, SurfaceProgram> surfaces_;
+    ShowDepthProgram show_depth_;
+    ShowStencilProgram show_stencil_;
+    ConstantProgram constant_;
+};
+
+}  // namespace viewing

@@ -1,0 +1,59 @@
+// Executes a frame plan with GL: the only place where passes become calls. Also reads pictures and pixels back.
+#pragma once
+
+#include <memory>
+
+#include "frame/plan.h"
+#include "gl/objects.h"
+#include "gl/target.h"
+#include "render/image.h"
+
+namespace viewing {
+
+/// The framebuffers of one view on screen; kept between frames so that nothing is reallocated while nothing changes.
+class View {
+public:
+    /// The finished picture (resolved, or depth and stencil made visible).
+    GLuint texture() const { return presents_ ? shown_.texture() : target_.color_texture(); }
+    GLuint framebuffer() const { return presents_ ? shown_.framebuffer() : target_.single_framebuffer(); }
+    glm::ivec2 size_px() const { return target_.size_px(); }
+    const gl::Target& target() const { return target_; }
+
+private:
+    friend class Renderer;
+    gl::Target target_;
+    gl::ColorTarget shown_;
+    bool presents_ = false;
+};
+
+class Renderer {
+public:
+    /// Needs a current context. Fewer capabilities than it has take the fallbacks; more are a programmer's mistake.
+    /// The error is a driver that refuses a shader.
+    static Result<Renderer> make(const gl::Capabilities& capabilities = gl::Capabilities::of_current_context());
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+    const gl::Capabilities& capabilities() const;
+
+    /// Draws the plan into the view, which takes the given size.
+    Status draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
+
+    /// The picture of the view, top row first.
+    Image read(const View& view) const;
+
+    /// Draws the plan with identities for colours: red and green hold the number of the object from 1 on
+    /// (patch_identity for the patch, 0 where nothing is), blue whether its front is seen. The mirror image is left
+    /// out: the patch is what is there.
+    Status draw_identities(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
+
+    static constexpr int patch_identity = 255 * 256;
+
+private:
+    struct Implementation;
+    explicit Renderer(std::unique_ptr<Implementation> implementation);
+    std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace viewing

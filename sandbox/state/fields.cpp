@@ -1,0 +1,615 @@
+// The one list of fields, in the order of the state file, and the names of the enumerations. A table, hence its
+// length. The words are the lecture's. What may be done with a range stands in ranges.cpp; read json.h next.
+#include "state/fields.h"
+
+#include <algorithm>
+#include <cassert>
+#include <type_traits>
+
+namespace viewing {
+
+// clang-format off
+template <> std::span<const char* const> names_of<Navigation>() { static constexpr const char* names[] = {"fly", "walk", "orbit"}; return names; }
+template <> std::span<const char* const> names_of<ProjectionType>() { static constexpr const char* names[] = {"perspective", "orthographic"}; return names; }
+template <> std::span<const char* const> names_of<CompareFunc>() { static constexpr const char* names[] = {"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"}; return names; }
+template <> std::span<const char* const> names_of<DepthFormat>() { static constexpr const char* names[] = {"d4", "d5", "d6", "d7", "d8", "d9", "d10", "d11", "d12", "d16", "d24", "d32f"}; return names; }
+template <> std::span<const char* const> names_of<DepthMapping>() { static constexpr const char* names[] = {"standard", "reversed", "logarithmic"}; return names; }
+template <> std::span<const char* const> names_of<CullFace>() { static constexpr const char* names[] = {"front", "back", "front_and_back"}; return names; }
+template <> std::span<const char* const> names_of<FrontFace>() { static constexpr const char* names[] = {"ccw", "cw"}; return names; }
+template <> std::span<const char* const> names_of<ShadowOffset>() { static constexpr const char* names[] = {"none", "polygon_offset", "lift", "no_depth_test"}; return names; }
+template <> std::span<const char* const> names_of<ShadowStyle>() { static constexpr const char* names[] = {"blend", "missing_light"}; return names; }
+template <> std::span<const char* const> names_of<MirrorClip>() { static constexpr const char* names[] = {"none", "clip_distance", "oblique"}; return names; }
+template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}; return names; }
+template <> std::span<const char* const> names_of<SortKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
+template <> std::span<const char* const> names_of<Splitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
+template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw"}; return names; }
+template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
+template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
+template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
+// clang-format on
+
+namespace {
+
+/// An enumeration by its names and indices, anything else by its address.
+template <typename T>
+FieldRef field_ref(T& value) {
+    if constexpr (std::is_enum_v<T>) {
+        return EnumRef{names_of<T>(), &value,
+                       [](const void* address) { return static_cast<int>(*static_cast<const T*>(address)); },
+                       [](void* address, int index) { *static_cast<T*>(address) = static_cast<T>(index); }};
+    } else {
+        return &value;
+    }
+}
+
+#define IN(member) [](Params& params) -> FieldRef { return field_ref(params.member); }
+
+constexpr double position_limit = 1e6;
+constexpr double turns_limit_deg = 3600.0;
+constexpr double offset_limit = 1e6;
+
+constexpr std::string_view length = "world units";
+constexpr std::string_view degrees = "°";
+constexpr std::string_view camera_formula = "C = T(position) · Ry(yaw) · Rx(pitch) · Rz(roll), V = C⁻¹";
+constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z)";
+constexpr std::string_view shadow_formula = "S = (P·L) I − L Pᵀ";
+constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1";
+
+const Field all_fields[] = {
+    {.path = "version",
+     .in = IN(version),
+     .label = "version",
+     .min = 1,
+     .max = 1,
+     .step = 1,
+     .help = "The version of the state file's format. This program reads version 1."},
+    {.path = "scene",
+     .in = IN(scene),
+     .label = "scene",
+     .help =
+         "What is looked at: the name of a scene that comes with the sandbox, the path of a scene or OBJ file, or the "
+         "objects themselves."},
+
+    // camera
+    {.path = "camera.position",
+     .in = IN(camera.position),
+     .label = "position",
+     .unit = length,
+     .min = -position_limit,
+     .max = position_limit,
+     .step = 0.05,
+     .help =
+         "Where the eye is, in world coordinates. Moving the camera by +10 along z is the same picture as moving the "
+         "world by −10.",
+     .formula = camera_formula},
+    {.path = "camera.yaw",
+     .in = IN(camera.yaw),
+     .label = "yaw",
+     .unit = degrees,
+     .min = -turns_limit_deg,
+     .max = turns_limit_deg,
+     .step = 0.5,
+     .help =
+         "Heading: the turn about the y axis, positive to the left. At 0 the camera looks along −z. Walking changes "
+         "this angle only.",
+     .formula = camera_formula},
+    {.path = "camera.pitch",
+     .in = IN(camera.pitch),
+     .label = "pitch",
+     .unit = degrees,
+     .min = -180,
+     .max = 180,
+     .step = 0.5,
+     .help = "Looking up (positive) or down (negative): the turn about the camera's own x axis, after yaw. Beyond ±90° "
+             "the camera is upside down.",
+     .formula = camera_formula},
+    {.path = "camera.roll",
+     .in = IN(camera.roll),
+     .label = "roll",
+     .unit = degrees,
+     .min = -turns_limit_deg,
+     .max = turns_limit_deg,
+     .step = 0.5,
+     .help =
+         "Tilting the head: the turn about the direction of view, after yaw and pitch. Positive leans the camera to "
+         "the left, so the picture turns clockwise.",
+     .formula = camera_formula},
+    {.path = "camera.target",
+     .in = IN(camera.target),
+     .label = "target",
+     .unit = length,
+     .min = -position_limit,
+     .max = position_limit,
+     .step = 0.05,
+     .help = "The point that orbiting turns about and at whose distance the depth step is stated. Changing it moves "
+             "nothing by itself."},
+    {.path = "camera.navigation",
+     .in = IN(camera.navigation),
+     .label = "navigation",
+     .help =
+         "How input moves the camera: fly has six degrees of freedom in the camera's own frame, walk has two on the "
+         "ground (pan and forward), orbit turns about the target."},
+
+    // projection
+    {.path = "projection.type",
+     .in = IN(projection.type),
+     .label = "projection",
+     .help =
+         "Perspective makes far things small; orthographic keeps parallel lines parallel and sizes the same at every "
+         "distance.",
+     .gl_call = "glm::perspective | glm::ortho"},
+    {.path = "projection.fovy",
+     .in = IN(projection.fovy),
+     .label = "fovy",
+     .unit = degrees,
+     .min = 1,
+     .max = 179,
+     .step = 0.5,
+     .help = "The full vertical angle of view of the perspective. GLM takes it in radians: glm::radians(fovy).",
+     .formula = "P₂₂ = 1 / tan(fovy / 2)",
+     .gl_call = "glm::perspective"},
+    {.path = "projection.height",
+     .in = IN(projection.height),
+     .label = "height",
+     .unit = length,
+     .min = 1e-3,
+     .max = 1e4,
+     .step = 0.05,
+     .logarithmic = true,
+     .help = "The full vertical size of the orthographic view; the width follows from the aspect ratio.",
+     .formula = "P₂₂ = 2 / height",
+     .gl_call = "glm::ortho"},
+    {.path = "projection.near",
+     .in = IN(projection.near),
+     .label = "z-near",
+     .unit = length,
+     .min = 1e-6,
+     .max = 1e6,
+     .step = 0.01,
+     .logarithmic = true,
+     .help =
+         "Distance of the near plane: what is closer is cut off. Depth precision is lost here: ten times nearer costs "
+         "ten times the resolution.",
+     .formula = frustum_formula,
+     .gl_call = "glm::perspective | glm::ortho"},
+    {.path = "projection.far",
+     .in = IN(projection.far),
+     .label = "z-far",
+     .unit = length,
+     .min = 1e-5,
+     .max = 1e9,
+     .step = 0.1,
+     .logarithmic = true,
+     .help =
+         "Distance of the far plane: what is beyond is cut off. In perspective it costs hardly any depth precision; "
+         "the near plane does.",
+     .formula = frustum_formula,
+     .gl_call = "glm::perspective | glm::ortho"},
+
+    // depth
+    {.path = "depth.test",
+     .in = IN(depth.test),
+     .label = "depth test",
+     .help =
+         "Compares each new fragment with the depth buffer. Off, whatever is drawn last wins, and the depth buffer is "
+         "not written either.",
+     .gl_call = "glEnable(GL_DEPTH_TEST)"},
+    {.path = "depth.func",
+     .in = IN(depth.func),
+     .label = "depth function",
+     .help = "The comparison that a new depth must pass against the stored one. ALWAYS is not the same as no test: it "
+             "still writes depth. With reversed depth the program turns less and greater round.",
+     .gl_call = "glDepthFunc"},
+    {.path = "depth.write",
+     .in = IN(depth.write),
+     .label = "depth mask",
+     .help = "Whether fragments that pass leave their depth behind. Off, objects are tested but hide nothing that is "
+             "drawn later.",
+     .gl_call = "glDepthMask"},
+    {.path = "depth.clear",
+     .in = IN(depth.clear),
+     .label = "clear depth",
+     .help = "Clears the depth buffer at the beginning of every frame. Without it, the depths of earlier frames go on "
+             "hiding what is drawn now.",
+     .gl_call = "glClear(GL_DEPTH_BUFFER_BIT)"},
+    {.path = "depth.format",
+     .in = IN(depth.format),
+     .label = "depth format",
+     .unit = "bits",
+     .help = "How many bits each stored depth has: 16 or 24 as an integer, 32 as a float; 4 to 12 bits are emulated so "
+             "that depth fighting can be seen with the naked eye.",
+     .formula = "Δz ≈ z² (f−n) / (f·n·(2ᵇ − 1))",
+     .gl_call = "glRenderbufferStorage"},
+    {.path = "depth.mapping",
+     .in = IN(depth.mapping),
+     .label = "depth mapping",
+     .help =
+         "How eye distance becomes window depth: standard has 0 at near, reversed has 1 at near and spends a float's "
+         "precision far away, logarithmic spends it evenly over the decades.",
+     .formula = "reversed: d = n (f−z) / ((f−n)·z); logarithmic: d = ln(z/n) / ln(f/n)",
+     .gl_call = "glClipControl, glClearDepth"},
+    {.path = "depth.offset.factor",
+     .in = IN(depth.offset.factor),
+     .label = "offset factor",
+     .min = -offset_limit,
+     .max = offset_limit,
+     .step = 0.1,
+     .help = "Polygon offset of objects marked as decals, times the polygon's steepest depth slope m. Negative pulls "
+             "towards the eye.",
+     .formula = "offset = factor · m + units · r",
+     .gl_call = "glPolygonOffset"},
+    {.path = "depth.offset.units",
+     .in = IN(depth.offset.units),
+     .label = "offset units",
+     .min = -offset_limit,
+     .max = offset_limit,
+     .step = 0.1,
+     .help =
+         "Polygon offset of objects marked as decals, in the smallest steps r that the depth buffer can tell apart. "
+         "Too little stipples, too much bleeds through.",
+     .formula = "offset = factor · m + units · r",
+     .gl_call = "glPolygonOffset"},
+
+    // cull
+    {.path = "cull.enabled",
+     .in = IN(cull.enabled),
+     .label = "cull face",
+     .help =
+         "Drops polygons by the side they show before they are rasterised. Half the work for closed objects; the enum "
+         "is GL_CULL_FACE, not GL_CULL.",
+     .gl_call = "glEnable(GL_CULL_FACE)"},
+    {.path = "cull.face",
+     .in = IN(cull.face),
+     .label = "culled side",
+     .help = "Which side is dropped. BACK is the usual choice; FRONT shows objects from inside. Shadows fall the same "
+             "either way.",
+     .gl_call = "glCullFace"},
+    {.path = "cull.front_face",
+     .in = IN(cull.front_face),
+     .label = "front face",
+     .help = "Which winding, seen on screen, counts as the front: counter-clockwise (CCW) as the objects are made, or "
+             "clockwise (CW), which turns them inside out.",
+     .gl_call = "glFrontFace"},
+
+    // light
+    {.path = "light.position",
+     .in = IN(light.position),
+     .label = "light",
+     .unit = length,
+     .min = -position_limit,
+     .max = position_limit,
+     .step = 0.05,
+     .help =
+         "The light l = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light that comes from the "
+         "direction (x, y, z). Values between lie at (x, y, z) ÷ w.",
+     .formula = shadow_formula},
+    {.path = "lights",
+     .in = IN(lights),
+     .label = "further lights",
+     .help = "More lights, each like the first one, each with its own shadow."},
+
+    // plane
+    {.path = "plane.equation",
+     .in = IN(plane.equation),
+     .label = "plane",
+     .min = -position_limit,
+     .max = position_limit,
+     .step = 0.01,
+     .help =
+         "The plane a x + b y + c z + d = 0 that receives the shadow and mirrors. (a, b, c) is its normal; length and "
+         "sign change nothing in the picture.",
+     .formula = "n·p + d = 0"},
+    {.path = "plane.extent",
+     .in = IN(plane.extent),
+     .label = "extent",
+     .unit = length,
+     .min = 1e-3,
+     .max = 1e4,
+     .step = 0.05,
+     .logarithmic = true,
+     .help = "Half the side of the square patch that is drawn for the plane. The plane itself has no end: that is why "
+             "shadows and reflections need the stencil at the patch's edge."},
+    {.path = "planes",
+     .in = IN(planes),
+     .label = "further planes",
+     .help = "More planes, each with its equation and extent, and whether it receives shadows and mirrors."},
+
+    // shadow
+    {.path = "shadow.enabled",
+     .in = IN(shadow.enabled),
+     .label = "shadow",
+     .help = "Draws every object a second time, flattened onto the plane by S.",
+     .formula = shadow_formula},
+    {.path = "shadow.color",
+     .in = IN(shadow.color),
+     .label = "shadow colour",
+     .help = "The colour that the flattened objects are painted with."},
+    {.path = "shadow.opacity",
+     .in = IN(shadow.opacity),
+     .label = "opacity",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help = "How much of the shadow's colour replaces what lies under it: 0 nothing, 1 all.",
+     .formula = "colour = opacity · shadow + (1 − opacity) · plane",
+     .gl_call = "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"},
+    {.path = "shadow.stencil_once",
+     .in = IN(shadow.stencil_once),
+     .label = "stencil once",
+     .help = "Lets each pixel be darkened only once. Off, a pixel that several flattened polygons cover is blended "
+             "several times and gets darker.",
+     .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)"},
+    {.path = "shadow.clip_to_receiver",
+     .in = IN(shadow.clip_to_receiver),
+     .label = "clip to receiver",
+     .help =
+         "Keeps the shadow inside the patch by its stencil mark. Off, the shadow hangs in the air beyond the floor's "
+         "edge.",
+     .gl_call = "glStencilFunc(GL_EQUAL, …)"},
+    {.path = "shadow.clip_casters",
+     .in = IN(shadow.clip_casters),
+     .label = "clip casters",
+     .help = "Lets only what lies between the light and the plane cast a shadow. Off, objects behind the plane throw a "
+             "false shadow.",
+     .gl_call = "gl_ClipDistance"},
+    {.path = "shadow.offset",
+     .in = IN(shadow.offset),
+     .label = "shadow offset",
+     .help =
+         "What keeps the shadow from fighting with the plane it lies in: nothing, polygon offset in depth, lifting it "
+         "along the normal, or drawing it without the depth test.",
+     .gl_call = "glPolygonOffset | glDisable(GL_DEPTH_TEST)"},
+    {.path = "shadow.offset_factor",
+     .in = IN(shadow.offset_factor),
+     .label = "factor",
+     .min = -offset_limit,
+     .max = offset_limit,
+     .step = 0.1,
+     .help = "The slope part of the shadow's polygon offset. Negative pulls the shadow towards the eye.",
+     .formula = "offset = factor · m + units · r",
+     .gl_call = "glPolygonOffset"},
+    {.path = "shadow.offset_units",
+     .in = IN(shadow.offset_units),
+     .label = "units",
+     .min = -offset_limit,
+     .max = offset_limit,
+     .step = 0.1,
+     .help = "The constant part of the shadow's polygon offset, in the smallest steps of the depth buffer.",
+     .formula = "offset = factor · m + units · r",
+     .gl_call = "glPolygonOffset"},
+    {.path = "shadow.lift",
+     .in = IN(shadow.lift),
+     .label = "lift",
+     .unit = length,
+     .min = 0,
+     .max = 10,
+     .step = 0.001,
+     .help = "How far the shadow is lifted off the plane towards the eye's side when the offset is \"lift\". Seen at a "
+             "grazing angle it "
+             "parts from its object."},
+    {.path = "shadow.style",
+     .in = IN(shadow.style),
+     .label = "style",
+     .help =
+         "blend paints the shadow's colour over the plane; missing_light leaves out what this light would have added, "
+         "so that highlights vanish in the shadow and textures stay."},
+
+    // reflection
+    {.path = "reflection.enabled",
+     .in = IN(reflection.enabled),
+     .label = "reflection",
+     .help = "Draws the scene a second time, mirrored by R, and lays the plane over it.",
+     .formula = mirror_formula},
+    {.path = "reflection.reflectance",
+     .in = IN(reflection.reflectance),
+     .label = "reflectance",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help = "How much of the mirrored picture shows in the plane: 0 a dull floor, 1 a perfect mirror.",
+     .formula = "colour = reflectance · mirrored + (1 − reflectance) · plane"},
+    {.path = "reflection.stencil",
+     .in = IN(reflection.stencil),
+     .label = "stencil mirror",
+     .help = "Draws the mirrored scene only where the patch was marked in the stencil buffer. Off, it shows beyond the "
+             "mirror's edge too.",
+     .gl_call = "glStencilFunc(GL_EQUAL, …)"},
+    {.path = "reflection.clip",
+     .in = IN(reflection.clip),
+     .label = "clip to mirror",
+     .help =
+         "How things behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an oblique "
+         "near plane in the projection, which needs no extra hardware but spoils depth.",
+     .formula = "oblique: row₃ = 2 c / (c·q) − row₄",
+     .gl_call = "glEnable(GL_CLIP_DISTANCE0)"},
+    {.path = "reflection.flip_winding",
+     .in = IN(reflection.flip_winding),
+     .label = "flip winding",
+     .help = "A mirror turns counter-clockwise into clockwise (det R = −1), so front and back must change places while "
+             "the mirrored scene is drawn. Off, it is culled inside out.",
+     .formula = "det R = −1",
+     .gl_call = "glFrontFace"},
+    {.path = "reflection.reflect_light",
+     .in = IN(reflection.reflect_light),
+     .label = "reflect light",
+     .help = "Mirrors the light together with the scene. Off, mirrored objects are lit from the wrong side.",
+     .formula = "l′ = R l"},
+    {.path = "reflection.bounces",
+     .in = IN(reflection.bounces),
+     .label = "bounces",
+     .min = 0,
+     .max = 16,
+     .step = 1,
+     .help = "How many mirrors a line of sight may meet one after the other. One plane needs 1; mirrors that face each "
+             "other "
+             "show more with each bounce."},
+
+    // overrides, follow
+    {.path = "overrides.shadow_from_world",
+     .in = IN(overrides.shadow_from_world),
+     .label = "S by hand",
+     .help =
+         "Four rows put in place of the shadow matrix S, to see what each entry does; null computes S from light and "
+         "plane.",
+     .formula = shadow_formula},
+    {.path = "overrides.mirror_from_world",
+     .in = IN(overrides.mirror_from_world),
+     .label = "R by hand",
+     .help = "Four rows put in place of the reflection matrix R, to see what each entry does; null computes R from the "
+             "plane.",
+     .formula = mirror_formula},
+    {.path = "follow",
+     .in = IN(follow),
+     .label = "follow a point",
+     .help = "The vertex p of an object that is followed on its way through the matrices to its shadow s = S p and its "
+             "mirror image R p; null follows none.",
+     .formula = "s = S p ÷ w"},
+
+    // visibility
+    {.path = "visibility.method",
+     .in = IN(visibility.method),
+     .label = "method",
+     .help =
+         "Who decides what is hidden: the depth buffer of the GPU, nobody, sorting (painter, Newell), a BSP tree, a "
+         "depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth test off."},
+    {.path = "visibility.step",
+     .in = IN(visibility.step),
+     .label = "step",
+     .min = -1,
+     .max = 1e9,
+     .step = 1,
+     .help = "Stops the method after so many of its steps, to watch it work; −1 runs all of them."},
+    {.path = "visibility.sort_key",
+     .in = IN(visibility.sort_key),
+     .label = "sort key",
+     .help =
+         "What the painter sorts polygons by: the distance of the nearest vertex, the farthest one, or the centroid. "
+         "Each of them fails on some scene."},
+    {.path = "visibility.splitter",
+     .in = IN(visibility.splitter),
+     .label = "splitter",
+     .help = "Which polygon becomes the root when a BSP tree is built: the first, a random one, the one that cuts the "
+             "fewest others, or the one that divides them most evenly."},
+
+    // view
+    {.path = "view.shows",
+     .in = IN(view.shows),
+     .label = "shows",
+     .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
+             "polygon faces the eye, or how often each pixel was drawn."},
+    {.path = "view.depth_scale",
+     .in = IN(view.depth_scale),
+     .label = "depth scale",
+     .help = "window shows the depth as it is stored, most of it nearly white; linear shows the distance from the eye "
+             "between near and far."},
+    {.path = "view.samples",
+     .in = IN(view.samples),
+     .label = "samples",
+     .min = 0,
+     .max = 4,
+     .step = 4,
+     .help = "Multisampling of the colour picture: 4 samples for smooth edges, 0 for none.",
+     .gl_call = "glRenderbufferStorageMultisample"},
+
+    // observer
+    {.path = "observer.target",
+     .in = IN(observer.target),
+     .label = "observer target",
+     .unit = length,
+     .min = -position_limit,
+     .max = position_limit,
+     .step = 0.05,
+     .help = "The point that the observer, who sees camera, frustum, light and plane from outside, looks at and turns "
+             "about."},
+    {.path = "observer.yaw",
+     .in = IN(observer.yaw),
+     .label = "observer yaw",
+     .unit = degrees,
+     .min = -turns_limit_deg,
+     .max = turns_limit_deg,
+     .step = 0.5,
+     .help = "The observer's turn about the y axis through its target."},
+    {.path = "observer.pitch",
+     .in = IN(observer.pitch),
+     .label = "observer pitch",
+     .unit = degrees,
+     .min = -90,
+     .max = 90,
+     .step = 0.5,
+     .help = "How steeply the observer looks: negative from above, positive from below."},
+    {.path = "observer.distance",
+     .in = IN(observer.distance),
+     .label = "observer distance",
+     .unit = length,
+     .min = 1e-3,
+     .max = 1e6,
+     .step = 0.1,
+     .logarithmic = true,
+     .help = "How far the observer is from its target."},
+
+    // slips
+    {.path = "slips.walk_slows",
+     .in = IN(slips.walk_slows),
+     .label = "walk slows",
+     .help = "A famous slip: walking moves along the direction of view and then sets the height back, so that one gets "
+             "slower the more one looks up or down."},
+    {.path = "slips.creeping_roll",
+     .in = IN(slips.creeping_roll),
+     .label = "creeping roll",
+     .help = "A famous slip: walking and orbiting turn yaw about the camera's own axis in place of the world's, and a "
+             "roll that nobody asked for creeps in."},
+    {.path = "slips.pole_flip",
+     .in = IN(slips.pole_flip),
+     .label = "pole flip",
+     .help = "A famous slip: orbiting builds the view from a fixed up vector without a limit on pitch, and the picture "
+             "flips over at the pole.",
+     .gl_call = "glm::lookAt"},
+    {.path = "slips.swapped_order",
+     .in = IN(slips.swapped_order),
+     .label = "R T for T R",
+     .help =
+         "A famous slip: the camera's matrix is multiplied in the wrong order, so that its position is turned along "
+         "with it.",
+     .formula = "C = R T ≠ T R"},
+    {.path = "slips.camera_as_view",
+     .in = IN(slips.camera_as_view),
+     .label = "C for V",
+     .help = "A famous slip: the camera's own matrix is sent where its inverse belongs, and everything moves the wrong "
+             "way.",
+     .formula = "C ≠ V = C⁻¹"},
+
+    // ui
+    {.path = "ui.theme",
+     .in = IN(ui.theme),
+     .label = "theme",
+     .help =
+         "The colours of the window: dark, light, or projector with larger type and heavier lines for a bright room."},
+    {.path = "ui.scale",
+     .in = IN(ui.scale),
+     .label = "scale",
+     .min = 0.5,
+     .max = 4,
+     .step = 0.05,
+     .help = "The size of type and controls, on top of what the screen asks for."},
+};
+
+#undef IN
+
+}  // namespace
+
+std::span<const Field> fields() {
+    return all_fields;
+}
+
+const Field* find_field(std::string_view path) {
+    const auto found = std::ranges::find(all_fields, path, &Field::path);
+    return found == std::end(all_fields) ? nullptr : &*found;
+}
+
+const Field& field(std::string_view path) {
+    const Field* found = find_field(path);
+    assert(found != nullptr);
+    return *found;
+}
+
+}  // namespace viewing

@@ -1,0 +1,114 @@
+// The public face of the readers and writers: state files, scene files and the `params` command. The work is done in
+// reader.cpp (fields), scene_reader.cpp (objects) and document.cpp (text); `--set` is in settings.cpp.
+#include "state/json.h"
+
+#include <algorithm>
+
+#include "state/reader.h"
+#include "state/words.h"
+
+namespace viewing {
+
+namespace {
+
+/// A field's default as text on one line.
+std::string default_text(const Field& field) {
+    Params defaults;
+    return print_document(field_as_json(field, defaults));
+}
+
+bool has_range(const Field& field) {
+    const std::string_view type = type_name(field);
+    return type == "int" || type == "number" || type == "vec3" || type == "vec4" || type == "matrix";
+}
+
+Json field_description(const Field& field) {
+    Params defaults;
+    Json json = {{"path", field.path}, {"type", type_name(field)}, {"label", field.label}, {"unit", field.unit}};
+    if (has_range(field)) {
+        json["min"] = field.min;
+        json["max"] = field.max;
+        json["step"] = field.step;
+        json["logarithmic"] = field.logarithmic;
+    }
+    const FieldRef value = field.in(defaults);
+    if (const auto* choice = std::get_if<EnumRef>(&value)) {
+        json["values"] = std::vector<std::string>(choice->names.begin(), choice->names.end());
+    }
+    json["allowed"] = allowed_text(field);
+    json["default"] = field_as_json(field, defaults);
+    json["help"] = field.help;
+    json["formula"] = field.formula;
+    json["gl_call"] = field.gl_call;
+    return json;
+}
+
+}  // namespace
+
+Result<Params> parse_state(std::string_view json, std::string_view source) {
+    return guarded([&] {
+        const Where root{std::string(source) + ": ", ""};
+        Json document = parse_document(json, root.prefix);
+        take_titles(document, root);
+        if (document.is_object() && document.contains("objects")) {
+            root.key("objects").refuse("no such field; this is a scene: use --set scene=" +
+                                       one_line(source.ends_with(".json") ? source : "FILE.json"));
+        }
+        Params params;
+        read_group(params, document, root);
+        check_together(params, root.prefix);
+        return params;
+    });
+}
+
+std::string write_state(const Params& params) {
+    return print_document(params_as_document(params)) + "\n";
+}
+
+Result<SceneDescription> parse_scene(std::string_view json, std::string_view source) {
+    return guarded([&] {
+        const Where root{std::string(source) + ": ", ""};
+        Json document = parse_document(json, root.prefix);
+        take_titles(document, root);
+        return read_scene(document, root);
+    });
+}
+
+std::string write_scene(const SceneDescription& scene) {
+    return print_document(scene_as_json(scene)) + "\n";
+}
+
+std::string params_as_json() {
+    Json array = Json::array();
+    for (const Field& field : fields()) {
+        array.push_back(field_description(field));
+    }
+    return print_document(array) + "\n";
+}
+
+std::string params_as_text() {
+    std::size_t path_width = 0;
+    for (const Field& field : fields()) {
+        path_width = std::max(path_width, field.path.size());
+    }
+    std::string text;
+    for (const Field& field : fields()) {
+        std::string line(field.path);
+        line.resize(path_width + 2, ' ');
+        line += std::string(type_name(field));
+        line.resize(path_width + 10, ' ');
+        line += allowed_text(field) + "; default " + default_text(field);
+        if (!field.unit.empty()) {
+            line += "; in " + std::string(field.unit == "°" ? "degrees" : field.unit);
+        }
+        text += line + "\n" + std::string(path_width + 2, ' ') + std::string(field.help) + "\n";
+        if (!field.formula.empty() || !field.gl_call.empty()) {
+            const std::string between = field.formula.empty() || field.gl_call.empty() ? "" : "; ";
+            text += std::string(path_width + 2, ' ') + std::string(field.formula) + between +
+                    std::string(field.gl_call) + "\n";
+        }
+    }
+    return text;
+}
+
+}  // namespace viewing

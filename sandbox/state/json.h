@@ -1,0 +1,34 @@
+// The state file: JSON in and out, and `--set`. Every message names the source, the field's path, what
+// was wrong, what is allowed, and the nearest known name for a misspelt one.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "geometry/result.h"
+#include "state/params.h"
+
+namespace viewing {
+
+/// Reads a whole state; left-out fields have their defaults. `source` opens every message ("state.json").
+Result<Params> parse_state(std::string_view json, std::string_view source);
+
+/// Every field, in the order of the list, two spaces a level; reads back to the same Params exactly.
+std::string write_state(const Params& params);
+
+/// Applies PATH=VALUE in order. A PATH may name a leaf (projection.near), a group (camera={"yaw":3}: the
+/// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string.
+Result<Params> apply_settings(Params params, std::span<const std::string> settings);
+
+/// Reads a scene ({"objects": [...]}).
+Result<SceneDescription> parse_scene(std::string_view json, std::string_view source);
+
+std::string write_scene(const SceneDescription& scene);
+
+/// The `params` command: every field as JSON array or aligned text.
+std::string params_as_json();
+std::string params_as_text();
+
+}  // namespace viewing

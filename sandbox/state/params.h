@@ -1,0 +1,188 @@
+// Everything a person can change, as one plain value: copied, compared, printed, parsed, undone.
+// The defaults here are the opening state. Names, order and units are those of the state file; ranges and
+// explanations stand in fields.cpp. Lengths in world units, angles in degrees, y up, right-handed.
+// Read frame/derive.cpp next.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/camera.h"
+#include "geometry/projection.h"
+#include "state/scene_description.h"
+
+namespace viewing {
+
+enum class Navigation { fly, walk, orbit };
+enum class ProjectionType { perspective, orthographic };
+enum class CompareFunc { never, less, equal, lequal, greater, notequal, gequal, always };
+enum class DepthFormat { d4, d5, d6, d7, d8, d9, d10, d11, d12, d16, d24, d32f };
+enum class CullFace { front, back, front_and_back };
+enum class FrontFace { ccw, cw };
+enum class ShadowOffset { none, polygon_offset, lift, no_depth_test };
+enum class ShadowStyle { blend, missing_light };
+enum class MirrorClip { none, clip_distance, oblique };
+enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software_depth_buffer, ray_cast };
+enum class SortKey { nearest, farthest, centroid };
+enum class Splitter { first, random, fewest_splits, balanced };
+enum class Shows { color, depth, stencil, facing, overdraw };
+enum class DepthScale { window, linear };
+enum class Theme { dark, light, projector };
+
+struct CameraParams {
+    glm::dvec3 position{3.9, 3.0, 6.6};
+    double yaw = 30.6, pitch = -16.4, roll = 0.0;
+    glm::dvec3 target{0.0, 0.75, 0.0};
+    Navigation navigation = Navigation::fly;
+
+    Angles angles() const { return {yaw, pitch, roll}; }
+    bool operator==(const CameraParams&) const = default;
+};
+
+struct ProjectionParams {
+    ProjectionType type = ProjectionType::perspective;
+    double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
+
+    Lens lens() const { return {type == ProjectionType::orthographic, fovy, height, near, far}; }
+    bool operator==(const ProjectionParams&) const = default;
+};
+
+struct DepthOffset {
+    double factor = 0.0, units = 0.0;
+    bool operator==(const DepthOffset&) const = default;
+};
+
+struct DepthParams {
+    bool test = true;
+    CompareFunc func = CompareFunc::less;
+    bool write = true;
+    bool clear = true;
+    DepthFormat format = DepthFormat::d24;
+    DepthMapping mapping = DepthMapping::standard;
+    DepthOffset offset;
+    bool operator==(const DepthParams&) const = default;
+};
+
+struct CullParams {
+    bool enabled = false;
+    CullFace face = CullFace::back;
+    FrontFace front_face = FrontFace::ccw;
+    bool operator==(const CullParams&) const = default;
+};
+
+/// w = 1 a point light at (x, y, z), w = 0 a parallel light from the direction (x, y, z).
+struct LightParams {
+    glm::dvec4 position{2.6, 5.2, 2.2, 1.0};
+    bool operator==(const LightParams&) const = default;
+};
+
+struct PlaneParams {
+    glm::dvec4 equation{0.0, 1.0, 0.0, 0.0};
+    double extent = 4.0;
+    bool operator==(const PlaneParams&) const = default;
+};
+
+struct FurtherPlane {
+    glm::dvec4 equation{0.0, 1.0, 0.0, 0.0};
+    double extent = 4.0;
+    bool receives_shadow = true;
+    bool mirrors = true;
+    bool operator==(const FurtherPlane&) const = default;
+};
+
+struct ShadowParams {
+    bool enabled = true;
+    Color color{0, 0, 0};
+    double opacity = 0.5;
+    bool stencil_once = true, clip_to_receiver = true, clip_casters = true;
+    ShadowOffset offset = ShadowOffset::polygon_offset;
+    double offset_factor = -1.0, offset_units = -1.0, lift = 0.01;
+    ShadowStyle style = ShadowStyle::blend;
+    bool operator==(const ShadowParams&) const = default;
+};
+
+struct ReflectionParams {
+    bool enabled = true;
+    double reflectance = 0.3;
+    bool stencil = true;
+    MirrorClip clip = MirrorClip::clip_distance;
+    bool flip_winding = true, reflect_light = true;
+    int bounces = 1;
+    bool operator==(const ReflectionParams&) const = default;
+};
+
+struct Overrides {
+    std::optional<glm::dmat4> shadow_from_world, mirror_from_world;  ///< in place of S or R
+    bool operator==(const Overrides&) const = default;
+};
+
+/// The followed point: a vertex of an object of the scene.
+struct Follow {
+    std::string object;
+    int vertex = 0;
+    bool operator==(const Follow&) const = default;
+};
+
+struct VisibilityParams {
+    VisibilityMethod method = VisibilityMethod::depth_buffer;
+    int step = -1;  ///< −1: all steps
+    SortKey sort_key = SortKey::farthest;
+    Splitter splitter = Splitter::fewest_splits;
+    bool operator==(const VisibilityParams&) const = default;
+};
+
+struct ViewParams {
+    Shows shows = Shows::color;
+    DepthScale depth_scale = DepthScale::linear;
+    int samples = 4;  ///< 0 or 4
+    bool operator==(const ViewParams&) const = default;
+};
+
+struct ObserverParams {
+    glm::dvec3 target{0.0, 1.0, 1.0};
+    double yaw = -38.0, pitch = -30.0, distance = 16.0;
+    bool operator==(const ObserverParams&) const = default;
+};
+
+/// The five camera slips of facts: each a switch that breaks navigation or the view matrix.
+struct SlipParams {
+    bool walk_slows = false;      ///< walking moves along the view direction, then sets the height back
+    bool creeping_roll = false;   ///< walking and orbiting turn yaw and pitch both about the camera's own axes
+    bool pole_flip = false;       ///< orbit uses a look-at with a fixed up and no limit on pitch
+    bool swapped_order = false;   ///< C = R T in place of T R
+    bool camera_as_view = false;  ///< uploads C where V belongs
+    bool operator==(const SlipParams&) const = default;
+};
+
+struct UiParams {
+    Theme theme = Theme::dark;
+    double scale = 1.0;
+    bool operator==(const UiParams&) const = default;
+};
+
+struct Params {
+    int version = 1;
+    SceneSource scene = std::string("torus-and-boxes");
+    CameraParams camera;
+    ProjectionParams projection;
+    DepthParams depth;
+    CullParams cull;
+    LightParams light;
+    std::vector<LightParams> lights;
+    PlaneParams plane;
+    std::vector<FurtherPlane> planes;
+    ShadowParams shadow;
+    ReflectionParams reflection;
+    Overrides overrides;
+    std::optional<Follow> follow;
+    VisibilityParams visibility;
+    ViewParams view;
+    ObserverParams observer;
+    SlipParams slips;
+    UiParams ui;
+    bool operator==(const Params&) const = default;
+};
+
+}  // namespace viewing

@@ -1,0 +1,111 @@
+// Presets and scenes of the assets directory, and how a STATE argument is found.
+#include "state/presets.h"
+
+#include <algorithm>
+#include <iostream>
+#include <tuple>
+
+#include "state/document.h"
+#include "state/json.h"
+#include "state/scene.h"
+#include "state/text_file.h"
+#include "state/words.h"
+
+namespace viewing {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* opening = "opening";
+
+/// "title" and "about" as far as the file can be read; loading it says what is wrong with it.
+NamedFile named_file(const fs::path& path) {
+    NamedFile named{path.stem().string(), path.stem().string(), "", path};
+    const Result<std::string> text = read_text_file(path);
+    const Result<Json> document =
+        text ? guarded([&] { return parse_document(*text, ""); }) : Result<Json>(Error{text.error()});
+    if (document && document->is_object()) {
+        const auto take = [&document](const char* key, std::string& target) {
+            if (document->contains(key) && (*document)[key].is_string()) {
+                target = (*document)[key].get<std::string>();
+            }
+        };
+        take("title", named.title);
+        take("about", named.about);
+    }
+    return named;
+}
+
+std::vector<NamedFile> files_in(const char* folder) {
+    std::vector<NamedFile> files;
+    const fs::path assets = assets_directory();
+    std::error_code error;
+    for (fs::directory_iterator entry(assets / folder, error), end; !assets.empty() && !error && entry != end;
+         entry.increment(error)) {
+        if (entry->path().extension() == ".json") {
+            files.push_back(named_file(entry->path()));
+        }
+    }
+    std::ranges::sort(files, {}, [](const NamedFile& file) { return std::tuple(file.name != opening, file.name); });
+    return files;
+}
+
+Result<LoadedState> parsed(const Result<std::string>& text, const std::string& source, const fs::path& base) {
+    if (!text) {
+        return Error{text.error()};
+    }
+    Result<Params> params = parse_state(*text, source);
+    if (!params) {
+        return Error{params.error()};
+    }
+    return LoadedState{std::move(*params), base, source + ": scene"};
+}
+
+Error unknown_state(const std::string& argument) {
+    return Error{one_line(argument) + ": neither a file nor a preset" + names_hint(argument, presets())};
+}
+
+}  // namespace
+
+std::string names_hint(std::string_view word, std::span<const NamedFile> files) {
+    if (files.empty()) {
+        return "; there are none, the assets directory was not found";
+    }
+    std::vector<std::string> names;
+    for (const NamedFile& file : files) {
+        names.push_back(file.name);
+    }
+    return " (viewing-sandbox presets lists them)" + suggestion(word, names);
+}
+
+std::vector<NamedFile> presets() {
+    return files_in("presets");
+}
+
+std::vector<NamedFile> scenes() {
+    return files_in("scenes");
+}
+
+Result<LoadedState> load_state(const std::string& argument) {
+    if (argument.empty()) {
+        return LoadedState{Params{}, assets_directory() / "presets"};
+    }
+    if (argument == "-") {
+        return parsed(read_text(std::cin, "standard input"), "standard input", "");
+    }
+    const fs::path path(argument);
+    const bool is_name = !path.has_parent_path() && path.extension() != ".json";
+    if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {
+        const fs::path preset = assets / "presets" / (argument + ".json");
+        if (std::error_code error; fs::exists(preset, error)) {
+            return parsed(read_text_file(preset), argument + ".json", preset.parent_path());
+        }
+    }
+    if (std::error_code error; is_name && !fs::exists(path, error)) {
+        return unknown_state(argument);
+    }
+    return parsed(read_text_file(path), argument, path.parent_path());
+}
+
+}  // namespace viewing

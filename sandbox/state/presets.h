@@ -1,0 +1,39 @@
+// Presets: state files in assets/presets, each with a title and a sentence, and how a STATE argument is found.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/result.h"
+#include "state/params.h"
+
+namespace viewing {
+
+struct NamedFile {
+    std::string name;   ///< file name without .json: what a person types
+    std::string title;  ///< its "title" field, else the name
+    std::string about;  ///< its "about" field, one sentence
+    std::filesystem::path path;
+};
+
+/// The presets and the scenes of the assets directory, sorted by name ("opening" first).
+std::vector<NamedFile> presets();
+std::vector<NamedFile> scenes();
+
+/// What follows "neither a file nor a preset": where the names are listed, and the nearest one to a misspelt word.
+std::string names_hint(std::string_view word, std::span<const NamedFile> files);
+
+struct LoadedState {
+    Params params;
+    std::filesystem::path base;          ///< what the scene's relative paths are relative to
+    std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
+};
+
+/// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
+/// preset.
+Result<LoadedState> load_state(const std::string& argument);
+
+}  // namespace viewing

@@ -1,0 +1,166 @@
+// What the list of fields says about values: component ranges, what is allowed in words, and the mending of values
+// that a control may have dragged too far.
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <type_traits>
+
+#include "state/fields.h"
+#include "state/words.h"
+
+namespace viewing {
+
+namespace {
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+bool is_light(const Field& field) {
+    return field.path == "light.position";
+}
+bool is_samples(const Field& field) {
+    return field.path == "view.samples";
+}
+
+FieldRef default_ref(const Field& field) {
+    static Params defaults;
+    return field.in(defaults);
+}
+
+double mended(double value, double fallback, const Field& field, int component) {
+    if (std::isnan(value)) {
+        return fallback;
+    }
+    const Range range = component_range(field, component);
+    const bool turns_on = field.unit == "°" && range.max >= 180.0;
+    if (turns_on && std::isfinite(value) && (value < range.min || value > range.max)) {
+        return std::remainder(value, 360.0);
+    }
+    return std::clamp(value, range.min, range.max);
+}
+
+template <typename Vector>
+void mend_vector(Vector& vector, const Vector& fallback, const Field& field) {
+    for (int i = 0; i < Vector::length(); ++i) {
+        vector[i] = mended(vector[i], fallback[i], field, i);
+    }
+}
+
+void mend_light(glm::dvec4& position) {
+    mend_vector(position, glm::dvec4(0.0), field("light.position"));
+    if (glm::length(position) < min_length) {
+        position = {0.0, 1.0, 0.0, 0.0};
+    }
+}
+
+void mend_plane(glm::dvec4& equation, double& extent) {
+    mend_vector(equation, glm::dvec4(0.0), field("plane.equation"));
+    if (glm::length(glm::dvec3(equation)) < min_length) {
+        equation = {0.0, 1.0, 0.0, equation.w};
+    }
+    extent = mended(extent, PlaneParams{}.extent, field("plane.extent"), 0);
+}
+
+void mend_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
+    for (int i = 0; matrix && i < 16; ++i) {
+        double& entry = (*matrix)[i / 4][i % 4];
+        entry = mended(entry, 0.0, field, i);
+    }
+}
+
+void mend_field(const Field& field, Params& params) {
+    const FieldRef fallback = default_ref(field);
+    std::visit(Overloaded{
+                   [&](int* value) {
+                       *value = static_cast<int>(mended(*value, 0.0, field, 0));
+                       if (is_samples(field)) {
+                           *value = *value >= 2 ? 4 : 0;
+                       }
+                   },
+                   [&](double* value) { *value = mended(*value, *std::get<double*>(fallback), field, 0); },
+                   [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
+                   [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
+                   [&](std::optional<glm::dmat4>* value) { mend_matrix(*value, field); },
+                   [](auto&&) {},
+               },
+               field.in(params));
+}
+
+}  // namespace
+
+Range component_range(const Field& field, int component) {
+    return is_light(field) && component == 3 ? Range{0.0, 1.0} : Range{field.min, field.max};
+}
+
+std::string_view type_name(const Field& field) {
+    static constexpr std::string_view names[] = {"bool", "int",   "number", "vec3",   "vec4",   "color",
+                                                 "enum", "scene", "lights", "planes", "matrix", "follow"};
+    static_assert(std::size(names) == std::variant_size_v<FieldRef>);
+    return names[default_ref(field).index()];
+}
+
+std::string allowed_text(const Field& field) {
+    const std::string range = range_text({field.min, field.max});
+    return std::visit(
+        Overloaded{
+            [](bool*) -> std::string { return "true or false"; },
+            [&](int*) -> std::string {
+                return is_samples(field)        ? "0 or 4"
+                       : field.min == field.max ? format_number(field.min)
+                                                : "a whole number " + range;
+            },
+            [&](double*) -> std::string { return "a number " + range; },
+            [&](glm::dvec3*) -> std::string { return "three numbers [x, y, z], each " + range; },
+            [&](glm::dvec4*) -> std::string {
+                return is_light(field) ? "four numbers [x, y, z, w], x, y and z " + range + ", w from 0 to 1"
+                                       : "four numbers [a, b, c, d], each " + range;
+            },
+            [](Color*) -> std::string { return "a colour \"#rrggbb\""; },
+            [](EnumRef choice) -> std::string { return "one of " + joined(choice.names); },
+            [](SceneSource*) -> std::string { return "a scene's name, a path, or an object with \"objects\""; },
+            [](std::vector<LightParams>*) -> std::string {
+                return "an array of at most " + std::to_string(max_further_lights) +
+                       " lights {\"position\": [x, y, z, w]}";
+            },
+            [](std::vector<FurtherPlane>*) -> std::string {
+                return "an array of at most " + std::to_string(max_further_planes) +
+                       " planes {\"equation\": [a, b, c, d], \"extent\", \"receives_shadow\", \"mirrors\"}";
+            },
+            [](std::optional<glm::dmat4>*) -> std::string {
+                return "null or 4 rows of 4 numbers, each from -1e12 to 1e12";
+            },
+            [](std::optional<Follow>*) -> std::string {
+                return "null or {\"object\": name, \"vertex\": whole number}";
+            },
+        },
+        default_ref(field));
+}
+
+void clamp_to_ranges(Params& params) {
+    for (const Field& field : fields()) {
+        mend_field(field, params);
+    }
+    if (params.projection.near >= params.projection.far) {
+        params.projection.far = params.projection.near * 1.01;
+    }
+    mend_light(params.light.position);
+    mend_plane(params.plane.equation, params.plane.extent);
+
+    params.lights.resize(std::min(params.lights.size(), max_further_lights));
+    for (LightParams& light : params.lights) {
+        mend_light(light.position);
+    }
+    params.planes.resize(std::min(params.planes.size(), max_further_planes));
+    for (FurtherPlane& plane : params.planes) {
+        mend_plane(plane.equation, plane.extent);
+    }
+    if (params.follow) {
+        params.follow->vertex = std::max(params.follow->vertex, 0);
+    }
+}
+
+}  // namespace viewing

@@ -1,0 +1,121 @@
+// Scenes with their meshes: where a scene's description comes from, and what it becomes.
+#include "state/scene.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "state/json.h"
+#include "state/mesh_cache.h"
+#include "state/presets.h"
+#include "state/text_file.h"
+#include "state/words.h"
+
+namespace viewing {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A description, what its relative files are relative to, and how messages name its objects ("room.json: objects");
+/// empty for the scene of one mesh file.
+struct Described {
+    SceneDescription scene;
+    fs::path base;
+    std::string objects;
+};
+
+Result<Described> described_by_file(const fs::path& file, const std::string& shown, const std::string& origin) {
+    const Result<std::string> text = read_text_file(file);
+    if (!text) {
+        return Error{origin + ": " + text.error()};
+    }
+    Result<SceneDescription> scene = parse_scene(*text, shown);
+    if (!scene) {
+        return Error{scene.error()};
+    }
+    return Described{std::move(*scene), file.parent_path(), shown + ": objects"};
+}
+
+Result<Described> described(const SceneSource& source, const fs::path& base, LoadProgress* progress,
+                            const std::string& origin) {
+    if (const auto* scene = std::get_if<SceneDescription>(&source)) {
+        return Described{*scene, base, origin + ".objects"};
+    }
+    const auto& name = std::get<std::string>(source);
+    const fs::path path(name);
+    const bool is_name = !path.has_parent_path() && path.extension() != ".json";
+    std::error_code error;
+    if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {
+        const fs::path known = assets / "scenes" / (name + ".json");
+        if (fs::exists(known, error)) {
+            return described_by_file(known, name + ".json", origin);
+        }
+    }
+    const fs::path file = base / path;
+    if (is_name && !fs::exists(file, error)) {
+        return Error{origin + ": " + one_line(name) + " is neither a file nor a scene" + names_hint(name, scenes())};
+    }
+    if (is_obj_file(file)) {
+        return Described{scene_of_mesh(file, progress), base, ""};
+    }
+    return described_by_file(file, name, origin);
+}
+
+}  // namespace
+
+bool is_obj_file(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".obj";
+}
+
+const SceneObject* Scene::find(std::string_view name) const {
+    const auto found =
+        std::ranges::find_if(objects, [name](const SceneObject& object) { return object.description.name == name; });
+    return found == objects.end() ? nullptr : &*found;
+}
+
+Result<Scene> load_scene(const SceneSource& source, const fs::path& base, LoadProgress* progress,
+                         const std::string& origin) {
+    const Result<Described> from = described(source, base, progress, origin);
+    if (!from) {
+        return Error{from.error()};
+    }
+    const auto count = static_cast<float>(from->scene.objects.size());
+    Scene scene;
+    for (std::size_t i = 0; i < from->scene.objects.size(); ++i) {
+        const ObjectDescription& object = from->scene.objects[i];
+        const auto done = static_cast<float>(i);
+        Result<std::shared_ptr<const Mesh>> mesh =
+            shared_mesh(object, from->base, {progress, done / count, (done + 1.0F) / count});
+        if (!mesh) {
+            const std::string place =
+                from->objects.empty() ? origin : from->objects + "[" + std::to_string(i) + "].file";
+            return Error{place + ": " + mesh.error()};
+        }
+        scene.objects.push_back({object, *mesh, world_from_model(object.position, object.rotation, object.scale)});
+        for (const glm::vec3& position : scene.objects.back().mesh->positions) {
+            scene.bounds_world.add(glm::dvec3(scene.objects.back().world_from_model * glm::dvec4(position, 1.0)));
+        }
+    }
+    return scene;
+}
+
+SceneDescription scene_of_mesh(const fs::path& file, LoadProgress* progress) {
+    std::error_code error;
+    ObjectDescription object;
+    object.name = file.stem().string();
+    object.shape = ShapeKind::mesh;
+    object.file = fs::absolute(file, error).string();
+    object.color = {0xc9, 0xa2, 0x6b};
+
+    double half_height = 1.0;
+    if (const Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, "", {progress, 0.0F, 1.0F})) {
+        half_height = bounds_of(**mesh).size().y / 2.0;
+    }
+    object.position.y = half_height;
+    return {{object}};
+}
+
+}  // namespace viewing

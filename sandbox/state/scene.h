@@ -1,0 +1,60 @@
+// A scene as the rest of the program sees it: its description with the meshes made or loaded.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "geometry/mesh.h"
+#include "geometry/result.h"
+#include "state/params.h"
+
+namespace viewing {
+
+struct SceneObject {
+    ObjectDescription description;
+    std::shared_ptr<const Mesh> mesh;  ///< shared between scenes that hold the same shape or file
+    glm::dmat4 world_from_model{1.0};
+};
+
+struct Scene {
+    std::vector<SceneObject> objects;
+    Bounds bounds_world;
+
+    const SceneObject* find(std::string_view name) const;
+};
+
+/// Where presets and scenes live: $VIEWING_SANDBOX_ASSETS, else `assets` beside the program, else
+/// ../share/viewing-sandbox below it. Empty when there is none.
+std::filesystem::path assets_directory();
+
+/// 0 … 1, written by the loader; `cancelled` is read by it.
+struct LoadProgress {
+    std::atomic<float> fraction{0.0F};
+    std::atomic<bool> cancelled{false};
+};
+
+/// Makes or loads every mesh. Relative mesh files are looked up from `base` (the directory of the file that
+/// named the scene; empty: the working directory). A named scene comes from assets/scenes; a path is that of a scene
+/// file, or of an OBJ file, which is then shown by itself. The same shape or file is shared between scenes. Safe to
+/// call from several threads. Errors name the scene's file and the field: "room.json: objects[3].file: chair.obj: …";
+/// what is wrong with `source` itself opens with `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file:
+/// …".
+Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base, LoadProgress* progress = nullptr,
+                         const std::string& origin = "scene");
+
+/// A Wavefront OBJ file: centred and scaled to fit (longest side 2), the file's normals used where every corner has one
+/// and made otherwise, polygons cut into triangles. At most 50 million triangles and 4 GiB. Materials are ignored.
+Result<Mesh> load_obj(const std::filesystem::path& file, LoadProgress* progress = nullptr);
+
+/// Whether a name says that it is a Wavefront file: ".obj" in capitals or not.
+bool is_obj_file(const std::filesystem::path& file);
+
+/// The scene that shows one mesh file, standing on the plane y = 0. Reads the file to know how high it is, and keeps
+/// what it read, so that load_scene() is quick afterwards. A broken file gives a scene all the same: load_scene() then
+/// says what is wrong with it.
+SceneDescription scene_of_mesh(const std::filesystem::path& file, LoadProgress* progress = nullptr);
+
+}  // namespace viewing

@@ -1,0 +1,157 @@
+// The camera's view: what it shows, its handles, looking around and picking.
+#include <algorithm>
+#include <cmath>
+
+#include "state/fields.h"
+#include "ui/look.h"
+#include "ui/view_parts.h"
+#include "ui/views.h"
+
+namespace viewing {
+namespace {
+
+/// What the picture shows, and what belongs to that.
+void view_choices(Params& params, const Rect& rect) {
+    static constexpr const char* shows[] = {"colour", "depth", "stencil", "facing"};
+    static constexpr const char* show_explanations[] = {
+        "The picture as it is meant to be seen.",
+        "The depth buffer: black is near, white is far, tinted was never written.",
+        "The stencil buffer: where the patch was marked, and where a shadow was counted on it.",
+        "Which side of each polygon is seen: front faces and back faces in two colours."};
+    int index = static_cast<int>(params.view.shows);
+    const float second = px(130.0F);  // room for the choice that follows
+    if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
+        params.view.shows = static_cast<Shows>(index);
+    if (params.view.shows == Shows::depth) {
+        static constexpr const char* scales[] = {"window", "linear"};
+        static constexpr const char* explanations[] = {
+            "Window depth, 0 to 1 as it is stored: most of it is spent close to the eye.",
+            "Eye distance from near to far: as far apart as the surfaces are."};
+        ImGui::SameLine(0.0F, px(16.0F));
+        int scale = static_cast<int>(params.view.depth_scale);
+        if (words("##scale", scale, scales, explanations, 1, rect.max.x))
+            params.view.depth_scale = static_cast<DepthScale>(scale);
+    } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F)) {  // else it is in the Look menu alone
+        static constexpr const char* samples[] = {"MSAA off", "MSAA 4×"};
+        static constexpr const char* explanations[] = {"One sample for each pixel: edges show their steps.",
+                                                       "Four samples for each pixel: smooth edges."};
+        ImGui::SameLine(0.0F, px(16.0F));
+        int four = params.view.samples == 4 ? 1 : 0;
+        if (words("##samples", four, samples, explanations, 1, rect.max.x)) params.view.samples = four == 1 ? 4 : 0;
+    }
+}
+
+void camera_legend(const Overlay& overlay, const Params& params) {
+    if (params.view.shows == Shows::facing) {
+        const LegendEntry entries[] = {{front_color, "front faces"}, {back_color, "back faces (striped)"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::stencil) {
+        const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
+                                       {stencil_colors[1], "1: the patch"},
+                                       {stencil_colors[2], "2: in shadow"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::depth) {
+        const Color unwritten = ground_of(params.ui.theme).unwritten;
+        const LegendEntry entries[] = {{{0, 0, 0}, "near"}, {{255, 255, 255}, "far"}, {unwritten, "never written"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    }
+}
+
+/// The vertex of the front-most object under a place on screen that is nearest to it there.
+std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
+    const Ray ray = overlay.ray_at(place);
+    std::optional<Follow> found;
+    double nearest = 1e300;
+    for (const SceneObject& object : scene.objects) {
+        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
+        const Ray ray_model{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1.0)),
+                            glm::dvec3(model_from_world * glm::dvec4(ray.direction, 0.0))};
+        const std::optional<MeshHit> hit = intersect_mesh(ray_model, *object.mesh);
+        if (!hit || hit->t >= nearest) continue;
+        nearest = hit->t;
+        float nearest_px = 1e30F;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = object.mesh->indices[3 * hit->triangle + corner];
+            const glm::dvec3 world(object.world_from_model * glm::dvec4(object.mesh->positions[vertex], 1.0));
+            const std::optional<ImVec2> there = overlay.project(world);
+            if (!there) continue;
+            const float distance = std::hypot(there->x - place.x, there->y - place.y);
+            if (distance >= nearest_px) continue;
+            nearest_px = distance;
+            found = Follow{object.description.name, static_cast<int>(vertex)};
+        }
+    }
+    return found;
+}
+
+/// Pressing takes a handle or begins to look; dragging moves it; a click that stayed in place picks a vertex.
+void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
+                  const FrameInput& input, MotionInput& motion) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = ImGui::IsItemHovered();
+    const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
+    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.dragged_px = 0.0F;
+        if (hovered != Handle::none)
+            state.grip = take(overlay, handle_places(session.params, derived), hovered, session.params, io.MousePos);
+        else
+            state.looking = true;
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
+        const bool is_drag = state.dragged_px > px(3.0F);
+        if (is_drag && state.grip.handle != Handle::none)
+            drag(session.params, overlay, state.grip, io.MousePos, input.is_down(Key::shift));
+        else if (is_drag && state.looking)
+            motion.look_deg -= glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * static_cast<double>(degrees_per_px);
+    }
+    if (ImGui::IsItemActive() &&
+        (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
+        motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) / static_cast<double>(overlay.rect().height()) *
+                      derived.facts.target_distance;
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+        if (state.looking && state.dragged_px <= px(3.0F))
+            if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos)) session.params.follow = follow;
+        state.grip = {};
+        state.looking = false;
+    }
+    if (over && io.MouseWheel != 0.0F) {
+        if (session.params.camera.navigation == Navigation::orbit) {
+            motion.zoom *= std::pow(0.88, io.MouseWheel);
+        } else {
+            session.scale_speed(std::pow(1.2, io.MouseWheel));
+            session.message = {"speed " + widgets::NumberText(session.speed(), 2) + " units/s", false};
+        }
+    }
+}
+
+}  // namespace
+
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture,
+                      const FrameInput& input, MotionInput& motion) {
+    if (rect.empty()) return;
+    const widgets::Group group("view");
+    view_header(rect, rect.width() < px(300.0F) ? "" : "Camera view");
+    Params& params = session.params;
+    view_choices(params, rect);
+
+    picture_item("camera view", rect, picture);
+    const bool over = ImGui::IsItemHovered();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (over) state.hovered = ViewName::camera;
+    state.hovered_pixel.reset();
+    if (over) state.hovered_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
+
+    Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
+    const HandlePlaces places = handle_places(params, derived);
+    Handle hovered = state.grip.handle;
+    if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);
+    if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    camera_mouse(state, session, derived, overlay, hovered, input, motion);
+    camera_legend(overlay, params);
+    if (!state.handles) return;
+    draw_handles(overlay, places, params, derived, hovered);
+    draw_followed(overlay, params, derived);
+}
+
+}  // namespace viewing

@@ -1,0 +1,35 @@
+// A control for any field of the one list: label, range, step, default and tooltip come from there, so the panel
+// only says which field stands where.
+#pragma once
+
+#include <string_view>
+
+#include "state/fields.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+
+/// What the list of fields does not know: how it should look here.
+struct ControlStyle {
+    int decimals = 2;
+    bool slider = false;
+    bool segments = false;                       ///< an enumeration as radio buttons
+    float width = 0.0F;                          ///< design pixels; 0: the usual one
+    std::span<const widgets::Links> links = {};  ///< one per component
+    std::span<const char* const> names = {};     ///< shown in place of the enumeration's own
+    std::span<const char* const> tips = {};      ///< of segments: what each one means
+    const char* label = nullptr;                 ///< in place of the field's
+    double min = 0.0, max = 0.0;                 ///< a narrower range for a slider; both 0: the field's own
+};
+
+/// Draws the control; true when it changed the value.
+bool control(Params& params, std::string_view path, const ControlStyle& style = {});
+
+/// The tooltip that explains a field, for the last item. Its title is `label`, what the control shows ("##…" counts as
+/// nothing), else the field's own; the field's path stands below.
+void explain(const Field& field, std::string_view label = {});
+
+/// The defaults, as right-click resets to them.
+const Params& default_params();
+
+}  // namespace viewing

@@ -1,0 +1,59 @@
+// The keys the sandbox knows, by meaning: the window fills them in from GLFW, tests by hand.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace viewing {
+
+enum class Key {
+    w,
+    a,
+    s,
+    d,
+    q,
+    e,
+    r,
+    f,  // motion
+    left,
+    right,
+    up,
+    down,  // turning
+    shift,
+    ctrl,
+    m,
+    c,
+    v,
+    z,
+    y,
+    o,
+    b,
+    n,
+    f1,
+    f2,
+    f3,
+    f11,
+    f12,
+    escape,
+    count
+};
+
+/// A key that went down, with what was held then: by the next frame all of it may be up again.
+struct KeyPress {
+    Key key;
+    bool ctrl = false, shift = false;
+};
+
+/// What a person did since the last frame. `pressed` holds each key that went down, in order.
+struct FrameInput {
+    std::array<bool, static_cast<std::size_t>(Key::count)> down{};
+    std::vector<KeyPress> pressed;
+    std::vector<std::filesystem::path> dropped_files;
+    double dt_s = 1.0 / 60.0;  ///< since the last frame, however long the window slept
+
+    bool is_down(Key key) const { return down[static_cast<std::size_t>(key)]; }
+};
+
+}  // namespace viewing

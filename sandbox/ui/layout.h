@@ -1,0 +1,48 @@
+// Where everything is in the window, for every size: narrow windows fold before they overlap. Pure.
+#pragma once
+
+#include <imgui.h>
+
+#include <glm/glm.hpp>
+
+namespace viewing {
+
+struct Rect {
+    ImVec2 min{0, 0}, max{0, 0};
+
+    float width() const { return max.x - min.x; }
+    float height() const { return max.y - min.y; }
+    bool empty() const { return width() < 1.0F || height() < 1.0F; }
+    glm::ivec2 size_px() const { return {static_cast<int>(width()), static_cast<int>(height())}; }
+    bool contains(ImVec2 point) const {
+        return point.x >= min.x && point.y >= min.y && point.x < max.x && point.y < max.y;
+    }
+};
+
+enum class ViewName { none, camera, observer, lower_right };
+
+/// What a person has arranged; sizes in design pixels.
+struct Arrangement {
+    bool panel_folded = false;
+    bool matrices_folded = false;
+    bool prefers_matrices = false;  ///< where there is room for one column only
+    ViewName maximised = ViewName::none;
+    bool bare = false;  ///< the maximised view and nothing else: no bars, no header
+    float panel_width = 298.0F;
+    float matrices_width = 360.0F;
+    float lower_height = 232.0F;
+    float lower_split = 0.5F;  ///< share of the observer's width
+};
+
+struct Layout {
+    Rect top_bar, status_bar;
+    Rect panel, matrices;                ///< empty when folded
+    Rect camera, observer, lower_right;  ///< pictures, without their header lines; empty when hidden
+    float header_height = 0.0F;          ///< above each picture
+    bool matrices_fit = true;            ///< false: the window is too narrow for both columns
+};
+
+/// `scale`: pixels per design pixel.
+Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement);
+
+}  // namespace viewing

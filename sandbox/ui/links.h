@@ -1,0 +1,45 @@
+// Which parameter is which bit: so that a matrix entry can point at the controls it comes from, and the other way
+// round. Also the lecture's symbols for the entries of S, R, V, C and P.
+#pragma once
+
+#include <array>
+
+#include "frame/derive.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+
+namespace link {
+using widgets::Links;
+constexpr Links bit(int index) {
+    return Links{1} << index;
+}
+constexpr Links light[4] = {bit(0), bit(1), bit(2), bit(3)};
+constexpr Links plane[4] = {bit(4), bit(5), bit(6), bit(7)};
+constexpr Links position[3] = {bit(8), bit(9), bit(10)};
+constexpr Links yaw = bit(11), pitch = bit(12), roll = bit(13);
+constexpr Links fovy = bit(14), near = bit(15), far = bit(16), height = bit(17), type = bit(18), mapping = bit(19);
+constexpr Links all_light = light[0] | light[1] | light[2] | light[3];
+constexpr Links all_plane = plane[0] | plane[1] | plane[2] | plane[3];
+constexpr Links turning = yaw | pitch | roll;
+}  // namespace link
+
+using MatrixCells = std::array<widgets::MatrixCell, 16>;
+
+/// Symbols and links of each entry, row by row.
+MatrixCells shadow_cells();
+MatrixCells mirror_cells();
+/// `swapped_order`: for the slip C = R T.
+MatrixCells view_cells(bool swapped_order);
+MatrixCells camera_cells(bool swapped_order);
+MatrixCells projection_cells(const Params& params, bool clip_zero_to_one);
+
+/// Marks the entries that differ between the two matrices as they are shown.
+void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& before);
+
+/// l and L are the light, n, P and the plane's letters the plane.
+std::span<const widgets::LetterRole> shadow_roles();
+std::span<const widgets::LetterRole> mirror_roles();
+std::span<const widgets::LetterRole> camera_roles();
+
+}  // namespace viewing

@@ -1,0 +1,268 @@
+#include "ui/matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "frame/matrix_text.h"
+#include "ui/links.h"
+#include "ui/look.h"
+
+namespace viewing {
+namespace {
+
+using widgets::Role;
+
+/// How well an identity holds, measured: "S² = (P·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (P·L)S".
+std::string identity_text(const char* identity, double residual) {
+    if (residual == 0.0) return std::string(identity) + " ± 0";
+    if (residual > 1e-3) {
+        std::string broken = identity;
+        return broken.replace(broken.find(" = "), 3, " ≠ ");
+    }
+    const int exponent = static_cast<int>(std::ceil(-std::log10(residual)));
+    return std::string(identity) + " ± 10⁻" + widgets::RaisedText(exponent);
+}
+
+void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
+    struct Entry {
+        const char* label;
+        MatrixFormat format;
+    };
+    static constexpr Entry entries[] = {{"GLM (columns first)", MatrixFormat::glm},
+                                        {"GLSL (columns first)", MatrixFormat::glsl},
+                                        {"NumPy", MatrixFormat::numpy},
+                                        {"MATLAB", MatrixFormat::matlab},
+                                        {"LaTeX", MatrixFormat::latex},
+                                        {"plain text", MatrixFormat::text}};
+    ImGui::PushID(id);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    if (widgets::SmallButton("Copy")) ImGui::OpenPopup("copy");
+    widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
+    if (ImGui::BeginPopup("copy")) {
+        widgets::ClosePopupOnEscape();
+        for (const Entry& entry : entries) {
+            if (ImGui::MenuItem(entry.label)) ImGui::SetClipboardText(matrix_text(name, matrix, entry.format).c_str());
+            widgets::Record(entry.label);
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+/// "Shadow S   rank 3 · S² = (P·L) S" and the copy menu.
+void heading(const char* title, const char* letter, const std::string& note, Role role) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::TextUnformatted(title);
+    ImGui::SameLine(0.0F, px(6.0F));
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.of(role));
+    ImGui::TextUnformatted(letter);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::SameLine(0.0F, px(10.0F));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.note);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+/// A matrix with everything around it.
+struct Shown {
+    const char* title;
+    const char* letter;
+    const char* name;  ///< as in C++, GLSL and JSON
+    const char* explains;
+    Role role;
+    glm::dmat4 now, before;
+    MatrixCells cells;
+    std::span<const widgets::LetterRole> roles;
+    glm::dmat4 derived{1.0};  ///< what it would be without an entry by hand
+    const char* factor = "";  ///< what it is uploaded with
+};
+
+/// Buttons beside Copy, from the right; returns which one was pressed.
+const char* show(Shown shown, const std::string& note, std::span<const char* const> buttons,
+                 std::optional<glm::dmat4>* by_hand = nullptr) {
+    const char* pressed = nullptr;
+    ImGui::PushID(shown.name);
+    mark_changed(shown.cells, shown.now, shown.before);
+    heading(shown.title, (std::string(shown.factor) + shown.letter).c_str(), note, shown.role);
+    widgets::Tooltip(shown.name, shown.explains);
+    float right = ImGui::GetContentRegionMax().x - px(56.0F);
+    for (const char* button : buttons) {
+        right -= ImGui::CalcTextSize(button).x + px(20.0F);
+        ImGui::SameLine(right);
+        if (widgets::SmallButton(button)) pressed = button;
+    }
+    copy_menu(shown.name, shown.name, shown.now);
+    if (by_hand && *by_hand) {
+        const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
+        widgets::Matrix(shown.letter, **by_hand, style);
+        widgets::Trouble("by hand: light and plane change nothing here");
+    } else {
+        const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles};
+        const glm::dmat4& value = shown.now;
+        widgets::Matrix(shown.letter, value, style);
+    }
+    ImGui::Dummy({0.0F, px(1.0F)});
+    ImGui::PopID();
+    return pressed;
+}
+
+/// S or R with a button to enter it by hand, or to go back.
+void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand) {
+    const char* const buttons[] = {by_hand ? "release" : "edit"};
+    if (!show(shown, note, buttons, &by_hand)) return;
+    if (by_hand)
+        by_hand.reset();
+    else
+        by_hand = shown.now;
+}
+
+/// "name = (   1.000,   2.000,   3.000 )" with the columns of all lines under each other; `w` is a fourth.
+void vector_line(const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
+    constexpr std::size_t columns = 7;
+    const auto padded = [](double number) {
+        const std::string text = widgets::NumberText(number, 3);
+        const auto shown = static_cast<std::size_t>(
+            std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));  // UTF-8
+        return std::string(shown < columns ? columns - shown : 0, ' ') + text;
+    };
+    std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
+    text += w ? "," + padded(*w) + " )" : " )";
+    widgets::ValueText(text.c_str(), role);
+}
+
+void followed_point(Session& session, const Derived& derived) {
+    heading("Follow a point", "p", session.params.follow ? session.params.follow->object : "", Role::point);
+    if (!derived.followed) {
+        widgets::Note(
+            "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
+            "from here.");
+        return;
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    if (widgets::SmallButton("Clear")) session.params.follow.reset();
+    const FollowedPoint& followed = *derived.followed;
+    vector_line("p   ", followed.point_world, Role::point);
+    vector_line("S p ", glm::dvec3(followed.shadow_homogeneous), Role::none, &followed.shadow_homogeneous.w);
+    if (followed.shadow_world)
+        vector_line("÷ w ", *followed.shadow_world, Role::light);
+    else
+        widgets::ValueText("÷ w  at infinity: w = 0", Role::trouble);
+    vector_line("R p ", followed.mirrored_world, Role::mirror);
+    vector_line("foot", followed.foot_world, Role::plane);
+    const std::string distance = "k    = n·p + d = " + widgets::NumberText(followed.plane_distance, 3);
+    widgets::ValueText(distance.c_str(), Role::plane);
+}
+
+/// A number as code has it.
+std::string literal(double value, int decimals) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%.*f", decimals, value);
+    return text;
+}
+
+/// The lecture's display() as it would read for this camera, with the two slips of the slide put right.
+void display_code(const Params& params, const Derived& derived) {
+    const CameraParams& camera = params.camera;
+    const ProjectionParams& projection = params.projection;
+    const widgets::Context& context = widgets::CurrentContext();
+    const auto line = [&](Role role, const std::string& code) {
+        ImGui::PushFont(context.fonts.small_number);
+        ImGui::PushStyleColor(ImGuiCol_Text, role == Role::none ? context.palette.text : context.palette.of(role));
+        ImGui::TextUnformatted(code.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+    };
+    // 0 − x, since −x would print a zero as −0.
+    const auto opposite = [](double value, int decimals) { return literal(0.0 - value, decimals); };
+    const std::string range = literal(projection.near, 3) + ", " + literal(projection.far, 1) + ");";
+    const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
+
+    line(Role::none, "void display() {");
+    if (projection.type == ProjectionType::perspective)
+        line(Role::none, "  P = perspective(radians(" + literal(projection.fovy, 1) + "),\n      " +
+                             literal(derived.aspect, 3) + ", " + range);
+    else
+        line(Role::none, "  P = ortho(" + literal(-half_width, 2) + ", " + literal(half_width, 2) + ",\n      " +
+                             literal(-half_height, 2) + ", " + literal(half_height, 2) + ", " + range);
+    line(Role::none, "  V = mat4(1);  // move the world instead:");
+    line(Role::camera, "  W = rotate(radians(" + opposite(camera.roll, 1) + "), z)  // −roll");
+    line(Role::camera, "    * rotate(radians(" + opposite(camera.pitch, 1) + "), x)  // −pitch");
+    line(Role::camera, "    * rotate(radians(" + opposite(camera.yaw, 1) + "), y)  // −heading");
+    line(Role::camera, "    * translate(" + opposite(camera.position.x, 2) + ", " + opposite(camera.position.y, 2) +
+                           ", " + opposite(camera.position.z, 2) + ");");
+    line(Role::none, "  drawObjects();  // with P V W\n}");
+}
+
+/// Camera movement read both ways: V and C take turns, and below P stands the slide's display().
+void camera_matrices(const Params& params, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
+    const SlipParams& slips = params.slips;
+    const std::string inverse = identity_text("V C = I", derived.facts.view_residual);
+    static constexpr const char* show_view[] = {"show V"};
+    static constexpr const char* show_camera[] = {"show C"};
+    const char* const product = slips.swapped_order ? "C = R_y R_x R_z T, a slip" : "C = T R_y R_x R_z";
+    const bool switched =
+        shows_camera_matrix
+            ? show({"Camera", "C", "world_from_view",
+                    "Where the camera is: its columns are right, up, back and the eye.", Role::camera,
+                    derived.world_from_view, before.world_from_view, camera_cells(slips.swapped_order), camera_roles()},
+                   product, show_view)
+            : show({"View", "V", "view_from_world",
+                    "V = C⁻¹: the world as the camera sees it. Its rows are right, up and back.", Role::camera,
+                    derived.view_from_world, before.view_from_world,
+                    slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order),
+                    camera_roles()},
+                   slips.camera_as_view ? "= C, a slip" : "= C⁻¹ · " + inverse, show_camera);
+    if (switched) shows_camera_matrix = !shows_camera_matrix;
+
+    const bool perspective = params.projection.type == ProjectionType::perspective;
+    show(
+        {"Projection", "P", "clip_from_view", "P takes view space to clip space; after ÷ w near becomes −1 and far +1.",
+         Role::camera, derived.clip_from_view, before.clip_from_view,
+         projection_cells(params, derived.clip_zero_to_one), camera_roles()},
+        (perspective ? "c = cot(½ fovy) · aspect " : "aspect ") + widgets::NumberText(derived.aspect, 3), {});
+    heading("Camera movement", "", "the slide's display()", Role::camera);
+    widgets::Tooltip(
+        "Moving the camera is moving the world the other way",
+        "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
+        "the same.");
+    display_code(params, derived);
+}
+
+}  // namespace
+
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
+    const widgets::Group group("matrices");
+    const Facts& facts = derived.facts;
+    Overrides& overrides = session.params.overrides;
+    show_overridable(
+        {"Shadow", "S", "shadow_from_world",
+         "S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
+         "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
+         "the same map, but with w > 0, which the clipper keeps.",
+         Role::light, derived.shadow_from_world, before.shadow_from_world, shadow_cells(), shadow_roles(),
+         shadow_matrix(derived.unit_plane, session.params.light.position), derived.shadow_sign < 0.0 ? "−1·" : "+1·"},
+        "rank " + std::to_string(facts.rank_shadow) + " · " + identity_text("S² = (P·L)S", facts.shadow_residual),
+        overrides.shadow_from_world);
+    show_overridable(
+        {"Reflection", "R", "mirror_from_world",
+         "R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
+         "winding around.",
+         Role::mirror, derived.mirror_from_world, before.mirror_from_world, mirror_cells(), mirror_roles(),
+         mirror_matrix(derived.unit_plane)},
+        "det " + widgets::NumberText(facts.det_mirror, 0) + " · " + identity_text("R² = I", facts.mirror_residual),
+        overrides.mirror_from_world);
+    followed_point(session, derived);
+    ImGui::Dummy({0.0F, px(4.0F)});
+    camera_matrices(session.params, derived, before, shows_camera_matrix);
+}
+
+}  // namespace viewing

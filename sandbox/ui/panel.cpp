@@ -1,0 +1,274 @@
+// One function a section. A problem is told where its cause is.
+#include "ui/panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/controls.h"
+#include "ui/links.h"
+#include "ui/look.h"
+
+namespace viewing {
+namespace {
+
+using widgets::Lamp;
+using widgets::Role;
+
+void tell_problems(const Derived& derived, std::string_view group) {
+    for (const Problem& problem : derived.problems)
+        if (problem.group == group) widgets::Trouble(problem.sentence.c_str());
+}
+
+/// A second control in the same row, at a fixed column.
+void beside(float design_x) {
+    ImGui::SameLine(px(design_x));
+}
+
+/// What is wanted less often stays folded. Returns whether it is open.
+bool details(const char* label) {
+    const bool open = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    widgets::Record(label);
+    return open;
+}
+
+void camera_lamps(const Session& session) {
+    const Navigation mode = session.params.camera.navigation;
+    const MovingFreedoms can = available_freedoms(motion_mode(mode));
+    const MovingFreedoms& now = session.moving_freedoms();
+    const Lamp lamps[] = {{"forward", can.forward, now.forward}, {"strafe", can.strafe, now.strafe},
+                          {"up/down", can.lift, now.lift},       {"yaw", can.yaw, now.yaw},
+                          {"pitch", can.pitch, now.pitch},       {"roll", can.roll, now.roll}};
+    widgets::Lamps("degrees of freedom", lamps, Role::camera);
+    widgets::Tooltip("Degrees of freedom",
+                     "Ringed: this mode has it. Filled: it is moving now. Fly-through has six, walk-through two: "
+                     "pan about y and walk forward or back.");
+}
+
+/// The five slips; one that cannot show in this mode is disabled, and its tooltip says when it can.
+void slips(Params& params) {
+    struct Slip {
+        const char *path, *label;
+        bool shows;
+    };
+    const Navigation mode = params.camera.navigation;
+    const Slip all[] = {
+        {"slips.walk_slows", "walking slows (walk)", mode == Navigation::walk},
+        {"slips.creeping_roll", "creeping roll (walk, orbit)", mode != Navigation::fly},
+        {"slips.pole_flip", "flip at the pole (orbit)", mode == Navigation::orbit},
+        {"slips.swapped_order", "R·T in place of T·R", true},
+        {"slips.camera_as_view", "C sent as V", true},
+    };
+    for (const Slip& slip : all) {
+        ImGui::BeginDisabled(!slip.shows);
+        control(params, slip.path, {.label = slip.label});
+        ImGui::EndDisabled();
+    }
+}
+
+void camera_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Camera")) return;
+    const widgets::Group group("camera");
+    Params& params = session.params;
+    static constexpr const char* modes[] = {"Fly (6 DOF)", "Walk (2 DOF)", "Orbit"};
+    control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
+    control(params, "camera.position", {.links = link::position, .label = "position"});
+
+    double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
+    static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
+    static constexpr double defaults[] = {30.6, -16.4, 0.0};
+    const widgets::NumberStyle style{.min = -360.0, .max = 360.0, .step = 0.2, .decimals = 1, .unit = "°"};
+    if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
+        params.camera.yaw = angles[0];
+        params.camera.pitch = angles[1];
+        params.camera.roll = angles[2];
+    }
+    widgets::Tooltip("Yaw, pitch, roll",
+                     "Heading about y, then nodding about the camera's x, then tilting about its z.",
+                     "C = T R_y R_x R_z");
+    camera_lamps(session);
+    if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = "target"});
+
+    if (details("Famous slips")) slips(params);
+    tell_problems(derived, "camera");
+    tell_problems(derived, "follow");
+}
+
+void projection_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Projection")) return;
+    const widgets::Group group("projection");
+    Params& params = session.params;
+    static constexpr const char* types[] = {"Perspective", "Orthographic"};
+    control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
+    static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
+                                    far[] = {link::far};
+    if (params.projection.type == ProjectionType::perspective)
+        control(params, "projection.fovy", {.decimals = 1, .slider = true, .links = fovy});
+    else
+        control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
+    // Near and far push against each other, so that near < far holds while either is dragged.
+    ProjectionParams& projection = params.projection;
+    if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
+        projection.near = std::min(projection.near, projection.far * 0.999);
+    if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
+        projection.far = std::max(projection.far, projection.near * 1.001);
+
+    const DepthPrecision precision = precision_of(params.depth.format);
+    const std::string note = std::to_string(precision.bits) + (precision.is_float ? "-bit float" : "-bit") +
+                             " depth: Δz at z = " + widgets::NumberText(derived.facts.target_distance, 2) + " is " +
+                             widgets::NumberText(derived.facts.depth_step_at_target, 2);
+    widgets::Note(note.c_str());
+    widgets::Tooltip("Depth resolution",
+                     "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
+                     "this fight.",
+                     "Δz = z^2 (f - n)/(f n (2^b - 1))");
+    tell_problems(derived, "projection");
+}
+
+void hidden_surfaces_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Hidden surfaces")) return;
+    const widgets::Group group("depth");
+    Params& params = session.params;
+    static constexpr const char* funcs[] = {"GL_NEVER",   "GL_LESS",     "GL_EQUAL",  "GL_LEQUAL",
+                                            "GL_GREATER", "GL_NOTEQUAL", "GL_GEQUAL", "GL_ALWAYS"};
+    static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
+    static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
+    static constexpr float second = 118.0F;
+    control(params, "depth.test", {.label = "Depth test"});
+    beside(second);
+    control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});
+    control(params, "depth.write", {.label = "Depth mask"});
+    beside(second);
+    control(params, "depth.clear", {.label = "Clear depth"});
+    control(params, "cull.enabled", {.label = "Cull face"});
+    beside(second);
+    control(params, "cull.face", {.width = 150.0F, .names = faces, .label = "##face"});
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Front face");
+    beside(second);
+    control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
+    // Methods that are not drawn yet are offered only while a state names one.
+    static constexpr const char* methods[] = {"depth buffer", "none"};
+    const bool is_drawn = params.visibility.method <= VisibilityMethod::none;
+    control(params, "visibility.method",
+            {.width = 150.0F,
+             .names = is_drawn ? std::span<const char* const>(methods) : std::span<const char* const>(),
+             .label = "method"});
+    if (details("Depth format and mapping")) {
+        static constexpr const char* formats[] = {"4 bit",  "5 bit",  "6 bit",  "7 bit",  "8 bit",  "9 bit",
+                                                  "10 bit", "11 bit", "12 bit", "16 bit", "24 bit", "32 bit float"};
+        control(params, "depth.format", {.width = 130.0F, .names = formats});
+        control(params, "depth.mapping", {.width = 130.0F});
+        for (const SceneObject& object : session.scene().objects)
+            if (object.description.decal) {
+                control(params, "depth.offset.factor", {.label = "decal factor"});
+                control(params, "depth.offset.units", {.label = "decal units"});
+                break;
+            }
+    }
+    tell_problems(derived, "depth");
+    tell_problems(derived, "visibility");
+}
+
+void light_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Light  l")) return;
+    const widgets::Group group("light");
+    widgets::Light("position", session.params.light.position, default_params().light.position, link::light);
+    explain(field("light.position"), "light");
+    tell_problems(derived, "light");
+}
+
+void plane_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Plane  n·p + d = 0")) return;
+    const widgets::Group group("plane");
+    widgets::PlaneEquation("equation", session.params.plane.equation, default_params().plane.equation, link::plane);
+    explain(field("plane.equation"), "plane");
+    const glm::dvec4& unit = derived.unit_plane;
+    if (glm::length(unit - session.params.plane.equation) > 5e-4) {
+        const std::string note = "unit normal: (" + widgets::NumberText(unit.x, 3) + ", " +
+                                 widgets::NumberText(unit.y, 3) + ", " + widgets::NumberText(unit.z, 3) + ", " +
+                                 widgets::NumberText(unit.w, 3) + ")";
+        widgets::Note(note.c_str());
+    }
+    control(session.params, "plane.extent", {.slider = true, .min = 0.5, .max = 50.0});
+    tell_problems(derived, "plane");
+}
+
+void shadow_details(Params& params) {
+    static constexpr const char* styles[] = {"Blend", "Missing light"};
+    control(params, "shadow.style", {.segments = true, .names = styles, .label = "##style"});
+    if (params.shadow.style == ShadowStyle::missing_light) {
+        widgets::Note("Ambient light first, then the light only where the stencil is clear: no colour, no offset.");
+        return;
+    }
+    control(params, "shadow.color");
+    static constexpr const char* offsets[] = {"none", "glPolygonOffset", "lift", "no depth test"};
+    control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = "offset"});
+    if (params.shadow.offset == ShadowOffset::polygon_offset) {
+        control(params, "shadow.offset_factor", {.label = "factor"});
+        control(params, "shadow.offset_units", {.label = "units"});
+    } else if (params.shadow.offset == ShadowOffset::lift) {
+        control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
+    }
+}
+
+void shadow_and_reflection_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Shadow and reflection")) return;
+    Params& params = session.params;
+    static constexpr float second = 142.0F;
+    struct Row {
+        const char *shadow, *shadow_label, *reflection, *reflection_label;
+    };
+    static constexpr Row rows[] = {
+        {"shadow.enabled", "Shadow", "reflection.enabled", "Reflection"},
+        {"shadow.stencil_once", "Stencil once", "reflection.stencil", "Clip to mirror"},
+        {"shadow.clip_to_receiver", "Clip to patch", "reflection.flip_winding", "Flip winding"},
+        {"shadow.clip_casters", "Clip casters", "reflection.reflect_light", "Mirror light"},
+    };
+    for (const Row& row : rows) {
+        {
+            const widgets::Group group("shadow");
+            control(params, row.shadow, {.label = row.shadow_label});
+        }
+        beside(second);
+        const widgets::Group group("reflection");
+        control(params, row.reflection, {.label = row.reflection_label});
+    }
+    {
+        const widgets::Group group("shadow");
+        if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
+        if (details("Shadow: style and offset")) shadow_details(params);
+        tell_problems(derived, "shadow");
+    }
+    const widgets::Group group("reflection");
+    control(params, "reflection.reflectance", {.slider = true});
+    static constexpr const char* clips[] = {"no clipping", "clip distance", "oblique near plane"};
+    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = "clip at the plane"});
+    if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
+        widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
+    tell_problems(derived, "reflection");
+}
+
+void observer_section(Session& session) {
+    if (!widgets::Section("Observer", false)) return;
+    const widgets::Group group("observer");
+    control(session.params, "observer.target", {.label = "target"});
+    control(session.params, "observer.yaw", {.decimals = 1, .label = "yaw"});
+    control(session.params, "observer.pitch", {.decimals = 1, .label = "pitch"});
+    control(session.params, "observer.distance", {.label = "distance"});
+}
+
+}  // namespace
+
+void draw_panel(Session& session, const Derived& derived) {
+    ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
+    camera_section(session, derived);
+    projection_section(session, derived);
+    hidden_surfaces_section(session, derived);
+    light_section(session, derived);
+    plane_section(session, derived);
+    shadow_and_reflection_section(session, derived);
+    observer_section(session);
+    ImGui::PopItemWidth();
+}
+
+}  // namespace viewing

@@ -1,0 +1,42 @@
+// Exact intersection of rays with the curved shapes of the scene format, without any triangles: what the lecture
+// praises ray casting for. Read ray_cast.h next.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+
+#include "geometry/ray.h"
+
+namespace viewing {
+
+/// In model space, as geometry/shapes.h makes them: sphere of radius 1; cylinder and cone of radius 1 from y = −1 to 1,
+/// closed, the cone's tip up; torus with radii 0.9 and 0.34 about y.
+enum class CurvedKind { sphere, cylinder, cone, torus };
+
+/// Where a ray crosses a surface: at most four times, nearest first, t ≥ 0 in units of the ray's direction.
+class CurvedHits {
+public:
+    const double* begin() const { return t_.data(); }
+    const double* end() const { return t_.data() + count_; }
+    double operator[](std::size_t i) const { return t_[i]; }
+    std::size_t size() const { return count_; }
+    bool empty() const { return count_ == 0; }
+
+    /// Takes hits in any order; those behind the ray's start are left out.
+    void add(double t);
+
+private:
+    std::array<double, 4> t_{};
+    std::size_t count_ = 0;
+};
+
+/// The ray is in model space; its direction need not be unit, so t is the same as in world space when origin and
+/// direction were both sent there by model_from_world. A ray that only touches, or that runs within a straight side or
+/// a cap, misses. A direction of length 0 misses.
+CurvedHits intersect_curved(CurvedKind kind, const Ray& ray_in_model);
+
+/// The outward unit normal in model space at a point of the surface; on a rim that of one of the two sides.
+glm::dvec3 normal_of_curved(CurvedKind kind, const glm::dvec3& point_in_model);
+
+}  // namespace viewing

@@ -1,0 +1,238 @@
+// The list is kept sorted by farthest vertex; P is any place in it, at first the farthest. A Q that must go first
+// becomes P; when that leads round in a circle, something is cut. Read software_zbuffer.cpp next.
+#include "visibility/newell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "visibility/projected.h"
+
+namespace viewing {
+namespace {
+
+class Sorter {
+public:
+    Sorter(std::span<const Polygon> polygons, const Viewpoint& viewpoint, const NewellOptions& options)
+        : viewpoint_(viewpoint),
+          clip_from_world_(viewpoint.clip_from_world()),
+          eye_(viewpoint.eye_world()),
+          options_(options),
+          epsilon_(options.epsilon.value_or(default_epsilon(polygons))) {
+        const glm::dvec4 near = viewpoint.near_plane_world();
+        for (const Polygon& polygon : polygons) {
+            switch (side_of_plane(polygon, near, epsilon_)) {
+                case PlaneSide::front:
+                    add_fragment(polygon);
+                    break;
+                case PlaneSide::spanning: {
+                    auto [front, back] = split(polygon, near, epsilon_);
+                    result_.clipped_area += area(back);
+                    add_fragment(std::move(front));
+                    break;
+                }
+                case PlaneSide::back:
+                case PlaneSide::coplanar:
+                    result_.clipped_area += area(polygon);
+                    break;
+            }
+        }
+        std::sort(list_.begin(), list_.end(), [&](int a, int b) { return is_drawn_later(a, b); });
+    }
+
+    NewellOrder run(WorkProgress* progress) {
+        while (!list_.empty() && result_.problem.empty()) {
+            if (is_cancelled(progress)) stop("was cancelled");
+            draw_next();
+            const double drawn = static_cast<double>(result_.order.size());
+            report(progress, drawn / (drawn + static_cast<double>(list_.size())));
+        }
+        result_.order.insert(result_.order.end(), list_.rbegin(), list_.rend());
+        return std::move(result_);
+    }
+
+private:
+    struct Conflict {
+        int q = -1;
+        NewellTest swap_test = NewellTest::none;
+    };
+
+    /// Sort order of the list: what is drawn first is at its end.
+    bool is_drawn_later(int a, int b) const {
+        const double a_farthest = projected_[a].farthest, b_farthest = projected_[b].farthest;
+        return a_farthest != b_farthest ? a_farthest < b_farthest : a < b;
+    }
+
+    void add_fragment(Polygon polygon) {
+        projected_.push_back(project(polygon, viewpoint_, clip_from_world_));
+        list_.push_back(static_cast<int>(result_.fragments.size()));
+        result_.fragments.push_back(std::move(polygon));
+    }
+
+    void stop(const std::string& why) {
+        result_.problem = "Newell's sort " + why + "; the rest is drawn by its farthest vertices.";
+    }
+
+    void record(const NewellStep& step) {
+        if (result_.steps.size() < options_.max_steps) {
+            result_.steps.push_back(step);
+        } else {
+            ++result_.steps_left_out;
+        }
+    }
+
+    /// From the farthest polygon along those that must go before it, until one is drawn or cut.
+    void draw_next() {
+        std::vector<int> chain{list_.back()};
+        while (result_.problem.empty()) {
+            const int p = chain.back();
+            const Conflict conflict = first_conflict(p);
+            if (!result_.problem.empty()) return;
+            if (conflict.q < 0) {
+                draw(p, {.p = p, .action = NewellAction::draws});
+                return;
+            }
+            const bool is_cycle = std::find(chain.begin(), chain.end(), conflict.q) != chain.end();
+            if (conflict.swap_test != NewellTest::none && !is_cycle) {
+                ++result_.counters.swaps;
+                record({.p = p, .q = conflict.q, .decided_by = conflict.swap_test, .action = NewellAction::swaps});
+                chain.push_back(conflict.q);
+                continue;
+            }
+            if (cut_one_of(p, conflict.q) || !result_.problem.empty()) return;
+            ++result_.counters.forced;
+            draw(p, {.p = p, .q = conflict.q, .action = NewellAction::forces});
+            return;
+        }
+    }
+
+    void draw(int p, const NewellStep& step) {
+        record(step);
+        result_.order.push_back(p);
+        remove(p);
+    }
+
+    void remove(int fragment) {
+        const auto later = [&](int a, int b) { return is_drawn_later(a, b); };
+        list_.erase(std::lower_bound(list_.begin(), list_.end(), fragment, later));
+    }
+
+    /// The first Q that P may hide, if any, and the test that lets Q go first.
+    Conflict first_conflict(int p) {
+        for (std::size_t place = list_.size(); place-- > 0;) {
+            const int q = list_[place];
+            if (q == p) continue;
+            if (++result_.counters.pairs > options_.max_pairs) {
+                stop("stopped at its budget of " + std::to_string(options_.max_pairs) + " comparisons");
+                return {};
+            }
+            const NewellTest test = first_passed(p, q);
+            ++result_.counters.decided[static_cast<std::size_t>(test)];
+            if (test > NewellTest::projections_disjoint) return {q, test};
+            record({.p = p, .q = q, .decided_by = test});
+            if (test == NewellTest::depth_extents) break;  // and so is all that is nearer
+        }
+        return {};
+    }
+
+    NewellTest first_passed(int p, int q) const {
+        const Projected &a = projected_[p], &b = projected_[q];
+        if (b.farthest <= a.nearest) return NewellTest::depth_extents;
+        if (apart_on(0, a, b)) return NewellTest::x_extents;
+        if (apart_on(1, a, b)) return NewellTest::y_extents;
+        if (is_behind(p, q)) return NewellTest::p_behind_q;
+        if (is_in_front(q, p)) return NewellTest::q_in_front_of_p;
+        if (are_disjoint(a, b)) return NewellTest::projections_disjoint;
+        if (is_behind(q, p)) return NewellTest::q_behind_p;
+        if (is_in_front(p, q)) return NewellTest::p_in_front_of_q;
+        return NewellTest::none;
+    }
+
+    glm::dvec4 plane_towards_eye(int fragment) const {
+        const glm::dvec4& plane = result_.fragments[fragment].plane;
+        return glm::dot(plane, eye_) < 0.0 ? -plane : plane;
+    }
+
+    /// Wholly behind the other's plane; in it, the one with the higher source counts as behind.
+    bool is_behind(int fragment, int other) const {
+        const PlaneSide side = side_of_plane(result_.fragments[fragment], plane_towards_eye(other), epsilon_);
+        return side == PlaneSide::back || (side == PlaneSide::coplanar && has_higher_source(fragment, other));
+    }
+
+    bool is_in_front(int fragment, int other) const {
+        const PlaneSide side = side_of_plane(result_.fragments[fragment], plane_towards_eye(other), epsilon_);
+        return side == PlaneSide::front || (side == PlaneSide::coplanar && has_higher_source(other, fragment));
+    }
+
+    bool has_higher_source(int fragment, int other) const {
+        return result_.fragments[fragment].source > result_.fragments[other].source;
+    }
+
+    /// Cuts P by Q's plane or Q by P's. A cycle may be such that neither is possible: then one of them along the
+    /// other's outline. False when nothing is left to cut.
+    bool cut_one_of(int p, int q) {
+        if (cut(p, q, p, plane_towards_eye(q)) || cut(p, q, q, plane_towards_eye(p))) return true;
+        return cut_along_outline(p, q, p, q) || cut_along_outline(p, q, q, p);
+    }
+
+    bool cut_along_outline(int p, int q, int fragment, int other) {
+        // A copy: a cut adds fragments.
+        const std::vector<glm::dvec3> outline = result_.fragments[other].vertices;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const glm::dvec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+            const glm::dvec3 to_eye = glm::dvec3(eye_) - eye_.w * a;
+            const glm::dvec3 normal = glm::cross(b - a, to_eye);
+            const double length = glm::length(normal);
+            if (!(length > 1e-12 * glm::length(b - a) * glm::length(to_eye))) continue;
+            if (cut(p, q, fragment, glm::dvec4(normal, -glm::dot(normal, a)) / length)) return true;
+        }
+        return false;
+    }
+
+    /// P or Q in two, if the plane cuts it.
+    bool cut(int p, int q, int fragment, const glm::dvec4& plane) {
+        if (!result_.problem.empty()) return false;
+        if (side_of_plane(result_.fragments[fragment], plane, epsilon_) != PlaneSide::spanning) return false;
+        if (static_cast<int>(list_.size() + result_.order.size()) >= options_.max_fragments) {
+            stop("stopped at its budget of " + std::to_string(options_.max_fragments) + " fragments");
+            return false;
+        }
+        ++result_.counters.splits;
+        record({.p = p,
+                .q = q,
+                .action = NewellAction::splits,
+                .split = fragment,
+                .first_piece = static_cast<int>(result_.fragments.size()),
+                .cut_plane = plane});
+        auto [front, back] = split(result_.fragments[fragment], plane, epsilon_);
+        remove(fragment);
+        add_in_order(std::move(front));
+        add_in_order(std::move(back));
+        return true;
+    }
+
+    void add_in_order(Polygon polygon) {
+        add_fragment(std::move(polygon));
+        const auto place = std::upper_bound(list_.begin(), list_.end() - 1, list_.back(),
+                                            [&](int a, int b) { return is_drawn_later(a, b); });
+        std::rotate(place, list_.end() - 1, list_.end());
+    }
+
+    const Viewpoint& viewpoint_;
+    const glm::dmat4 clip_from_world_;
+    const glm::dvec4 eye_;
+    const NewellOptions& options_;
+    const double epsilon_;
+    std::vector<Projected> projected_;  ///< of every fragment
+    std::vector<int> list_;             ///< not yet drawn, the next one last
+    NewellOrder result_;
+};
+
+}  // namespace
+
+NewellOrder newell_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, const NewellOptions& options,
+                         WorkProgress* progress) {
+    return Sorter(polygons, viewpoint, options).run(progress);
+}
+
+}  // namespace viewing

@@ -1,0 +1,27 @@
+// Internal to newell.cpp: what a polygon covers on the screen and in depth.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "visibility/polygons.h"
+#include "visibility/viewpoint.h"
+
+namespace viewing {
+
+struct Projected {
+    double nearest, farthest;         ///< eye distance
+    glm::dvec2 min, max;              ///< normalised device coordinates
+    std::vector<glm::dvec2> corners;  ///< convex, either way round
+};
+
+/// Of a polygon in front of the near plane.
+Projected project(const Polygon& polygon, const Viewpoint& viewpoint, const glm::dmat4& clip_from_world);
+
+/// Apart on an axis (0 x, 1 y), but for a hundred-millionth of the picture's size.
+bool apart_on(int axis, const Projected& a, const Projected& b);
+
+/// Apart on the screen by the same measure. What has no area there is apart from everything.
+bool are_disjoint(const Projected& a, const Projected& b);
+
+}  // namespace viewing

@@ -1,0 +1,225 @@
+// Scan conversion of convex polygons by their edges: each edge gives every row that it crosses one end of a span. Two
+// polygons that share an edge compute the same ends, so no pixel is drawn twice or left out. Read bvh.cpp next.
+#include "visibility/software_zbuffer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <numeric>
+#include <utility>
+
+namespace viewing {
+namespace {
+
+/// Depths nearer to one another than this are one surface: far below a step of any stored format, above rounding.
+constexpr double same_depth = 1e-12;
+constexpr int polygons_between_reports = 4096;
+
+/// The first pixel whose centre is at or beyond `position`, within 0 … limit.
+int first_pixel(double position, int limit) {
+    const double inside = std::clamp(position - 0.5, 0.0, static_cast<double>(limit));
+    const int floor = static_cast<int>(inside);
+    return floor + (static_cast<double>(floor) < inside ? 1 : 0);
+}
+
+struct Span {
+    double left, right;
+};
+
+struct ScreenPoint {
+    double x, y, depth;  ///< pixels from the top left, window depth
+};
+
+class Rasteriser {
+public:
+    Rasteriser(const glm::dmat4& clip_from_world, const RasterOptions& options, RasterResult& result)
+        : clip_from_world_(clip_from_world),
+          clip_plane_from_world_(glm::inverseTranspose(clip_from_world)),
+          options_(options),
+          result_(result),
+          spans_(static_cast<std::size_t>(options.height), empty_span),
+          left_to_test_(options.stop_after) {}
+
+    bool stopped() const { return left_to_test_ == 0; }
+
+    void draw(const Polygon& polygon, int index) {
+        clip_.clear();
+        for (const glm::dvec3& vertex : polygon.vertices) clip_.push_back(clip_from_world_ * glm::dvec4(vertex, 1.0));
+        keep_where([](const glm::dvec4& p) { return p.w + p.z; });
+        keep_where([](const glm::dvec4& p) { return p.w - p.z; });
+        if (clip_.size() < 3) return;
+        ++result_.counters.polygons;
+        project();
+        add_edges();
+        polygon_ = &polygon;
+        polygon_index_ = index;
+        set_depth_plane();
+        switch (options_.rule) {
+            case PaintRule::overwrite:
+                fill<PaintRule::overwrite>();
+                break;
+            case PaintRule::keep_first:
+                fill<PaintRule::keep_first>();
+                break;
+            case PaintRule::depth_test:
+                fill<PaintRule::depth_test>();
+                break;
+        }
+    }
+
+private:
+    static constexpr Span empty_span{1e300, -1e300};
+
+    /// Clips the polygon to where `distance` is not negative. Cuts go from inside to outside, the same for neighbours.
+    template <typename Distance>
+    void keep_where(Distance distance) {
+        if (std::all_of(clip_.begin(), clip_.end(), [&](const glm::dvec4& p) { return distance(p) >= 0.0; })) return;
+        clipped_.clear();
+        for (std::size_t i = 0; i < clip_.size(); ++i) {
+            const glm::dvec4 &here = clip_[i], &next = clip_[(i + 1) % clip_.size()];
+            const double here_distance = distance(here), next_distance = distance(next);
+            if (here_distance >= 0.0) clipped_.push_back(here);
+            if ((here_distance >= 0.0) == (next_distance >= 0.0)) continue;
+            const bool leaves = here_distance >= 0.0;
+            const glm::dvec4 &inside = leaves ? here : next, &outside = leaves ? next : here;
+            const double inside_distance = leaves ? here_distance : next_distance;
+            const double outside_distance = leaves ? next_distance : here_distance;
+            clipped_.push_back(inside + inside_distance / (inside_distance - outside_distance) * (outside - inside));
+        }
+        std::swap(clip_, clipped_);
+    }
+
+    void project() {
+        screen_.clear();
+        const double grid = options_.subpixel_bits >= 0 ? static_cast<double>(1 << options_.subpixel_bits) : 0.0;
+        for (const glm::dvec4& p : clip_) {
+            const double inverse_w = 1.0 / p.w;
+            ScreenPoint point{(p.x * inverse_w + 1.0) * 0.5 * options_.width,
+                              (1.0 - p.y * inverse_w) * 0.5 * options_.height, (p.z * inverse_w + 1.0) * 0.5};
+            if (grid > 0.0) {
+                point.x = std::floor(point.x * grid + 0.5) / grid;
+                point.y = std::floor(point.y * grid + 0.5) / grid;
+            }
+            screen_.push_back(point);
+        }
+    }
+
+    void add_edges() {
+        row_begin_ = options_.height;
+        row_end_ = 0;
+        nearest_ = farthest_ = screen_.front().depth;
+        for (std::size_t i = 0, last = screen_.size() - 1; i < screen_.size(); last = i++) {
+            nearest_ = std::min(nearest_, screen_[i].depth);
+            farthest_ = std::max(farthest_, screen_[i].depth);
+            const bool goes_down = screen_[last].y < screen_[i].y;
+            add_edge(goes_down ? screen_[last] : screen_[i], goes_down ? screen_[i] : screen_[last]);
+        }
+    }
+
+    void add_edge(const ScreenPoint& top, const ScreenPoint& bottom) {
+        const int begin = first_pixel(top.y, options_.height), end = first_pixel(bottom.y, options_.height);
+        if (begin >= end) return;
+        row_begin_ = std::min(row_begin_, begin);
+        row_end_ = std::max(row_end_, end);
+        const double slope = (bottom.x - top.x) / (bottom.y - top.y);
+        for (int y = begin; y < end; ++y) {
+            const double x = top.x + (y + 0.5 - top.y) * slope;
+            Span& span = spans_[static_cast<std::size_t>(y)];
+            span.left = std::min(span.left, x);
+            span.right = std::max(span.right, x);
+        }
+    }
+
+    /// depth = at_origin + per_x · x + per_y · y, from the polygon's plane: the same for all pieces of one polygon.
+    void set_depth_plane() {
+        const glm::dvec4 p = clip_plane_from_world_ * polygon_->plane;
+        const bool is_edge_on = std::abs(p.z) <= 1e-14 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.w));
+        depth_per_x_ = is_edge_on ? 0.0 : -p.x / (p.z * options_.width);
+        depth_per_y_ = is_edge_on ? 0.0 : p.y / (p.z * options_.height);
+        depth_at_origin_ = is_edge_on ? nearest_ : 0.5 + 0.5 * (p.x - p.y - p.w) / p.z;
+    }
+
+    template <PaintRule rule>
+    void fill() {
+        for (int y = row_begin_; y < row_end_; ++y) {
+            const Span span = std::exchange(spans_[static_cast<std::size_t>(y)], empty_span);
+            const int begin = first_pixel(span.left, options_.width);
+            int end = first_pixel(span.right, options_.width);
+            if (begin >= end) continue;
+            if (left_to_test_ >= 0) {
+                end = static_cast<int>(std::min<std::int64_t>(end, begin + left_to_test_));
+                left_to_test_ -= end - begin;
+            }
+            fill_row<rule>(begin, end, y);
+        }
+    }
+
+    template <PaintRule rule>
+    void fill_row(int begin, int end, int y) {
+        if (begin >= end) return;
+        IdImage& image = result_.image;
+        int* const ids = image.ids.data() + image.index(0, y);
+        double* const depths = image.depths.data() + image.index(0, y);
+        const double depth_of_row = depth_at_origin_ + depth_per_y_ * (y + 0.5);
+        const int id = polygon_->source;
+        std::int64_t written = 0;
+        for (int x = begin; x < end; ++x) {
+            const double depth = std::min(std::max(depth_of_row + depth_per_x_ * (x + 0.5), nearest_), farthest_);
+            bool passes = true;
+            if constexpr (rule == PaintRule::keep_first) passes = ids[x] == IdImage::background;
+            if constexpr (rule == PaintRule::depth_test) passes = depth < depths[x] - same_depth;
+            if (x == end - 1) result_.last = {x, y, polygon_index_, depth, depths[x], passes};
+            if (!passes) continue;
+            ids[x] = id;
+            depths[x] = depth;
+            ++written;
+        }
+        result_.counters.pixels_tested += end - begin;
+        result_.counters.pixels_written += written;
+        if (!result_.tested_per_pixel.empty()) {
+            for (int x = begin; x < end; ++x) ++result_.tested_per_pixel[image.index(x, y)];
+        }
+    }
+
+    const glm::dmat4 clip_from_world_, clip_plane_from_world_;
+    const RasterOptions& options_;
+    RasterResult& result_;
+    std::vector<glm::dvec4> clip_, clipped_;
+    std::vector<ScreenPoint> screen_;
+    std::vector<Span> spans_;  ///< one a row, empty between polygons
+    int row_begin_ = 0, row_end_ = 0;
+    double nearest_ = 0.0, farthest_ = 0.0;
+    const Polygon* polygon_ = nullptr;
+    int polygon_index_ = 0;
+    double depth_at_origin_ = 0.0, depth_per_x_ = 0.0, depth_per_y_ = 0.0;
+    std::int64_t left_to_test_;
+};
+
+}  // namespace
+
+RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> order, const glm::dmat4& clip_from_world,
+                       const RasterOptions& options, WorkProgress* progress) {
+    RasterResult result;
+    result.image = IdImage(options.width, options.height);
+    if (options.count_per_pixel) result.tested_per_pixel.assign(result.image.ids.size(), 0);
+    Rasteriser rasteriser(clip_from_world, options, result);
+    for (std::size_t i = 0; i < order.size() && !rasteriser.stopped(); ++i) {
+        if (i % polygons_between_reports == 0) {
+            if (is_cancelled(progress)) break;
+            report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
+        }
+        rasteriser.draw(polygons[static_cast<std::size_t>(order[i])], order[i]);
+    }
+    result.counters.pixels_covered = std::count_if(result.image.ids.begin(), result.image.ids.end(),
+                                                   [](int id) { return id != IdImage::background; });
+    return result;
+}
+
+RasterResult rasterise(std::span<const Polygon> polygons, const glm::dmat4& clip_from_world,
+                       const RasterOptions& options, WorkProgress* progress) {
+    std::vector<int> order(polygons.size());
+    std::iota(order.begin(), order.end(), 0);
+    return rasterise(polygons, order, clip_from_world, options, progress);
+}
+
+}  // namespace viewing

@@ -1,0 +1,25 @@
+// What the methods ask of a camera. Read painter.cpp next.
+#include "visibility/viewpoint.h"
+
+#include "geometry/plane.h"
+
+namespace viewing {
+
+double Viewpoint::distance(const glm::dvec3& point_world) const {
+    const glm::dmat4& m = view_from_world;
+    return -(m[0][2] * point_world.x + m[1][2] * point_world.y + m[2][2] * point_world.z + m[3][2]);
+}
+
+glm::dvec4 Viewpoint::eye_world() const {
+    const bool is_perspective = clip_from_view[2][3] != 0.0;
+    const glm::dmat3 world_from_view_rotation = glm::transpose(glm::dmat3(view_from_world));
+    if (is_perspective) return {-(world_from_view_rotation * glm::dvec3(view_from_world[3])), 1.0};
+    return {world_from_view_rotation[2], 0.0};
+}
+
+glm::dvec4 Viewpoint::near_plane_world() const {
+    const glm::dmat4 rows = glm::transpose(clip_from_world());
+    return unit_plane(rows[3] + rows[2]);
+}
+
+}  // namespace viewing

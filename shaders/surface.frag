@@ -1,0 +1,121 @@
+// Colours a fragment: lit, ambient only, one flat colour, front and back told apart, or an identity to read back.
+// Light is added in linear space and converted to sRGB here, so that no sRGB target is needed.
+in vec3 position_world;
+in vec3 normal_world;
+in vec2 position_patch;
+
+// SHADING and IS_PATCH are defined in front of this source: a small program for each way to draw compiles faster than
+// one that can do everything. The values of Shading in frame/plan.h, and one more for reading back.
+#define SHADING_LIT 0
+#define SHADING_UNLIT 1
+#define SHADING_FLAT 2
+#define SHADING_FACING 3
+#define SHADING_IDENTITY 4
+
+uniform vec4 light_world;   // w = 1 point light, w = 0 parallel light
+uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this direction
+uniform vec3 sky_world;     // unit: where ambient light is strongest
+uniform vec4 base_color;    // linear; flat shading: sRGB
+uniform float alpha;
+uniform vec3 patch_tones[3];  // linear: light square, dark square, line
+uniform float patch_extent;
+uniform vec3 facing_colors[2];  // sRGB: front, back
+
+#ifdef CLIP_BY_DISCARD
+in vec2 clip_distance;
+#endif
+
+#ifdef WRITE_DEPTH
+in vec2 view_zw;
+uniform float depth_levels;      // 2^bits - 1; 0: as precise as the buffer
+uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic
+uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times the smallest step
+#endif
+
+out vec4 color;
+
+// 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, off by a hundredth of a level at most: a software
+// renderer takes long over pow, to compile it and to run it.
+vec3 srgb_from_linear(vec3 linear) {
+    vec3 root = sqrt(sqrt(linear));
+    vec3 curve = (((0.0813307 * root - 0.3355051) * root + 1.1226862) * root + 0.1961336) * root - 0.0646112;
+    return mix(linear * 12.92, curve, greaterThan(linear, vec3(0.0031308)));
+}
+
+#if SHADING == SHADING_LIT || SHADING == SHADING_UNLIT
+// Two tones by turns with thin lines between, each faded to its mean where squares get smaller than pixels.
+vec3 patch_color() {
+    vec2 cell = position_patch * patch_extent;
+    vec2 width = max(fwidth(cell), vec2(1e-6));
+    vec2 to_line = abs(fract(cell - 0.5) - 0.5);
+    vec2 off_line = (to_line - 0.008) / (width * 1.2);
+    float line = 1.0 - smoothstep(0.0, 1.0, min(off_line.x, off_line.y));
+    float far_away = clamp(max(width.x, width.y) * 2.0 - 0.4, 0.0, 1.0);
+    float dark = mod(floor(cell.x) + floor(cell.y), 2.0);
+    vec3 square = mix(patch_tones[0], patch_tones[1], mix(dark, 0.5, far_away));
+    return mix(square, patch_tones[2], line * (1.0 - far_away));
+}
+
+float pow48(float x) {
+    float power = x * x * x;
+    for (int i = 0; i < 4; ++i) power *= power;
+    return power;
+}
+
+vec3 lit_color(vec3 albedo) {
+    vec3 eye = eye_world.xyz - eye_world.w * position_world;
+    // The side of the surface that is seen, from its geometry: it must not depend on winding or culling.
+#ifdef IS_PATCH
+    vec3 face = normal_world;  // it is flat
+#else
+    vec3 face = cross(dFdx(position_world), dFdy(position_world));
+#endif
+    vec3 normal = normalize(normal_world);
+    normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
+
+    float ambient = 0.23 + 0.07 * dot(normal, sky_world);
+#if SHADING == SHADING_UNLIT
+    return albedo * ambient;
+#else
+    vec3 to_light = normalize(light_world.xyz - light_world.w * position_world);
+    float diffuse = max(dot(normal, to_light), 0.0);
+    vec3 lit = albedo * (ambient + 0.78 * diffuse);
+#ifndef IS_PATCH  // which is matt
+    float shine = pow48(max(dot(normal, normalize(to_light + normalize(eye))), 0.0));
+    lit += diffuse > 0.0 ? 0.16 * shine : 0.0;
+#endif
+    return lit;
+#endif
+}
+#endif
+
+void main() {
+#if SHADING == SHADING_FLAT
+    color = base_color;
+#elif SHADING == SHADING_IDENTITY
+    color = vec4(base_color.rg, gl_FrontFacing ? 1.0 : 0.0, 1.0);
+#elif SHADING == SHADING_FACING
+    vec3 normal = normalize(normal_world);
+    float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
+    float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
+    color = vec4(gl_FrontFacing ? facing_colors[0] * shade : facing_colors[1] * mix(0.72, 1.0, stripe), alpha);
+#elif defined(IS_PATCH)
+    color = vec4(srgb_from_linear(lit_color(patch_color())), alpha);
+#else
+    color = vec4(srgb_from_linear(lit_color(base_color.rgb)), alpha);
+#endif
+#ifdef WRITE_DEPTH
+    float depth = gl_FragCoord.z;
+    if (logarithmic_range.x > 0.0) {
+        float distance = max(-view_zw.x / view_zw.y, 1e-30);
+        depth = log(distance / logarithmic_range.x) / log(logarithmic_range.y / logarithmic_range.x);
+    }
+    depth += depth_offset.x * max(abs(dFdx(depth)), abs(dFdy(depth))) + depth_offset.y;
+    if (depth_levels > 0.0) depth = floor(clamp(depth, 0.0, 1.0) * depth_levels + 0.5) / depth_levels;
+    gl_FragDepth = depth;
+#endif
+#ifdef CLIP_BY_DISCARD
+    // Last, because the derivatives above need all four fragments of a square.
+    if (any(lessThan(clip_distance, vec2(0.0)))) discard;
+#endif
+}

@@ -1,0 +1,46 @@
+// Every surface of the scene: objects, their shadow, their mirror image and the plane's patch.
+// The matrices arrive complete (S and R already multiplied in, in double precision on the CPU).
+layout(location = 0) in vec3 position_model;
+layout(location = 1) in vec3 normal_model;
+
+uniform mat4 clip_from_model;
+uniform mat4 world_from_model;
+uniform mat3 world_from_normal;
+
+out vec3 position_world;
+out vec3 normal_world;
+out vec2 position_patch;
+
+// For passes that clip, one of the two: CLIP_BY_DISCARD where GL has no clip distances.
+#ifdef CLIP_DISTANCE
+out float gl_ClipDistance[2];
+#endif
+#ifdef CLIP_BY_DISCARD
+out vec2 clip_distance;
+#endif
+#if defined(CLIP_DISTANCE) || defined(CLIP_BY_DISCARD)
+uniform vec4 clip_plane_model[2];  // kept where dot(plane, position) >= 0
+#endif
+
+#ifdef WRITE_DEPTH
+uniform vec4 view_z_of_model;  // the third and fourth rows of view_from_model
+uniform vec4 view_w_of_model;
+out vec2 view_zw;
+#endif
+
+void main() {
+    vec4 position = vec4(position_model, 1.0);
+    gl_Position = clip_from_model * position;
+    position_world = (world_from_model * position).xyz;
+    normal_world = world_from_normal * normal_model;
+    position_patch = position_model.xz;
+#ifdef CLIP_DISTANCE
+    for (int plane = 0; plane < 2; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
+#endif
+#ifdef CLIP_BY_DISCARD
+    clip_distance = vec2(dot(clip_plane_model[0], position), dot(clip_plane_model[1], position));
+#endif
+#ifdef WRITE_DEPTH
+    view_zw = vec2(dot(view_z_of_model, position), dot(view_w_of_model, position));
+#endif
+}

@@ -1,0 +1,123 @@
+// Our parts measured in one process. Against the floor, as whole programs: ratios.cpp.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+
+#include "cli/compare.h"
+#include "render/png.h"
+#include "state/json.h"
+#include "ui_frame.h"
+
+namespace viewing {
+namespace {
+
+constexpr int width = 1280;
+constexpr int height = 720;
+
+/// Like a rendered scene: a plain ground, a shaded ball, a checked floor.
+Image picture() {
+    Image image{width, height, {}};
+    image.rgba.resize(image.row_bytes() * height);
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const double radius = std::hypot(x - 640, y - 300);
+            const bool light_tile = (x / 40 + y / 20) % 2 == 0;
+            const int level = radius < 250 ? static_cast<int>(250 - 0.8 * radius)
+                              : y < 400    ? 24
+                              : light_tile ? 120
+                                           : 90;
+            std::uint8_t* pixel = image.row(y) + 4 * static_cast<std::size_t>(x);
+            pixel[0] = static_cast<std::uint8_t>(level);
+            pixel[1] = static_cast<std::uint8_t>(level * 3 / 4);
+            pixel[2] = static_cast<std::uint8_t>(level / 2);
+            pixel[3] = 255;
+        }
+    }
+    return image;
+}
+
+/// Every byte by chance: no row equal, every pixel beyond the threshold.
+Image noise() {
+    std::mt19937 random(1);
+    Image image = picture();
+    for (auto& byte : image.rgba) byte = static_cast<std::uint8_t>(random());
+    return image;
+}
+
+/// A dot every 18 pixels: as many boxes as there can be.
+Image dotted() {
+    Image image = picture();
+    for (int y = 0; y < height; y += 18)
+        for (int x = 0; x < width; x += 18) image.row(y)[4 * static_cast<std::size_t>(x)] ^= 0x80;
+    return image;
+}
+
+void compare_with(benchmark::State& state, const Image& other) {
+    const Image image = picture();
+    for (auto _ : state) benchmark::DoNotOptimize(compare_images(image, other));
+}
+BENCHMARK_CAPTURE(compare_with, equal, picture())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(compare_with, noise, noise())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(compare_with, dots, dotted())->Unit(benchmark::kMillisecond);
+
+void diff(benchmark::State& state) {
+    const Image image = picture();
+    const Image other = noise();
+    for (auto _ : state) benchmark::DoNotOptimize(diff_picture(image, other));
+}
+BENCHMARK(diff)->Unit(benchmark::kMillisecond);
+
+void png(benchmark::State& state) {
+    const Image image = picture();
+    for (auto _ : state) benchmark::DoNotOptimize(encode_png(image));
+    state.counters["bytes"] = static_cast<double>(encode_png(image).size());
+}
+BENCHMARK(png)->Unit(benchmark::kMillisecond);
+
+LoadedState opening() {
+    return bench::value_of(load_state("opening"));
+}
+
+void derive_numbers(benchmark::State& state) {
+    const LoadedState loaded = opening();
+    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base));
+    for (auto _ : state) benchmark::DoNotOptimize(derive(loaded.params, scene, Viewport{{width, height}, true}));
+}
+BENCHMARK(derive_numbers)->Unit(benchmark::kMicrosecond);
+
+void plan_passes(benchmark::State& state) {
+    const LoadedState loaded = opening();
+    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base));
+    const Derived derived = derive(loaded.params, scene, Viewport{{width, height}, true});
+    for (auto _ : state) benchmark::DoNotOptimize(plan(loaded.params, derived));
+}
+BENCHMARK(plan_passes)->Unit(benchmark::kMicrosecond);
+
+void parse(benchmark::State& state) {
+    const std::string text = write_state(Params{});
+    for (auto _ : state) benchmark::DoNotOptimize(parse_state(text, "state.json"));
+    state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
+}
+BENCHMARK(parse)->Unit(benchmark::kMicrosecond);
+
+void write(benchmark::State& state) {
+    const Params params;
+    for (auto _ : state) benchmark::DoNotOptimize(write_state(params));
+}
+BENCHMARK(write)->Unit(benchmark::kMicrosecond);
+
+/// derive, plan and the whole user interface, after an edit of the camera and the light.
+void ui_frame(benchmark::State& state) {
+    bench::UiFrame frame(opening(), {static_cast<int>(state.range(0)), static_cast<int>(state.range(1))});
+    int step = 0;
+    for (auto _ : state) {
+        bench::edit(frame.session().params, step++);
+        frame.derive_and_plan();
+        frame.draw();
+    }
+}
+BENCHMARK(ui_frame)->Args({1280, 720})->Args({1600, 900})->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,32 @@
+// Starts a program and measures it from outside: wall time, CPU time of all its threads, peak memory, what it prints.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace viewing::bench {
+
+using Command = std::vector<std::string>;
+
+/// A running program and the file descriptor of its standard output.
+struct Started {
+    pid_t process = 0;
+    int output = -1;
+};
+
+/// Ends this program with a sentence when the command cannot be started. Standard error is shared.
+Started start(const Command& command);
+
+struct Measured {
+    double wall_ms = 0.0;
+    double cpu_ms = 0.0;  ///< user and system
+    double peak_mb = 0.0;
+    std::string output;
+};
+
+/// Runs the command to its end; one that does not exit with 0 ends this program with a sentence.
+Measured run(const Command& command);
+
+}  // namespace viewing::bench

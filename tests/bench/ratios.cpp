@@ -1,0 +1,230 @@
+// The sandbox against the floor in one run: started in turn, so that a machine that warms up or is busy treats both
+// alike; medians. Every ratio is of wall time and, because that is noise on a busy machine, of CPU time (user and
+// system, all threads) besides. Reports, never fails: exit 0 unless a program cannot be run.
+//
+//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]     the folder of bench-floor and bench-pictures, the
+//     program,
+//                                                             the states of the floor's pictures: its mesh, and one of
+//                                                             80 000 triangles
+//
+// Read floor.cpp and pictures.cpp for what is timed.
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "idle.h"
+#include "program.h"
+
+namespace {
+
+using namespace viewing::bench;
+namespace fs = std::filesystem;
+
+struct Programs {
+    std::string floor, pictures, sandbox, one_mesh, dense;
+};
+
+/// Medians over the rounds.
+class Samples {
+public:
+    void add(double value) { values_.push_back(value); }
+    double median() const {
+        std::vector<double> sorted = values_;
+        std::sort(sorted.begin(), sorted.end());
+        return sorted[sorted.size() / 2];
+    }
+
+private:
+    std::vector<double> values_;
+};
+
+enum class Wanted { at_most, at_least };
+
+struct Bound {
+    Wanted wanted;
+    double ratio;
+};
+
+void print_head() {
+    std::printf("%-46s %9s %9s %-5s %6s %6s  %s\n", "", "floor", "sandbox", "", "ratio", "by CPU", "wanted");
+}
+
+void print_verdict(const std::optional<Bound>& bound, double value) {
+    if (bound) {
+        const bool met = bound->wanted == Wanted::at_most ? value <= bound->ratio : value >= bound->ratio;
+        std::printf("  %s %-4g %s", bound->wanted == Wanted::at_most ? "≤" : "≥", bound->ratio, met ? "met" : "MISSED");
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void print_row(const std::string& what, double floor, double sandbox, const char* unit, std::optional<double> cpu_ratio,
+               const std::optional<Bound>& bound) {
+    // printf counts bytes, and a sign such as × has two.
+    const auto continued = std::count_if(what.begin(), what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
+    std::printf("%-*s %9.1f %9.1f %-5s %6.2f ", static_cast<int>(46 + continued), what.c_str(), floor, sandbox, unit,
+                sandbox / floor);
+    cpu_ratio ? std::printf("%6.2f", *cpu_ratio) : std::printf("%6s", "");
+    print_verdict(bound, sandbox / floor);
+}
+
+void print_value(const std::string& what, double value, const char* unit, const std::optional<Bound>& bound) {
+    const auto continued = std::count_if(what.begin(), what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
+    std::printf("%-*s %9s %9.3f %-5s %6s %6s", static_cast<int>(46 + continued), what.c_str(), "", value, unit, "", "");
+    print_verdict(bound, value);
+}
+
+// ---- process start to PNG ----------------------------------------------------------------------------
+
+struct Start {
+    Samples wall_ms, cpu_ms, peak_mb;
+};
+
+/// With shaders cached in this folder: as it was left, or emptied first.
+void start_once(const Command& command, const fs::path& cache, bool cold, Start& start) {
+    if (cold) fs::remove_all(cache);
+    fs::create_directories(cache);
+    setenv("MESA_SHADER_CACHE_DIR", cache.c_str(), 1);
+    const Measured measured = run(command);
+    start.wall_ms.add(measured.wall_ms);
+    start.cpu_ms.add(measured.cpu_ms);
+    start.peak_mb.add(measured.peak_mb);
+}
+
+void compare_starts(const Programs& programs, const fs::path& scratch, int rounds) {
+    const std::string out = scratch / "out.png";
+    struct Kind {
+        const char* name;
+        Command command;
+        bool bound;
+        Start warm, cold;
+    };
+    const auto snapshot = [&](const std::string& state) -> Command {
+        return {programs.sandbox, "snapshot", state, "--view", "camera", "--samples", "0", "-o", out};
+    };
+    Kind kinds[] = {{"floor", {programs.floor, out}, false, {}, {}},
+                    {"one mesh", snapshot(programs.one_mesh), true, {}, {}},
+                    {"opening state", snapshot("opening"), false, {}, {}}};
+    Start unused;
+    for (Kind& kind : kinds) start_once(kind.command, scratch / kind.name, true, unused);
+    for (int round = 0; round < rounds; ++round) {
+        for (Kind& kind : kinds) start_once(kind.command, scratch / kind.name, false, kind.warm);
+        for (Kind& kind : kinds) start_once(kind.command, scratch / "cold", true, kind.cold);
+    }
+    const Kind& floor = kinds[0];
+    for (const Kind& kind : {kinds[1], kinds[2]}) {
+        for (const auto& [heat, start] : {std::pair("warm", &Kind::warm), std::pair("cold", &Kind::cold)}) {
+            const Start &ours = kind.*start, &least = floor.*start;
+            print_row(std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
+                      ours.wall_ms.median(), "ms", ours.cpu_ms.median() / least.cpu_ms.median(),
+                      kind.bound ? std::optional(Bound{Wanted::at_most, 1.3}) : std::nullopt);
+        }
+        const auto peak = [](const Kind& of) { return std::max(of.warm.peak_mb.median(), of.cold.peak_mb.median()); };
+        print_row(std::string("peak memory, ") + kind.name, peak(floor), peak(kind), "MB", std::nullopt,
+                  Bound{Wanted::at_most, 1.2});
+    }
+}
+
+// ---- pictures per second in one process --------------------------------------------------------------
+
+struct Rate {
+    Samples per_second, cpu_ms;
+};
+
+void rate_once(const Command& command, Rate& rate) {
+    double per_second = 0.0, cpu_ms = 0.0;
+    if (std::sscanf(run(command).output.c_str(), "%lf %lf", &per_second, &cpu_ms) != 2) std::exit(2);
+    rate.per_second.add(per_second);
+    rate.cpu_ms.add(cpu_ms);
+}
+
+void print_rate(const std::string& what, const Rate& floor, const Rate& ours, const std::optional<Bound>& bound) {
+    print_row(what, floor.per_second.median(), ours.per_second.median(), "/s",
+              floor.cpu_ms.median() / ours.cpu_ms.median(), bound);
+}
+
+void compare_rates(const Programs& programs, int rounds) {
+    const std::string count = "40", size = "1280x720";
+    for (const std::string mode : {"read", "png"}) {
+        Rate lambert, shaded, dense_floor, one_mesh, dense, opening;
+        for (int round = 0; round < rounds; ++round) {
+            rate_once({programs.floor, "--count", count, size, mode}, lambert);
+            rate_once({programs.pictures, programs.one_mesh, count, size, mode}, one_mesh);
+            rate_once({programs.floor, "--count", count, size, mode, "shaded"}, shaded);
+            rate_once({programs.pictures, "opening", count, size, mode}, opening);
+            rate_once({programs.floor, "--count", count, size, mode, "dense"}, dense_floor);
+            rate_once({programs.pictures, programs.dense, count, size, mode}, dense);
+        }
+        const std::string what = mode == "png" ? "pictures with PNG, " : "pictures read back, ";
+        const Bound bound{Wanted::at_least, mode == "png" ? 0.8 : 0.9};
+        print_rate(what + "one mesh", lambert, one_mesh, bound);
+        print_rate(what + "floor shaded alike", shaded, one_mesh, bound);
+        print_rate(what + "80 000 triangles", dense_floor, dense, bound);
+        print_rate(what + "opening state", lambert, opening, std::nullopt);
+    }
+}
+
+// ---- the window --------------------------------------------------------------------------------------
+
+void compare_windows(const Programs& programs, int rounds) {
+    for (const std::string size : {"1280x720", "1600x900"}) {
+        Rate floor, window;
+        for (int round = 0; round < rounds; ++round) {
+            rate_once({programs.floor, "--count", "40", size, "png", "dense"}, floor);
+            rate_once({programs.pictures, "opening", "20", size, "window"}, window);
+        }
+        print_rate("whole window, floor of 80 000 triangles, " + size, floor, window, Bound{Wanted::at_least, 0.5});
+        print_value("whole window, pictures per second", window.per_second.median(), "/s",
+                    Bound{Wanted::at_least, 15.0});
+    }
+}
+
+void report_frame(const Programs& programs, int rounds) {
+    Samples numbers, ui, submitted, whole;
+    for (int round = 0; round < rounds; ++round) {
+        double parts[4] = {};
+        const std::string output = run({programs.pictures, "opening", "60", "1600x900", "frame"}).output;
+        if (std::sscanf(output.c_str(), "%lf %lf %lf %lf", &parts[0], &parts[1], &parts[2], &parts[3]) != 4)
+            std::exit(2);
+        numbers.add(parts[0]);
+        ui.add(parts[1]);
+        submitted.add(parts[2]);
+        whole.add(parts[3]);
+    }
+    print_value("CPU per frame at 1600×900: derive and plan", numbers.median(), "ms", std::nullopt);
+    print_value("… user interface", ui.median(), "ms", std::nullopt);
+    print_value("… these two and submit, nothing rasterised", submitted.median(), "ms", Bound{Wanted::at_most, 1.0});
+    print_value("… our thread in all (sorts into tiles)", whole.median(), "ms", std::nullopt);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int rounds = argc > 5 ? std::atoi(argv[5]) : 9;
+    if (argc < 5 || rounds < 1) {
+        std::fputs("usage: bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]\n", stderr);
+        return 2;
+    }
+    const fs::path folder = argv[1];
+    const Programs programs{folder / "bench-floor", folder / "bench-pictures", argv[2], argv[3], argv[4]};
+    const fs::path scratch = fs::temp_directory_path() / ("viewing-bench-" + std::to_string(getpid()));
+    fs::create_directories(scratch);
+
+    std::printf("1280×720 unless said, medians of %d rounds, floor and sandbox in turn\n", rounds);
+    print_head();
+    compare_starts(programs, scratch, rounds);
+    compare_rates(programs, rounds);
+    compare_windows(programs, rounds);
+    report_frame(programs, rounds);
+    if (const std::optional<double> idle = idle_percent(programs.sandbox))
+        print_value("idle window, of one core", *idle, "%", Bound{Wanted::at_most, 0.5});
+    else
+        std::printf("idle window: not measured, there is no Xvfb or no window came up\n");
+    fs::remove_all(scratch);
+}

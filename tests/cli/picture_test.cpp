@@ -1,0 +1,339 @@
+// The commands that draw or compare: snapshot, inspect, compare, doctor, and what open says without a display.
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// No EGL driver is found: what a machine without Mesa looks like.
+const Surroundings without_gl{.environment = {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere.json"}}};
+
+class Snapshot : public Program {
+protected:
+    /// A small camera picture; more arguments behind.
+    Words small(const std::string& output, const Words& more = {}) const {
+        Words words{"snapshot", "--view", "camera", "--size", "96x64", "-o", output};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+
+    Surroundings with_broken_shaders() const;
+
+    /// Width and height as the file's own header has them.
+    std::pair<int, int> png_size(const std::string& name) const {
+        const std::string bytes = read(name);
+        EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n") << name;
+        if (bytes.size() < 24) return {0, 0};
+        const auto number = [&bytes](std::size_t at) {
+            int value = 0;
+            for (std::size_t i = at; i < at + 4; ++i) value = value * 256 + static_cast<unsigned char>(bytes[i]);
+            return value;
+        };
+        return {number(16), number(20)};
+    }
+};
+class Compare : public Snapshot {};
+class Inspect : public Program {};
+class Doctor : public Program {};
+class Open : public Program {};
+
+TEST_F(Snapshot, EveryViewHasItsSize) {
+    for (const char* view : {"window", "camera", "depth", "stencil", "observer"}) {
+        const std::string name = std::string(view) + ".png";
+        const Ended run = expect(0, {"snapshot", "--view", view, "--size", "400x300", "-o", name, "--fail-if-blank"});
+        EXPECT_EQ(run.out, "");
+        EXPECT_EQ(png_size(name), std::pair(400, 300)) << view;
+    }
+    EXPECT_NE(read("camera.png"), read("depth.png"));
+    EXPECT_NE(read("depth.png"), read("stencil.png"));
+    expect(0, {"snapshot", "--view", "camera", "-o", "default.png"});
+    EXPECT_EQ(png_size("default.png"), std::pair(1280, 720));
+}
+
+TEST_F(Snapshot, IsByteEqualAgain) {
+    for (const char* view : {"camera", "window"}) {
+        expect(0, {"snapshot", "--view", view, "--size", "400x300", "-o", "a.png"});
+        expect(0, {"snapshot", "--view", view, "--size", "400x300", "-o", "b.png"});
+        EXPECT_EQ(read("a.png"), read("b.png")) << view;
+    }
+    expect(0, small("a.png", {"--repeat", "3"}));
+    expect(0, small("b.png"));
+    EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(Snapshot, OfAPrintedStateIsTheSamePicture) {
+    const Words settings{"--set", "camera.yaw=20.125", "--set", "shadow.color=\"#102030\""};
+    Words words = small("direct.png", settings);
+    expect(0, words);
+    Words printing{"state"};
+    printing.insert(printing.end(), settings.begin(), settings.end());
+    const std::string state = expect(0, printing).out;
+    expect(0, small("piped.png", {"-"}), {.input = state});
+    EXPECT_EQ(read("direct.png"), read("piped.png"));
+}
+
+TEST_F(Snapshot, SettingsChangeThePicture) {
+    expect(0, small("a.png"));
+    expect(0, small("b.png", {"--set", "camera.yaw=20"}));
+    expect(0, small("c.png", {"--samples", "0"}));
+    EXPECT_NE(read("a.png"), read("b.png"));
+    EXPECT_NE(read("a.png"), read("c.png"));
+    expect(0, small("d.png", {"--set", "view.samples=0"}));
+    EXPECT_EQ(read("c.png"), read("d.png"));
+}
+
+TEST_F(Snapshot, GoesToStandardOutput) {
+    expect(0, small("a.png"));
+    EXPECT_EQ(expect(0, small("-")).out, read("a.png"));
+}
+
+TEST_F(Snapshot, ReportsAsJson) {
+    const Json report = expect(0, small("a.png", {"--json", "-"})).json();
+    EXPECT_EQ(report.at("view"), "camera");
+    EXPECT_EQ(report.at("size"), Json::parse("[96, 64]"));
+    EXPECT_EQ(report.at("status"), 0);
+    EXPECT_FALSE(report.at("renderer").get<std::string>().empty());
+    expect(0, small("b.png", {"--json", "report.json"}));
+    expect(0, small("b.png", {"--json", "again.json"}));
+    EXPECT_EQ(read("report.json"), read("again.json"));
+    EXPECT_EQ(Json::parse(read("report.json")).at("output"), "b.png");
+    const Json problem = expect(0, small("c.png", {"--json", "-", "--set", "light.position=[3,0,1,1]"})).json();
+    EXPECT_FALSE(problem.at("problems").empty());
+}
+
+TEST_F(Snapshot, ComparesWithAReference) {
+    expect(0, small("reference.png"));
+    EXPECT_EQ(expect(0, small("a.png", {"--compare", "reference.png"})).out.find("equal"), 0U);
+    const Ended different = run(small("b.png", {"--compare", "reference.png", "--set", "camera.yaw=20"}));
+    EXPECT_EQ(different.status, 1) << different.told();
+    EXPECT_EQ(different.out.find("different"), 0U);
+    EXPECT_TRUE(exists("b.png"));
+    const Ended report = run({"snapshot", "--view", "camera", "--size", "96x64", "--compare", "reference.png", "--set",
+                              "camera.yaw=20", "--json", "-"});
+    EXPECT_EQ(report.status, 1) << report.told();
+    EXPECT_EQ(report.json().at("compare").at("equal"), false);
+    expect(0, small("b.png", {"--compare", "reference.png", "--set", "camera.yaw=20", "--worst", "255"}));
+    expect(0, small("b.png", {"--compare", "reference.png", "--set", "camera.yaw=20", "--share", "1"}));
+}
+
+TEST_F(Snapshot, AMissingReferenceIsExitSix) {
+    const Ended run = expect(6, small("a.png", {"--compare", "missing.png"}));
+    EXPECT_NE(run.err.find("missing.png"), std::string::npos);
+    EXPECT_TRUE(exists("a.png"));
+    write("broken.png", "no picture");
+    refused(small("b.png", {"--compare", "broken.png"}), {"broken.png"});
+}
+
+TEST_F(Snapshot, ABlankPictureIsExitFiveWhenAsked) {
+    const Words sky{"--set", "camera.pitch=90"};
+    expect(0, small("sky.png", sky));
+    Words asked = sky;
+    asked.emplace_back("--fail-if-blank");
+    expect(5, small("blank.png", asked));
+    EXPECT_FALSE(exists("blank.png"));
+    expect(0, small("a.png", {"--fail-if-blank"}));
+}
+
+TEST_F(Snapshot, WithoutAContextIsExitThree) {
+    const Ended run = expect(3, small("a.png"), without_gl);
+    EXPECT_NE(run.err.find("install"), std::string::npos) << run.told();
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Snapshot, BadInputIsSaidBeforeGlIsTouched) {
+    expect(2, small("a.png", {"--set", "projection.near=0"}), without_gl);
+    expect(2, small("missing/a.png"), without_gl);
+}
+
+/// Mesa writes down the shaders it is given, and takes others in their place: ones that do not compile.
+Surroundings Snapshot::with_broken_shaders() const {
+    const std::string shaders = (folder() / "shaders").string();
+    std::filesystem::create_directory(shaders);
+    run(small("discarded.png"),
+        {.environment = {{"MESA_SHADER_DUMP_PATH", shaders}, {"MESA_SHADER_CACHE_DISABLE", "true"}}});
+    std::filesystem::remove(folder() / "discarded.png");
+    for (const auto& shader : std::filesystem::directory_iterator(shaders))
+        write("shaders/" + shader.path().filename().string(), "broken");
+    return {.environment = {{"MESA_SHADER_READ_PATH", shaders}, {"MESA_SHADER_CACHE_DISABLE", "true"}}};
+}
+
+TEST_F(Snapshot, ADriverThatRefusesShadersIsExitFour) {
+    const Surroundings broken = with_broken_shaders();
+    if (std::filesystem::is_empty(folder() / "shaders")) GTEST_SKIP() << "this driver does not let shaders be replaced";
+    const Ended ended = run(small("a.png"), broken);
+    EXPECT_EQ(ended.status, 4) << ended.told();
+    EXPECT_NE(ended.err.find("shader"), std::string::npos) << ended.told();
+    EXPECT_FALSE(exists("a.png"));
+    EXPECT_EQ(run({"inspect", "--pixel", "0,0"}, broken).status, 4);
+    EXPECT_EQ(run({"doctor"}, broken).status, 4);
+}
+
+TEST_F(Snapshot, OutOfTimeIsExitEight) {
+    const Ended early = expect(8, small("a.png", {"--timeout", "0.001"}));
+    EXPECT_NE(early.err.find("0.001 s"), std::string::npos) << early.told();
+    expect(8, small("a.png", {"-", "--timeout", "0.3"}), {.input_stays_open = true});
+    EXPECT_EQ(files(), 0U);
+    expect(0, small("a.png", {"--timeout", "60"}));
+}
+
+TEST_F(Snapshot, APipeThatNobodyReadsRunsOutOfTime) {
+    ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
+    expect(8, small("pipe", {"--timeout", "2"}));
+}
+
+TEST_F(Snapshot, AnUnwritableOutputLeavesNothing) {
+    refused(small("missing/a.png"), {"missing/a.png", "cannot be written"});
+    refused(small("."), {"directory"});
+    refused(small(""), {"file name"});
+    refused(small("/proc/a.png"), {"/proc/a.png"});
+    refused(small("a.png", {"--json", "missing/report.json"}), {"missing/report.json"});
+}
+
+TEST_F(Snapshot, AFullDiskIsNoticed) {
+    expect(2, small("-"), {.output = "/dev/full"});
+    expect(2, small("/dev/full"));
+    expect(2, {"state"}, {.output = "/dev/full"});
+}
+
+TEST_F(Snapshot, AnOldPictureStaysWhenTheNewOneFails) {
+    write("a.png", "precious");
+    expect(5, small("a.png", {"--set", "camera.pitch=90", "--fail-if-blank"}));
+    EXPECT_EQ(read("a.png"), "precious");
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(Snapshot, WorksInAReadOnlyFolderWithoutAHome) {
+    const Surroundings bare{.folder = "/proc", .without = {"HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"}};
+    expect(0, small((folder() / "a.png").string()), bare);
+    expect(0, {"snapshot", "--size", "400x300", "-o", (folder() / "window.png").string()}, bare);
+    expect(0, {"matrices"}, bare);
+    EXPECT_EQ(files(), 2U);
+}
+
+TEST_F(Snapshot, ADeviceCanBeChosen) {
+    expect(0, small("a.png", {"--device", "0"}));
+    expect(0, small("b.png", {"--device", "auto"}));
+    refused(small("c.png", {"--device", "99"}), {"--device"});
+}
+
+TEST_F(Compare, SaysInOneLineWhetherPicturesAreEqual) {
+    expect(0, small("a.png"));
+    expect(0, small("b.png", {"--set", "camera.yaw=20"}));
+    EXPECT_EQ(expect(0, {"compare", "a.png", "a.png"}).out.find("equal"), 0U);
+    const Ended different = run({"compare", "a.png", "b.png", "-o", "difference.png"});
+    EXPECT_EQ(different.status, 1) << different.told();
+    EXPECT_EQ(different.out.find("different"), 0U);
+    EXPECT_EQ(std::ranges::count(different.out, '\n'), 1);
+    EXPECT_EQ(png_size("difference.png"), std::pair(96, 64));
+    expect(0, {"compare", "a.png", "b.png", "--share", "1"});
+}
+
+TEST_F(Compare, ReportsAsJson) {
+    expect(0, small("a.png"));
+    expect(0, {"snapshot", "--view", "camera", "--size", "90x64", "-o", "b.png"});
+    const Ended result = run({"compare", "a.png", "b.png", "--json", "-"});
+    EXPECT_EQ(result.status, 1) << result.told();
+    EXPECT_EQ(result.json().at("equal"), false);
+    EXPECT_EQ(result.json().at("sizes_differ"), true);
+    EXPECT_EQ(result.json().at("size_b"), Json::parse("[90, 64]"));
+}
+
+TEST_F(Compare, FilesThatCannotBeReadAreBadInput) {
+    expect(0, small("a.png"));
+    refused({"compare", "a.png", "missing.png"}, {"missing.png"});
+    refused({"compare", "missing.png", "a.png"}, {"missing.png"});
+    write("broken.png", read("a.png").substr(0, 200));
+    refused({"compare", "a.png", "broken.png"}, {"broken.png"});
+    refused({"compare", "a.png", "a.png", "-o", "missing/difference.png"}, {"missing/difference.png"});
+}
+
+TEST_F(Inspect, HasTheContractsFields) {
+    const Json report = expect(0, {"inspect", "--pixel", "640,360"}).json();
+    EXPECT_EQ(report.at("pixel"), Json::parse("[640, 360]"));
+    EXPECT_EQ(report.at("color").get<std::string>().size(), 7U);
+    const Json& depth = report.at("depth");
+    for (const char* name : {"window", "stored", "bits", "ndc", "eye_z", "step"})
+        EXPECT_TRUE(depth.at(name).is_number()) << name;
+    EXPECT_EQ(depth.at("bits"), 24);
+    EXPECT_NEAR(depth.at("stored").get<double>(), depth.at("window").get<double>() * 16777215.0, 1.0);
+    // Window depth of an eye distance: d = f/(f−n) − f n/((f−n) z) with near 0.5 and far 40.
+    const double distance = -depth.at("eye_z").get<double>();
+    EXPECT_NEAR(depth.at("window").get<double>(), 40.0 / 39.5 - 40.0 * 0.5 / (39.5 * distance), 1e-6);
+    EXPECT_TRUE(report.at("stencil").is_number_integer());
+    EXPECT_TRUE(report.at("object").is_string());
+    EXPECT_TRUE(report.at("facing") == "front" || report.at("facing") == "back");
+    EXPECT_EQ(report.at("world").size(), 3U);
+}
+
+TEST_F(Inspect, TheBackgroundIsNobody) {
+    const Json report = expect(0, {"inspect", "--pixel", "0,0", "--size", "64x64", "--set", "camera.pitch=90"}).json();
+    EXPECT_TRUE(report.at("object").is_null());
+    EXPECT_EQ(report.at("depth").at("window"), 1.0);
+    EXPECT_EQ(report.at("depth").at("stored"), 16777215);
+}
+
+TEST_F(Inspect, WhereNoDepthWasWrittenItSaysNothingOfTheEye) {
+    const auto at_centre = [this](const std::string& setting) {
+        return expect(0, {"inspect", "--pixel", "32,32", "--size", "64x64", "--set", setting}).json();
+    };
+    for (const char* setting : {"depth.test=false", "depth.write=false"}) {
+        SCOPED_TRACE(setting);
+        const Json report = at_centre(setting);
+        EXPECT_TRUE(report.at("object").is_string());
+        EXPECT_EQ(report.at("depth").at("window"), 1.0);
+        EXPECT_TRUE(report.at("depth").at("eye_z").is_null() && report.at("depth").at("step").is_null());
+        EXPECT_TRUE(report.at("world").is_null());
+    }
+    EXPECT_TRUE(at_centre("depth.mapping=reversed").at("world").is_array());
+}
+
+TEST_F(Inspect, ThePlaneIsAnObject) {
+    const Json report = expect(0, {"inspect", "--pixel", "32,32", "--size", "64x64", "--set", R"(scene={"objects":[]})",
+                                   "--set", "depth.format=d16"})
+                            .json();
+    EXPECT_EQ(report.at("object"), "plane");
+    EXPECT_EQ(report.at("depth").at("bits"), 16);
+    EXPECT_NEAR(report.at("world")[1].get<double>(), 0.0, 1e-2);
+}
+
+TEST_F(Doctor, GoesStepByStep) {
+    const std::string text = expect(0, {"doctor"}).out;
+    for (const char* step : {"EGL library", "devices", "context", "OpenGL", "shaders", "assets", "display"})
+        EXPECT_NE(text.find(step), std::string::npos) << step << "\n" << text;
+    const Json json = expect(0, {"doctor", "--json"}).json();
+    EXPECT_EQ(json.at("fine"), true);
+    EXPECT_GT(json.at("steps").size(), 5U);
+}
+
+TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {
+    const Ended text = run({"doctor"}, without_gl);
+    EXPECT_EQ(text.status, 3) << text.told();
+    EXPECT_NE(text.out.find("libgl1-mesa-dri"), std::string::npos) << text.told();
+    const Ended json = run({"doctor", "--json"}, without_gl);
+    EXPECT_EQ(json.status, 3);
+    EXPECT_EQ(json.json().at("fine"), false);
+}
+
+TEST_F(Open, AnEmptyDisplayLeavesNoBlankBehind) {
+    const std::string error = expect(3, {"open"}, {.environment = {{"DISPLAY", ""}}}).err;
+    EXPECT_NE(error.find("there is no display for a window ("), std::string::npos) << error;
+    EXPECT_EQ(error.find(" )"), std::string::npos) << error;
+}
+
+TEST_F(Open, WithoutADisplayIsExitThreeAndSuggestsSnapshot) {
+    for (const Words& words : {Words{}, Words{"open"}, Words{"opening"}, Words{"--set", "projection.near=0.01"}}) {
+        const Ended run = expect(3, words);
+        EXPECT_NE(run.err.find("viewing-sandbox snapshot"), std::string::npos) << run.told();
+    }
+}
+
+}  // namespace
+}  // namespace cli_tests

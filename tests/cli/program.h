@@ -1,0 +1,58 @@
+// Runs the real program as a person or a script would, and keeps what it said. VIEWING_SANDBOX holds its path.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace cli_tests {
+
+/// How a run ended: exit status (128 + signal when killed), standard output, standard error.
+struct Ended {
+    int status = -1;
+    std::string out, err;
+
+    /// What went wrong, for a failed expectation.
+    std::string told() const { return "exit " + std::to_string(status) + "\nout: " + out + "\nerr: " + err; }
+    nlohmann::json json() const { return nlohmann::json::parse(out); }
+};
+
+struct Surroundings {
+    std::string input = {};                               ///< standard input
+    std::filesystem::path folder = {};                    ///< working directory; empty: the test's own
+    std::map<std::string, std::string> environment = {};  ///< set on top of the test's
+    std::vector<std::string> without = {};                ///< variables taken out
+    bool input_stays_open = false;                        ///< a pipe that nobody writes into
+    std::string output = {};                              ///< standard output goes into this file
+};
+
+/// Every test has a folder of its own that is gone afterwards, and is the program's working directory. There is no
+/// display unless a test says so.
+class Program : public testing::Test {
+protected:
+    Program();
+    ~Program() override;
+
+    Ended run(const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) const;
+
+    std::filesystem::path folder() const { return folder_; }
+    void write(const std::string& name, const std::string& text) const;
+    std::string read(const std::string& name) const;
+    bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+    std::size_t files() const;  ///< how many there are in the folder
+
+    /// One run that has to end with this status, and with one line on stderr unless it is 0.
+    Ended expect(int status, const std::vector<std::string>& arguments, const Surroundings& surroundings = {}) const;
+    /// The same for bad input: the line has to say each of `words`, and no file may have appeared.
+    void refused(const std::vector<std::string>& arguments, const std::vector<std::string>& words,
+                 const Surroundings& surroundings = {}) const;
+
+private:
+    std::filesystem::path folder_;
+};
+
+}  // namespace cli_tests

@@ -1,0 +1,114 @@
+// The command line itself: help, version, what is misspelt, what is missing.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <sstream>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+class Usage : public Program {};
+
+const std::vector<std::string> command_names{"open",    "snapshot", "compare", "matrices", "inspect",
+                                             "measure", "state",    "params",  "presets",  "doctor"};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+TEST_F(Usage, HelpNamesEveryCommandAndEveryExitStatus) {
+    for (const char* asked : {"--help", "-h", "help"}) {
+        const std::string help = expect(0, {asked}).out;
+        for (const std::string& name : command_names) EXPECT_TRUE(has(help, "\n  " + name + " ")) << name;
+        for (int status = 0; status <= 9; ++status)
+            EXPECT_TRUE(has(help, "\n  " + std::to_string(status) + "  ")) << status;
+        EXPECT_TRUE(has(help, "Examples:"));
+    }
+}
+
+TEST_F(Usage, EveryCommandHasHelpWithUsageExamplesAndExitStatus) {
+    for (const std::string& name : command_names) {
+        const std::string help = expect(0, {name, "--help"}).out;
+        for (const std::string& part : {"Usage: viewing-sandbox " + name, std::string("Examples:"),
+                                        std::string("Exit status:"), std::string("  2  bad usage")})
+            EXPECT_TRUE(has(help, part)) << name << ": " << part << "\n" << help;
+        EXPECT_EQ(expect(0, {"help", name}).out, help);
+    }
+}
+
+TEST_F(Usage, HelpComesBeforeWhateverElseIsWrong) {
+    expect(0, {"snapshot", "--nonsense", "--help"});
+    expect(0, {"inspect", "-h"});
+}
+
+TEST_F(Usage, HelpFitsATerminal) {
+    for (const std::string& name : command_names) {
+        std::istringstream lines(expect(0, {name, "--help"}).out);
+        for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 130U) << name << ": " << line;
+    }
+}
+
+TEST_F(Usage, VersionIsThreeNumbers) {
+    const std::string version = expect(0, {"--version"}).out;
+    int major = -1, minor = -1, patch = -1;
+    EXPECT_EQ(std::sscanf(version.c_str(), "viewing-sandbox %d.%d.%d\n", &major, &minor, &patch), 3) << version;
+}
+
+TEST_F(Usage, AMisspeltCommandGetsTheNearest) {
+    refused({"snapshto", "-o", "x.png"}, {"snapshto", "did you mean the command snapshot?"});
+    refused({"matrix"}, {"matrix"});
+    refused({"doctr"}, {"did you mean the command doctor?"});
+}
+
+TEST_F(Usage, AMisspeltOptionGetsTheNearest) {
+    refused({"snapshot", "--siez", "10x10", "-o", "x.png"}, {"--siez", "no such option", "--size"});
+    refused({"matrices", "--fromat=json"}, {"--fromat", "--format"});
+    refused({"open", "--nonsense"}, {"--nonsense", "no such option", "open --help"});
+    refused({"--sett", "projection.near=1"}, {"--sett", "--set"});
+}
+
+TEST_F(Usage, AMissingOrDoubledValueIsNamed) {
+    refused({"snapshot", "-o"}, {"--output", "missing"});
+    refused({"matrices", "--set"}, {"--set", "missing"});
+    refused({"snapshot", "-o", "a.png", "-o", "b.png"}, {"--output", "more than once"});
+    refused({"matrices", "a", "b"}, {"\"b\"", "one argument too many"});
+}
+
+TEST_F(Usage, WhatACommandNeedsIsNamed) {
+    refused({"snapshot"}, {"-o OUT.png is missing"});
+    refused({"inspect"}, {"--pixel is missing"});
+    refused({"measure"}, {"--what is missing"});
+    refused({"compare", "a.png"}, {"two pictures"});
+}
+
+TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
+    for (const char* size : {"0x10", "10", "axb", "-5x10", "16385x1", "1x16385", "16384x16384", "10x10x10", "1e3x10",
+                             "99999999999x1", "", "10 x10"})
+        refused({"snapshot", "--view", "camera", "-o", "x.png", "--size", size}, {"--size", "must be"});
+    refused({"snapshot", "-o", "x.png", "--size", "319x240"}, {"--size", "320x240"});
+    refused({"snapshot", "-o", "x.png", "--samples", "2"}, {"--samples", "0, 4"});
+    refused({"snapshot", "-o", "x.png", "--repeat", "0"}, {"--repeat", "from 1"});
+    refused({"snapshot", "-o", "x.png", "--timeout", "0"}, {"--timeout"});
+    refused({"snapshot", "-o", "x.png", "--timeout", "nan"}, {"--timeout"});
+    refused({"snapshot", "-o", "x.png", "--view", "camra"}, {"--view", "did you mean camera?"});
+    refused({"snapshot", "-o", "x.png", "--device", "first"}, {"--device"});
+    refused({"snapshot", "-o", "x.png", "--worst", "3"}, {"--compare"});
+    refused({"snapshot", "-o", "-", "--json", "-"}, {"standard output"});
+    refused({"matrices", "--format", "jsn"}, {"--format", "did you mean json?"});
+    refused({"params", "--format", "xml"}, {"--format", "json, text"});
+    refused({"inspect", "--pixel", "1280,0"}, {"--pixel", "0 to 1279"});
+    refused({"inspect", "--pixel", "-1,0"}, {"--pixel"});
+    refused({"inspect", "--pixel", "12"}, {"--pixel"});
+    refused({"compare", "a.png", "b.png", "--worst", "256"}, {"--worst", "0 to 255"});
+    refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
+}
+
+TEST_F(Usage, MeasureSaysThatItComesLater) {
+    refused({"measure", "--what", "fighting"}, {"fighting", "later"});
+    refused({"measure", "--what", "luck"}, {"fighting, visibility"});
+}
+
+}  // namespace
+}  // namespace cli_tests

@@ -1,0 +1,38 @@
+// libFuzzer: any bytes as a Wavefront OBJ file. A mesh that is accepted must be whole: finite, within its box, indices
+// that exist, normals of length 1.
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "state/obj.h"
+
+namespace {
+
+void check(bool holds) {
+    if (!holds) {
+        std::abort();
+    }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
+    const viewing::Result<viewing::Mesh> mesh = viewing::read_obj(stream, size, "fuzz.obj", {});
+    if (!mesh) {
+        check(mesh.error().find('\n') == std::string::npos);
+        return 0;
+    }
+    check(!mesh->indices.empty() && mesh->indices.size() % 3 == 0);
+    check(mesh->normals.size() == mesh->positions.size());
+    for (const std::uint32_t index : mesh->indices) {
+        check(index < mesh->positions.size());
+    }
+    for (const glm::vec3& position : mesh->positions) {
+        check(std::abs(position.x) < 1.01F && std::abs(position.y) < 1.01F && std::abs(position.z) < 1.01F);
+    }
+    for (const glm::vec3& normal : mesh->normals) {
+        check(std::abs(glm::length(normal) - 1.0F) < 1e-3F);
+    }
+    return 0;
+}

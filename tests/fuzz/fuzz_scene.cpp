@@ -1,0 +1,18 @@
+// libFuzzer: any text as a scene file. What is accepted must be written and come back exactly.
+#include <cstdlib>
+
+#include "state/json.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string_view text(reinterpret_cast<const char*>(data), size);
+    const auto scene = viewing::parse_scene(text, "fuzz");
+    if (!scene) {
+        return 0;
+    }
+    const std::string written = viewing::write_scene(*scene);
+    const auto back = viewing::parse_scene(written, "written");
+    if (!back || *back != *scene || viewing::write_scene(*back) != written) {
+        std::abort();
+    }
+    return 0;
+}

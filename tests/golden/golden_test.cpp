@@ -1,0 +1,157 @@
+// Every preset, every scene and some whole windows against the pictures beside this file. `tests/golden/update` draws
+// them anew; look at what changed before they go in. On a difference what was drawn and the difference are left in
+// golden-failures/ of the working directory. Read window_test.cpp next.
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <set>
+
+#include "app/picture.h"
+#include "cli/compare.h"
+#include "gl/gl_test.h"
+#include "render/png.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 3 levels: as much as makers of processors differ by rounding alone. 0.2 %: pixels on outlines, which the last bit of
+/// an edge gives to one side or the other. GALLIUM_OVERRIDE_CPU_CAPS=sse2 draws as an older processor does: at worst 1
+/// level off but for a few pixels on text and outlines.
+constexpr CompareOptions usual{3, 0.002};
+
+/// Pictures that need looser thresholds, each with its reason.
+struct Loosened {
+    const char *name, *reason;
+    CompareOptions options;
+};
+constexpr Loosened loosened[] = {
+    {"preset-depth-fighting", "the last bit of depth decides which of two fighting surfaces shows", {3, 0.02}},
+    {"preset-shadow-fights", "the last bit of depth decides where shadow or floor shows (2.8 %)", {3, 0.06}},
+};
+
+fs::path references() {
+    const char* const tests = std::getenv("TEST_SOURCE_DIR");
+    return fs::path(tests ? tests : ".") / "golden";
+}
+
+bool is_updating() {
+    return std::getenv("VIEWING_UPDATE_GOLDEN") != nullptr;
+}
+
+CompareOptions options_for(const std::string& name) {
+    for (const Loosened& each : loosened)
+        if (name == each.name) return each.options;
+    return usual;
+}
+
+void write(const fs::path& path, const Image& image) {
+    const Status written = write_png(path, image);
+    EXPECT_TRUE(written) << written.error();
+}
+
+void keep_failure(const std::string& name, const Image& drawn, const Image& reference, const CompareOptions& options) {
+    const fs::path folder = "golden-failures";
+    fs::create_directories(folder);
+    write(folder / (name + ".png"), drawn);
+    write(folder / (name + ".diff.png"), diff_picture(drawn, reference, options));
+}
+
+/// Compares with the reference of this name, or becomes it.
+void check(const std::string& name, const Image& drawn) {
+    const fs::path path = references() / (name + ".png");
+    if (is_updating()) {
+        write(path, drawn);
+        return;
+    }
+    if (!fs::exists(path)) {
+        ADD_FAILURE() << "reference missing: " << path.string() << " (tests/golden/update draws it)";
+        return;
+    }
+    const Result<Image> reference = read_png(path);
+    ASSERT_TRUE(reference) << reference.error();
+    const CompareOptions options = options_for(name);
+    const CompareReport report = compare_images(drawn, *reference, options);
+    std::cout << name << ": " << sentence(report) << '\n';
+    EXPECT_TRUE(report.equal) << name << ": " << sentence(report);
+    if (!report.equal) keep_failure(name, drawn, *reference, options);
+}
+
+LoadedState state_of_scene(const std::string& name) {
+    LoadedState state;
+    state.params.scene = name;
+    return state;
+}
+
+struct WindowCase {
+    const char *name, *preset;
+    glm::ivec2 size_px;
+};
+constexpr WindowCase windows[] = {
+    {"window-opening", "opening", {1600, 900}},
+    {"window-small", "opening", {800, 600}},
+    {"window-projector", "projector", {1600, 900}},
+    {"window-light", "light-theme", {1600, 900}},
+};
+
+class Golden : public testing::GlTest {
+protected:
+    static Image picture_of(const LoadedState& state, const PictureRequest& request) {
+        const Result<Scene> scene = load_scene(state.params.scene, state.base);
+        EXPECT_TRUE(scene) << scene.error();
+        Result<Image> image = draw_picture(renderer(), state, *scene, request);
+        EXPECT_TRUE(image) << image.error();
+        return *std::move(image);
+    }
+    static Image camera_picture_of(const LoadedState& state) {
+        return picture_of(state, {PictureView::camera, {480, 270}, 0});
+    }
+};
+
+TEST_F(Golden, Presets) {
+    const std::vector<NamedFile> files = presets();
+    ASSERT_FALSE(files.empty()) << "no presets: VIEWING_SANDBOX_ASSETS";
+    for (const NamedFile& preset : files) {
+        const Result<LoadedState> state = load_state(preset.name);
+        ASSERT_TRUE(state) << state.error();
+        check("preset-" + preset.name, camera_picture_of(*state));
+    }
+}
+
+TEST_F(Golden, Scenes) {
+    const std::vector<NamedFile> files = scenes();
+    ASSERT_FALSE(files.empty()) << "no scenes: VIEWING_SANDBOX_ASSETS";
+    for (const NamedFile& scene : files) check("scene-" + scene.name, camera_picture_of(state_of_scene(scene.name)));
+}
+
+TEST_F(Golden, Windows) {
+    for (const WindowCase& window : windows) {
+        const Result<LoadedState> state = load_state(window.preset);
+        ASSERT_TRUE(state) << state.error();
+        check(window.name, picture_of(*state, {PictureView::window, window.size_px, std::nullopt}));
+    }
+}
+
+TEST_F(Golden, OtherViews) {
+    const Result<LoadedState> state = load_state("opening");
+    ASSERT_TRUE(state) << state.error();
+    check("view-depth", picture_of(*state, {PictureView::depth, {480, 270}, 0}));
+    check("view-stencil", picture_of(*state, {PictureView::stencil, {480, 270}, 0}));
+    check("view-observer", picture_of(*state, {PictureView::observer, {480, 270}, 0}));
+}
+
+TEST(GoldenReferences, EachBelongsToAPicture) {
+    std::set<std::string> known = {"view-depth", "view-stencil", "view-observer"};
+    for (const NamedFile& preset : presets()) known.insert("preset-" + preset.name);
+    for (const NamedFile& scene : scenes()) known.insert("scene-" + scene.name);
+    for (const WindowCase& window : windows) known.insert(window.name);
+    for (const Loosened& each : loosened) EXPECT_TRUE(known.contains(each.name)) << each.name << ": " << each.reason;
+    for (const fs::directory_entry& file : fs::directory_iterator(references()))
+        if (file.path().extension() == ".png") {
+            EXPECT_TRUE(known.contains(file.path().stem().string())) << file.path() << " is nobody's reference";
+        }
+}
+
+}  // namespace
+}  // namespace viewing

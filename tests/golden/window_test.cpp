@@ -1,0 +1,110 @@
+// What is on screen and what a snapshot writes are the same bytes, however often they are drawn. No references here.
+#include "app/picture.h"
+#include "app/studio.h"
+#include "gl/gl_test.h"
+
+namespace viewing {
+namespace {
+
+/// A window driven frame by frame until it rests, as the main loop drives it.
+struct Driven {
+    Image window, camera;
+    int frames = 0;
+    bool rests = false;
+};
+
+class WindowTest : public testing::GlTest {
+protected:
+    static LoadedState state_with(const std::vector<std::string>& settings) {
+        Result<LoadedState> state = load_state("");
+        EXPECT_TRUE(state) << state.error();
+        const Result<Params> params = apply_settings(state->params, settings);
+        EXPECT_TRUE(params) << params.error();
+        state->params = *params;
+        return *state;
+    }
+    static Scene scene_of(const LoadedState& state) {
+        const Result<Scene> scene = load_scene(state.params.scene, state.base);
+        EXPECT_TRUE(scene) << scene.error();
+        return *scene;
+    }
+    static Image snapshot(const LoadedState& state, const PictureRequest& request) {
+        Result<Image> image = draw_picture(renderer(), state, scene_of(state), request);
+        EXPECT_TRUE(image) << image.error();
+        return *std::move(image);
+    }
+    static Driven drive(const LoadedState& state, glm::ivec2 size_px) {
+        Studio studio(renderer(), Session(state, scene_of(state)));
+        Driven driven;
+        for (; driven.frames < 40 && !driven.rests; ++driven.frames) {
+            studio.frame({.size_px = size_px, .input = {}});
+            EXPECT_FALSE(studio.session.message.is_error) << studio.session.message.text;
+            driven.rests = studio.redraw_in_s() != 0.0;
+        }
+        driven.window = studio.read();
+        driven.camera = renderer().read(studio.camera_view());
+        return driven;
+    }
+};
+
+TEST_F(WindowTest, FramebufferAndSnapshotAreByteEqual) {
+    for (const glm::ivec2 size_px : {glm::ivec2(1280, 720), glm::ivec2(800, 600)}) {
+        const LoadedState state = state_with({});
+        const Driven once = drive(state, size_px), again = drive(state, size_px);
+        EXPECT_TRUE(once.rests);
+        EXPECT_EQ(once.window, again.window);
+        EXPECT_EQ(once.window, snapshot(state, {PictureView::window, size_px, std::nullopt}));
+    }
+}
+
+TEST_F(WindowTest, ShowsThePictureThatTheCameraSnapshotIs) {
+    for (const char* const setting : {"view.samples=4", "view.samples=0", "view.shows=depth", "view.shows=facing"}) {
+        const LoadedState state = state_with({setting});
+        const Driven driven = drive(state, {1280, 720});
+        const glm::ivec2 size_px(driven.camera.width, driven.camera.height);
+        ASSERT_GT(size_px.x, 200) << setting;
+        EXPECT_EQ(driven.camera, snapshot(state, {PictureView::camera, size_px, std::nullopt})) << setting;
+    }
+}
+
+TEST_F(WindowTest, RestsAfterItsFrameAndStaysAsItIs) {
+    const LoadedState state = state_with({});
+    Studio studio(renderer(), Session(state, scene_of(state)));
+    const Studio::Surroundings surroundings{.size_px = {1280, 720}, .input = {}};
+    const auto draw_frames = [&](int count) {
+        for (int frame = 0; frame < count; ++frame) {
+            studio.frame(surroundings);
+            EXPECT_FALSE(studio.session.message.is_error) << studio.session.message.text;
+        }
+    };
+    draw_frames(12);
+    const Image resting = studio.read();
+    EXPECT_NE(studio.redraw_in_s(), 0.0);
+    draw_frames(5);
+    EXPECT_EQ(studio.read(), resting);
+}
+
+class WindowSlowTest : public WindowTest {};
+
+TEST_F(WindowSlowTest, DrawsAndRepeatsAtFourTimesThePixels) {
+    const LoadedState state = state_with({"ui.scale=2"});
+    const PictureRequest request{PictureView::window, {3840, 2160}, std::nullopt};
+    const Image picture = snapshot(state, request);
+    ASSERT_EQ(picture.width, 3840);
+    ASSERT_EQ(picture.height, 2160);
+    EXPECT_EQ(snapshot(state, request), picture);
+    EXPECT_GT(testing::pixels_beyond(picture, snapshot(state_with({"ui.scale=2", "ui.theme=light"}), request), 20),
+              3840 * 2160 / 4);
+}
+
+TEST_F(WindowTest, EveryViewOfASnapshotRepeats) {
+    for (const PictureView view :
+         {PictureView::window, PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::observer}) {
+        const LoadedState state = state_with({});
+        const PictureRequest request{view, {640, 480}, std::nullopt};
+        EXPECT_EQ(snapshot(state, request), snapshot(state, request)) << static_cast<int>(view);
+    }
+}
+
+}  // namespace
+}  // namespace viewing

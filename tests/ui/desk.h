@@ -1,0 +1,281 @@
+// The whole user interface without a window or GL: a session, its workbench and the people's side of it — mouse, keys,
+// clipboard. What is drawn is derived and planned each frame as the studio does. Read widgets/harness.h first.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "frame/plan.h"
+#include "state/fields.h"
+#include "state/json.h"
+#include "ui/fonts.h"
+#include "ui/workbench.h"
+#include "widgets/harness.h"
+
+namespace viewing::test {
+
+using widgets::RecordedItem;
+
+inline Session session_of(const std::string& state) {
+    const Result<LoadedState> loaded = load_state(state);
+    if (!loaded) throw std::runtime_error(loaded.error());
+    Result<Session> session = Session::make(*loaded);
+    if (!session) throw std::runtime_error(session.error());
+    return std::move(*session);
+}
+
+/// What an area's content needs beyond its width: text that is cut off.
+struct AreaFacts {
+    std::string name;
+    Rect rect;
+    float overflow_x = 0.0F;
+    float overflow_y = 0.0F;
+};
+
+class Desk {
+public:
+    /// High enough that the panel does not scroll, unless told otherwise. `state` as on the command line.
+    explicit Desk(ImVec2 size = {1600, 1500}, const std::string& state = "opening") : session(session_of(state)) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.ConfigWindowsMoveFromTitleBarOnly = true;
+        io.DisplaySize = size;
+        io.ClipboardUserData = this;
+        io.SetClipboardTextFn = [](void* desk, const char* text) { static_cast<Desk*>(desk)->clipboard = text; };
+        io.GetClipboardTextFn = [](void* desk) { return static_cast<const Desk*>(desk)->clipboard.c_str(); };
+        apply_looks();
+        ui.frames(5);
+    }
+
+    Session session;
+    Workbench workbench;
+    FrameInput input;
+    Derived derived;
+    FramePlan frame_plan;
+    std::string clipboard;
+    std::vector<AreaFacts> areas;
+    widgets::test::Harness ui{workbench.widgets, [this] { draw(); }};
+
+    Params& params() { return session.params; }
+    Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize); }
+    const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
+
+    /// Fonts and style for the theme and scale of the state, as the studio does between frames.
+    void apply_looks() {
+        const UiParams& looks = session.params.ui;
+        widgets::Context& context = workbench.widgets;
+        context.palette = widgets::palette_of(static_cast<widgets::ThemeKind>(looks.theme));
+        context.scale = static_cast<float>(looks.scale) * context.palette.type_scale;
+        context.fonts = load_fonts(context.scale);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        widgets::ApplyStyle(context);
+    }
+
+    /// Until nothing moves and nothing loads.
+    void settle() {
+        ui.frame();
+        session.finish_loading();
+        for (int i = 0; i < 600 && session.is_moving(); ++i) ui.frame();
+        ui.frames(3);
+    }
+
+    // ---- keys: of the sandbox and of ImGui at once, as GLFW reports them ----------------------------
+
+    void hold(Key key) {
+        set_down(key, true);
+        input.pressed.push_back({key, input.is_down(Key::ctrl), input.is_down(Key::shift)});
+        ui.frame();
+    }
+    void let_go(Key key) {
+        set_down(key, false);
+        ui.frame();
+    }
+    void press(Key key) {
+        hold(key);
+        let_go(key);
+        ui.frames(2);
+    }
+    void press_with(Key modifier, Key key) {
+        hold(modifier);
+        press(key);
+        let_go(modifier);
+    }
+    void undo() { press_with(Key::ctrl, Key::z); }
+    void redo() {
+        hold(Key::ctrl);
+        press_with(Key::shift, Key::z);
+        let_go(Key::ctrl);
+    }
+    /// A letter as the keyboard sends it: a key and a character.
+    void press_letter(Key key, char letter) {
+        ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(letter));
+        press(key);
+    }
+
+    // ---- controls by label, wherever they have to be scrolled to ------------------------------------
+
+    /// The area of the window that an item is in; nothing for popups and dialogs.
+    std::optional<Rect> area_of(const RecordedItem& item) const {
+        const Layout now = layout();
+        if (item.window == "panel") return now.panel;
+        if (item.window == "matrices") return now.matrices;
+        return std::nullopt;
+    }
+    void reveal(std::string_view label) {
+        for (int i = 0; i < 200; ++i) {
+            const RecordedItem item = ui.find(label);
+            const std::optional<Rect> area = area_of(item);
+            if (!area || (item.min.y >= area->min.y && item.max.y <= area->max.y)) return;
+            ui.move_to({area->min.x + 3.0F, area->max.y - 3.0F});
+            ImGui::GetIO().MouseWheel = item.min.y < area->min.y ? 1.0F : -1.0F;
+            ui.frame();
+            ImGui::GetIO().MouseWheel = 0.0F;
+            ui.frame();
+        }
+        FAIL() << label << " cannot be scrolled to";
+    }
+    void click(std::string_view label) {
+        reveal(label);
+        ui.click(label);
+    }
+    void right_click(std::string_view label) {
+        reveal(label);
+        ui.right_click(label);
+    }
+    void drag(std::string_view label, float dx, float dy = 0.0F, int steps = 5, float from_x = 0.5F) {
+        reveal(label);
+        ui.drag(label, dx, dy, steps, from_x);
+    }
+    /// Types over a number.
+    void enter(std::string_view label, const char* text) {
+        reveal(label);
+        ui.double_click(label);
+        ui.type(text);
+        ui.key(ImGuiKey_Enter);
+    }
+    /// Opens a combo (or menu button) and takes one of what it offers.
+    void choose(std::string_view combo, std::string_view item) {
+        click(combo);
+        ui.frames(2);
+        ui.click(item);
+        ui.frames(2);
+    }
+    void fold_out_all() {
+        for (const char* label :
+             {"camera/Famous slips", "depth/Depth format and mapping", "shadow/Shadow: style and offset"})
+            if (!is_folded_out(label)) click(label);
+        if (ui.text_of("Observer") == "folded") click("Observer");
+    }
+
+    // ---- the views -----------------------------------------------------------------------------------
+
+    /// Where a point of the world is in the camera's picture.
+    ImVec2 in_camera_view(const glm::dvec3& world) const {
+        return place(layout().camera, derived.clip_from_world, world);
+    }
+    ImVec2 in_observer_view(const glm::dvec3& world) const {
+        const Rect rect = layout().observer;
+        return place(rect, derive_observer(session.params.observer, {rect.size_px()}).clip_from_world, world);
+    }
+    void drag_from(ImVec2 from, float dx, float dy, int steps = 5, int button = 0) {
+        ui.frame(1.0F);
+        ui.move_to(from);
+        ui.press(button);
+        for (int i = 1; i <= steps; ++i) {
+            const float share = static_cast<float>(i) / static_cast<float>(steps);
+            ui.move_to({from.x + dx * share, from.y + dy * share});
+        }
+        ui.release(button);
+        ui.frame();
+    }
+    void click_at(ImVec2 place) { drag_from(place, 0.0F, 0.0F, 1); }
+
+private:
+    static ImVec2 place(const Rect& rect, const glm::dmat4& clip_from_world, const glm::dvec3& world) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(world, 1.0);
+        return {rect.min.x + rect.width() * static_cast<float>(clip.x / clip.w + 1.0) * 0.5F,
+                rect.min.y + rect.height() * static_cast<float>(1.0 - clip.y / clip.w) * 0.5F};
+    }
+    bool is_folded_out(std::string_view details) const {
+        const std::string_view inside = details == "camera/Famous slips"              ? "camera/walk slows"
+                                        : details == "depth/Depth format and mapping" ? "depth/depth format"
+                                                                                      : "shadow/style/Blend";
+        return ui.has(inside);
+    }
+    void set_down(Key key, bool down) {
+        input.down[static_cast<std::size_t>(key)] = down;
+        ImGuiIO& io = ImGui::GetIO();
+        if (key == Key::ctrl) io.KeyCtrl = down;
+        if (key == Key::shift) io.KeyShift = down;
+        if (key == Key::escape) io.KeysDown[ImGuiKey_Escape] = down;
+    }
+
+    void draw() {
+        session.update_scene();
+        const Layout now = layout();
+        const Viewport viewport{glm::max(now.camera.size_px(), glm::ivec2(1)), true};
+        derived = derive(session.params, session.scene(), viewport);
+        const Derived before = derive(session.before_latest_edit(), session.scene(), viewport);
+        frame_plan = plan(session.params, derived);
+        input.dt_s = ImGui::GetIO().DeltaTime;
+        requests = workbench.draw(session, derived, before, frame_plan, {}, {"OpenGL 3.3 core · none", "–", {}}, input);
+        input.pressed.clear();
+        input.dropped_files.clear();
+        measure_areas();
+    }
+
+    /// Appending to a window that was drawn tells how much of its content is beyond its edge.
+    void measure_areas() {
+        areas.clear();
+        for (const char* name : {"top", "panel", "matrices", "views"}) {
+            bool is_drawn = false;
+            for (const RecordedItem& item : recorded()) is_drawn |= item.window == name;
+            if (!is_drawn) continue;
+            ImGui::Begin(name);
+            const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+            areas.push_back(
+                {name, {min, {min.x + size.x, min.y + size.y}}, ImGui::GetScrollMaxX(), ImGui::GetScrollMaxY()});
+            ImGui::End();
+        }
+    }
+
+public:
+    Requests requests;
+};
+
+/// The paths of the fields in which two states differ.
+inline std::vector<std::string> differing_fields(Params a, Params b) {
+    std::vector<std::string> paths;
+    for (const Field& field : fields()) {
+        const FieldRef right = field.in(b);
+        const bool same = std::visit(
+            [&right](const auto& left) {
+                using Ref = std::decay_t<decltype(left)>;
+                if constexpr (std::is_same_v<Ref, EnumRef>)
+                    return left.index() == std::get<EnumRef>(right).index();
+                else
+                    return *left == *std::get<Ref>(right);
+            },
+            field.in(a));
+        if (!same) paths.emplace_back(field.path);
+    }
+    return paths;
+}
+
+using Paths = std::vector<std::string>;
+
+class UiTest : public ::testing::Test {
+protected:
+    Desk desk;
+    widgets::test::Harness& ui = desk.ui;
+    Params& params = desk.session.params;
+};
+
+}  // namespace viewing::test

@@ -1,0 +1,95 @@
+// Undo and redo as a person meets them: one drag, one flight, one typed number are one step each.
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class HistoryTest : public UiTest {};
+
+TEST_F(HistoryTest, ADragIsOneStep) {
+    const Params before = params;
+    desk.drag("projection/z-near", 40.0F, 0.0F, 10);
+    const Params after = params;
+    ASSERT_NE(after, before);
+    desk.undo();
+    EXPECT_EQ(params, before);
+    EXPECT_FALSE(desk.session.can_undo());
+    desk.redo();
+    EXPECT_EQ(params, after);
+    EXPECT_FALSE(desk.session.can_redo());
+}
+
+TEST_F(HistoryTest, AFlightBetweenTwoRestsIsOneStep) {
+    const Params before = params;
+    const glm::dvec3 forward(-desk.derived.world_from_view[2]);
+    desk.hold(Key::w);
+    ui.frames(20);
+    EXPECT_TRUE(desk.session.moving_freedoms().forward);
+    EXPECT_EQ(ui.text_of("camera/degrees of freedom/forward"), "active");
+    desk.let_go(Key::w);
+    desk.settle();
+    ASSERT_FALSE(desk.session.is_moving());
+    const glm::dvec3 moved = params.camera.position - before.camera.position;
+    EXPECT_GT(glm::length(moved), 0.3);
+    EXPECT_NEAR(glm::dot(glm::normalize(moved), forward), 1.0, 1e-12);
+    desk.undo();
+    EXPECT_EQ(params, before);
+    EXPECT_FALSE(desk.session.can_undo());
+}
+
+TEST_F(HistoryTest, ALookWithTheMouseIsOneStep) {
+    const Params before = params;
+    desk.drag_from(desk.in_camera_view({-3.0, 2.5, -3.0}), 80.0F, 30.0F, 8);
+    EXPECT_EQ(differing_fields(before, params), (Paths{"camera.yaw", "camera.pitch", "camera.roll"}));
+    desk.undo();
+    EXPECT_EQ(params, before);
+    EXPECT_FALSE(desk.session.can_undo());
+}
+
+TEST_F(HistoryTest, ButtonsSayWhatIsPossible) {
+    EXPECT_FALSE(ui.find("top/Undo").enabled);
+    desk.click("depth/Depth test");
+    ui.frame();
+    ASSERT_TRUE(ui.find("top/Undo").enabled);
+    desk.click("top/Undo");
+    EXPECT_TRUE(params.depth.test);
+    ui.frame();
+    EXPECT_FALSE(ui.find("top/Undo").enabled);
+    desk.click("top/Redo");
+    EXPECT_FALSE(params.depth.test);
+}
+
+TEST_F(HistoryTest, ResetAllCanBeUndone) {
+    desk.click("depth/Cull face");
+    desk.enter("camera/position/x", "1");
+    const Params before = params;
+    desk.choose("top/File", "top/Reset all");
+    EXPECT_EQ(params, Params{});
+    desk.undo();
+    EXPECT_EQ(params, before);
+}
+
+TEST_F(HistoryTest, LookingOnChangesNothing) {
+    const Params before = params;
+    ui.frames(30);
+    EXPECT_EQ(params, before);
+    for (const char* label : {"projection/z-near", "light/position/x", "matrices/S/r0c0", "view/camera view"}) {
+        ui.hover(label);
+        ui.frames(10);
+    }
+    EXPECT_EQ(params, before);
+    EXPECT_FALSE(desk.session.can_undo());
+}
+
+TEST(History, NoPresetChangesByBeingShown) {
+    for (const NamedFile& preset : presets()) {
+        Desk desk({1280, 720}, preset.name);
+        const Params before = load_state(preset.name)->params;
+        desk.ui.frames(30);
+        EXPECT_EQ(differing_fields(before, desk.params()), Paths{}) << preset.name;
+        EXPECT_FALSE(desk.session.can_undo()) << preset.name;
+    }
+}
+
+}  // namespace
+}  // namespace viewing::test

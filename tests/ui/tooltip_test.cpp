@@ -1,0 +1,98 @@
+// What a tooltip of the panel says: under the label that is shown, with the path that --set takes, and with formulas
+// whose words keep their spaces and whose signs are all in the fonts.
+#include <regex>
+
+#include "desk.h"
+#include "widgets/inner.h"
+
+namespace viewing::test {
+namespace {
+
+std::string tooltip_of(Desk& desk, const char* label) {
+    desk.ui.hover(label);
+    desk.ui.frames(60);
+    for (const RecordedItem& item : desk.recorded()) {
+        if (item.label.ends_with("tooltip")) return item.text;
+    }
+    return {};
+}
+
+TEST(Tooltips, TitleIsTheLabelThatIsShownAndThePathStandsBelow) {
+    Desk desk;
+    struct Expected {
+        const char *item, *title, *path;
+    };
+    for (const Expected& expected : {Expected{"shadow/Clip to patch", "Clip to patch", "shadow.clip_to_receiver"},
+                                     Expected{"reflection/Mirror light", "Mirror light", "reflection.reflect_light"},
+                                     Expected{"projection/z-near", "z-near", "projection.near"},
+                                     Expected{"depth/func", "depth function", "depth.func"}}) {
+        const std::string text = tooltip_of(desk, expected.item);
+        EXPECT_TRUE(text.starts_with(std::string(expected.title) + "\n")) << expected.item << ": " << text;
+        EXPECT_TRUE(text.ends_with(std::string("\n") + expected.path)) << expected.item << ": " << text;
+    }
+}
+
+TEST(Tooltips, SegmentsAndThePlanesButtonsHaveOne) {
+    Desk desk;
+    for (const char* item : {"projection/type/Perspective", "projection/type/Orthographic", "light/position/point",
+                             "light/position/parallel", "plane/equation/yz", "plane/equation/xz", "plane/equation/xy",
+                             "plane/equation/normalise"}) {
+        EXPECT_FALSE(tooltip_of(desk, item).empty()) << item;
+    }
+}
+
+TEST(Tooltips, WordsInFormulasKeepTheirSpaces) {
+    Desk desk;
+    desk.ui.frame();
+    for (const Field& field : fields()) {
+        const std::string formula(field.formula);
+        const widgets::inner::FormulaLayout layout(formula.c_str(), {}, 0, {desk.workbench.widgets.fonts.text, 16.0F});
+        const std::string drawn(layout.text, static_cast<std::size_t>(layout.bytes));
+        const std::regex word(" ?\\b[A-Za-z]{2,}\\b ?");
+        for (std::sregex_iterator found(formula.begin(), formula.end(), word), end; found != end; ++found) {
+            EXPECT_NE(drawn.find(found->str()), std::string::npos) << field.path << ": " << drawn;
+        }
+        EXPECT_LT(layout.bytes, widgets::inner::FormulaLayout::max_bytes) << field.path;
+        EXPECT_LT(layout.piece_count, widgets::inner::FormulaLayout::max_pieces) << field.path;
+    }
+}
+
+/// The characters of a text that the font has no glyph for.
+std::string missing_in(ImFont& font, std::string_view text) {
+    std::string missing;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        const std::size_t bytes = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+        unsigned code = bytes == 1 ? lead : lead & (0x7FU >> bytes);
+        for (std::size_t k = 1; k < bytes; ++k) code = (code << 6U) | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
+        if (code != '\n' && !font.FindGlyphNoFallback(static_cast<ImWchar>(code))) missing += text.substr(i, bytes);
+        i += bytes;
+    }
+    return missing;
+}
+
+TEST(Tooltips, EverySignOfAFieldAndOfANumberIsInTheFonts) {
+    Desk desk;
+    const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
+    for (const Field& field : fields()) {
+        EXPECT_EQ(missing_in(*fonts.heading, field.label), "") << field.path;
+        for (const std::string_view text : {field.help, field.formula, field.unit})
+            EXPECT_EQ(missing_in(*fonts.text, text), "") << field.path;
+        EXPECT_EQ(missing_in(*fonts.number, field.gl_call), "") << field.path;
+        EXPECT_EQ(missing_in(*fonts.small_number, field.path), "") << field.path;
+    }
+    for (ImFont* font : {fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number})
+        EXPECT_EQ(missing_in(*font, "0123456789.−·⁻⁰¹²³⁴⁵⁶⁷⁸⁹°—∞"), "");
+}
+
+TEST(Tooltips, TheMinusIsWiderThanAHyphen) {
+    Desk desk;
+    for (ImFont* font : {desk.workbench.widgets.fonts.number, desk.workbench.widgets.fonts.small_number}) {
+        const ImFontGlyph &minus = *font->FindGlyph(0x2212), &hyphen = *font->FindGlyph('-');
+        EXPECT_GE(minus.X1 - minus.X0, hyphen.X1 - hyphen.X0);
+        EXPECT_EQ(minus.AdvanceX, font->FindGlyph('0')->AdvanceX);
+    }
+}
+
+}  // namespace
+}  // namespace viewing::test

@@ -1,0 +1,254 @@
+// derive's views: the camera with its slips, the projection as uploaded, the observer, the moving world, the frustum;
+// and that nothing which a person can set gives a number that is none.
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "frame/derive.h"
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+#include "unit/state/random_params.h"
+
+namespace viewing {
+namespace {
+
+using testing::box_scene;
+using testing::params_with;
+
+Derived derived_of(const Params& params, bool clip_control = true) {
+    return derive(params, box_scene(), Viewport{{160, 90}, clip_control});
+}
+
+/// C by the lecture's words: turn about y, then about the new x, then about the new z, and stand at the position.
+glm::dmat4 lecture_camera(const CameraParams& camera) {
+    glm::dmat4 made = glm::translate(glm::dmat4(1.0), camera.position);
+    made = glm::rotate(made, glm::radians(camera.yaw), glm::dvec3(0, 1, 0));
+    made = glm::rotate(made, glm::radians(camera.pitch), glm::dvec3(1, 0, 0));
+    return glm::rotate(made, glm::radians(camera.roll), glm::dvec3(0, 0, 1));
+}
+
+Params random_pose(Random& random) {
+    Params params;
+    params.camera.position = random.vec3(10);
+    const Angles angles = random.angles();
+    params.camera.yaw = angles.yaw_deg;
+    params.camera.pitch = angles.pitch_deg;
+    params.camera.roll = angles.roll_deg;
+    return params;
+}
+
+glm::dvec3 divided(const glm::dvec4& point) {
+    return glm::dvec3(point) / point.w;
+}
+
+TEST(DeriveCamera, ViewIsTheInverseOfTheLecturesCamera) {
+    Random random(seed);
+    for (int trial = 0; trial < 100; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        const Params params = random_pose(random);
+        const Derived derived = derived_of(params);
+        EXPECT_LT(worst_difference(derived.world_from_view, lecture_camera(params.camera)), 1e-12);
+        EXPECT_LT(worst_difference(derived.view_from_world * lecture_camera(params.camera), glm::dmat4(1.0)), 1e-12);
+        EXPECT_LT(worst_difference(derived.clip_from_world, derived.clip_from_view * derived.view_from_world), 1e-12);
+        EXPECT_EQ(derived.eye_world, glm::dvec4(params.camera.position, 1.0));
+        EXPECT_LT(derived.facts.view_residual, 1e-12);
+    }
+}
+
+TEST(DeriveCamera, ParallelLinesOfSightComeFromADirection) {
+    Params params = params_with({"projection.type=orthographic", "camera.pitch=-30", "camera.yaw=0"});
+    Derived derived = derived_of(params);
+    EXPECT_EQ(derived.eye_world.w, 0.0);
+    EXPECT_NEAR(derived.eye_world.y, 0.5, 1e-12);
+    EXPECT_NEAR(derived.eye_world.z, std::sqrt(0.75), 1e-12);
+    EXPECT_NEAR(derived.eye_side, 0.5, 1e-12);
+    // Looking up from above the plane shows its lower side, wherever the camera stands.
+    params.camera.pitch = 30.0;
+    derived = derived_of(params);
+    EXPECT_NEAR(derived.eye_side, -0.5, 1e-12);
+    EXPECT_FALSE(light_reaches(derived, derived.eye_side));
+}
+
+TEST(DeriveCamera, SwappedOrderTurnsThePositionToo) {
+    Params params;
+    params.camera.position = {1, 2, 3};
+    params.camera.yaw = 90.0;
+    params.camera.pitch = params.camera.roll = 0.0;
+    params.slips.swapped_order = true;
+    const glm::dvec3 eye = divided(derived_of(params).world_from_view[3]);
+    EXPECT_NEAR(eye.x, 3.0, 1e-12);  // Ry(90°) sends z to x and x to −z
+    EXPECT_NEAR(eye.y, 2.0, 1e-12);
+    EXPECT_NEAR(eye.z, -1.0, 1e-12);
+}
+
+TEST(DeriveCamera, CameraAsViewUploadsC) {
+    Random random(seed);
+    for (int trial = 0; trial < 20; ++trial) {
+        Params params = random_pose(random);
+        params.slips.camera_as_view = true;
+        const Derived derived = derived_of(params);
+        EXPECT_LT(worst_difference(derived.view_from_world, lecture_camera(params.camera)), 1e-12);
+        // The eye is where the picture is taken from: the point that the uploaded matrix sends to the origin.
+        const glm::dvec4 eye_view = derived.view_from_world * derived.eye_world;
+        EXPECT_LT(glm::length(glm::dvec3(eye_view)), 1e-12);
+        // The camera itself stays where it was put.
+        EXPECT_LT(glm::length(divided(derived.world_from_view[3]) - params.camera.position), 1e-12);
+    }
+}
+
+TEST(DeriveProjection, NearAndFarLandOnTheClipRange) {
+    struct Case {
+        const char* mapping;
+        bool clip_control;
+        double near_ndc, far_ndc;
+        bool zero_to_one;
+    };
+    for (const char* const type : {"perspective", "orthographic"}) {
+        for (const Case& each : {Case{"standard", true, -1, 1, false},
+                                 {"standard", false, -1, 1, false},
+                                 {"logarithmic", true, -1, 1, false},
+                                 {"reversed", true, 1, 0, true},
+                                 {"reversed", false, 1, -1, false}}) {
+            SCOPED_TRACE(std::string(type) + " " + each.mapping + (each.clip_control ? " with" : " without") +
+                         " clip control");
+            const Params params =
+                params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping});
+            const Derived derived = derived_of(params, each.clip_control);
+            EXPECT_EQ(derived.clip_zero_to_one, each.zero_to_one);
+            EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -0.5, 1.0)).z, each.near_ndc, 1e-12);
+            EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -40.0, 1.0)).z, each.far_ndc, 1e-12);
+        }
+    }
+}
+
+TEST(DeriveProjection, MappingLeavesThePictureWhereItIs) {
+    const glm::dvec4 point(0.3, -0.7, -5.0, 1.0);
+    const glm::dvec3 standard = divided(derived_of(Params{}).clip_from_view * point);
+    EXPECT_NEAR(standard.y, -0.7 / (5.0 * std::tan(glm::radians(20.0))), 1e-12);
+    EXPECT_NEAR(standard.x, 0.3 / (5.0 * std::tan(glm::radians(20.0))) * 90.0 / 160.0, 1e-12);
+    for (const bool clip_control : {true, false}) {
+        const Derived reversed = derived_of(params_with({"depth.mapping=reversed"}), clip_control);
+        const glm::dvec3 found = divided(reversed.clip_from_view * point);
+        EXPECT_NEAR(found.x, standard.x, 1e-12);
+        EXPECT_NEAR(found.y, standard.y, 1e-12);
+    }
+}
+
+TEST(DeriveFrustum, CornersProjectToTheCube) {
+    Random random(seed);
+    for (const char* const type : {"perspective", "orthographic"}) {
+        for (int trial = 0; trial < 20; ++trial) {
+            SCOPED_TRACE(std::string(type) + " seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+            Params params = random_pose(random);
+            params.projection = params_with({std::string("projection.type=") + type}).projection;
+            const Derived derived = derived_of(params);
+            const auto corners = frustum_corners(params, derived);
+            // Near then far, each counter-clockwise from bottom left as the camera sees them.
+            const glm::dvec2 order[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 ndc =
+                    divided(derived.clip_from_world * glm::dvec4(corners[static_cast<std::size_t>(corner)], 1.0));
+                EXPECT_NEAR(ndc.x, order[corner % 4].x, 1e-9);
+                EXPECT_NEAR(ndc.y, order[corner % 4].y, 1e-9);
+                EXPECT_NEAR(ndc.z, corner < 4 ? -1.0 : 1.0, 1e-9);
+            }
+        }
+    }
+}
+
+TEST(DeriveFrustum, ShowsTheCameraEvenWhileASlipBreaksTheView) {
+    const Params right = params_with({"camera.position=[1,2,3]"});
+    const Params broken = params_with({"camera.position=[1,2,3]", "slips.camera_as_view=true"});
+    EXPECT_EQ(frustum_corners(right, derived_of(right)), frustum_corners(broken, derived_of(broken)));
+}
+
+TEST(DeriveObserver, LooksAtItsTargetFromItsDistance) {
+    Random random(seed);
+    for (int trial = 0; trial < 50; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        ObserverParams observer;
+        observer.target = random.vec3(5);
+        observer.yaw = random.number(-180, 180);
+        observer.pitch = random.number(-89, 89);
+        observer.distance = random.number(1, 30);
+        const ObserverView view = derive_observer(observer, Viewport{});
+        const glm::dvec3 target_ndc = divided(view.clip_from_world * glm::dvec4(observer.target, 1.0));
+        EXPECT_NEAR(target_ndc.x, 0.0, 1e-9);
+        EXPECT_NEAR(target_ndc.y, 0.0, 1e-9);
+        EXPECT_NEAR(glm::distance(divided(view.eye_world), observer.target), observer.distance, 1e-9);
+        EXPECT_LT(worst_difference(view.view_from_world * view.world_from_view, glm::dmat4(1.0)), 1e-9);
+        const glm::dvec4 above = view.clip_from_world * glm::dvec4(observer.target + glm::dvec3(0, 0.1, 0), 1.0);
+        EXPECT_GT(divided(above).y, 0.0);  // up is up
+    }
+}
+
+TEST(DeriveMovingWorld, WhatIsFixedToTheCameraStays) {
+    Random random(seed);
+    const ObserverParams observer;
+    const glm::dvec4 fixed_to_camera[] = {{0, 0, 0, 1}, {0, 0, -2, 1}, {0.4, -0.3, -1, 1}};
+    const Params somewhere = random_pose(random);
+    const ObserverView first = derive_moving_world(observer, derived_of(somewhere), Viewport{});
+    for (int trial = 0; trial < 50; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        const Params params = random_pose(random);
+        const ObserverView view = derive_moving_world(observer, derived_of(params), Viewport{});
+        for (const glm::dvec4& point : fixed_to_camera) {
+            const glm::dvec3 there = divided(first.clip_from_world * lecture_camera(somewhere.camera) * point);
+            const glm::dvec3 here = divided(view.clip_from_world * lecture_camera(params.camera) * point);
+            EXPECT_LT(glm::length(there - here), 1e-9);
+        }
+        EXPECT_LT(glm::length(glm::dvec3(view.view_from_world * view.eye_world)), 1e-9);
+        // And the world moves: the origin is not where it was.
+        const glm::dvec3 origin = divided(view.view_from_world[3]), before = divided(first.view_from_world[3]);
+        EXPECT_GT(glm::length(origin - before), 1e-3);
+    }
+}
+
+bool is_finite(const glm::dmat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+bool is_finite(const glm::dvec3& vector) {
+    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+}
+
+TEST(DeriveEverything, IsFiniteForWhateverCanBeSet) {
+    constexpr unsigned first_seed = 7100;
+    for (unsigned run = 0; run < 300; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(first_seed + run));
+        Params params = testing::RandomParams(first_seed + run).make();
+        clamp_to_ranges(params);
+        const Viewport viewport{{1 + static_cast<int>(run % 7) * 300, 1 + static_cast<int>(run % 5) * 200},
+                                run % 2 == 0};
+        const Derived derived = derive(params, box_scene(), viewport);
+        for (const glm::dmat4* matrix :
+             {&derived.world_from_view, &derived.view_from_world, &derived.clip_from_view, &derived.clip_from_world,
+              &derived.shadow_from_world, &derived.mirror_from_world})
+            EXPECT_TRUE(is_finite(*matrix));
+        EXPECT_TRUE(is_finite(derived.patch.world_from_patch()));
+        const Facts& facts = derived.facts;
+        for (const double number :
+             {facts.plane_dot_light, facts.det_shadow, facts.det_mirror, facts.shadow_residual, facts.mirror_residual,
+              facts.view_residual, facts.depth_step_at_target, facts.target_distance, derived.eye_side, derived.aspect})
+            EXPECT_TRUE(std::isfinite(number));
+        EXPECT_GT(facts.depth_step_at_target, 0.0);
+        for (const glm::dvec3& corner : frustum_corners(params, derived)) EXPECT_TRUE(is_finite(corner));
+        if (derived.followed) {
+            EXPECT_TRUE(is_finite(derived.followed->mirrored_world));
+            EXPECT_TRUE(is_finite(derived.followed->foot_world));
+        }
+        const ObserverView observer = derive_observer(params.observer, viewport);
+        EXPECT_TRUE(is_finite(observer.clip_from_world));
+        for (const FramePlan& frame : {plan(params, derived), plan_observer(params, derived, observer)}) {
+            for (const Pass& pass : frame.passes) {
+                EXPECT_TRUE(is_finite(pass.clip_from_world * pass.world_from_scene)) << pass.name;
+                EXPECT_FALSE(gl_calls(pass).empty());
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,313 @@
+// derive against worked numbers and properties: shadow and mirror matrices, the followed point, facts, views, and the
+// sentences about what cannot be drawn. Read derive_camera_test.cpp next.
+#include "frame/derive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using testing::box_scene;
+using testing::object;
+using testing::params_with;
+using testing::scene_of;
+
+glm::dvec3 sent_by(const glm::dmat4& matrix, const glm::dvec3& point) {
+    const glm::dvec4 sent = matrix * glm::dvec4(point, 1.0);
+    return glm::dvec3(sent) / sent.w;
+}
+
+void expect_near(const glm::dvec3& found, const glm::dvec3& expected, double tolerance = 1e-12) {
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(found[axis], expected[axis], tolerance) << "axis " << axis;
+}
+
+Params with_light_and_plane(const glm::dvec4& light, const glm::dvec4& plane) {
+    Params params;
+    params.light.position = light;
+    params.plane.equation = plane;
+    return params;
+}
+
+Derived derived_of(const Params& params, const Scene& scene = box_scene()) {
+    return derive(params, scene, Viewport{});
+}
+
+/// A scene whose one triangle starts at `point`; follows that vertex.
+Scene scene_at(const glm::dvec3& point) {
+    return scene_of({object("marker", triangle_mesh({point, point + glm::dvec3(1, 0, 0), point + glm::dvec3(0, 1, 0)}),
+                            glm::dvec3(0.0))});
+}
+
+Params following(Params params) {
+    params.follow = Follow{"marker", 0};
+    return params;
+}
+
+bool says(const Derived& derived, std::string_view group, const std::string& words) {
+    return std::any_of(derived.problems.begin(), derived.problems.end(), [&](const Problem& problem) {
+        return problem.group == group && problem.sentence.find(words) != std::string::npos;
+    });
+}
+
+const glm::dvec4 tilted_plane = glm::dvec4(1.0, 1.0, 1.0, -2.0 * std::sqrt(3.0));  // n = (1, 1, 1)/√3, d = −2
+
+TEST(DeriveShadow, ParallelLightOnTheGround) {
+    const Derived derived = derived_of(with_light_and_plane({12, 20, 0, 0}, {0, 1, 0, 0}));
+    expect_near(sent_by(derived.shadow_from_world, {0, 10, 0}), {-6, 0, 0});
+}
+
+TEST(DeriveShadow, PointLightOnTheGround) {
+    const Derived derived = derived_of(with_light_and_plane({12, 20, 0, 1}, {0, 1, 0, 0}));
+    expect_near(sent_by(derived.shadow_from_world, {0, 10, 0}), {-12, 0, 0});
+}
+
+TEST(DeriveShadow, TiltedPlane) {
+    const Derived derived = derived_of(with_light_and_plane({5, 9, 7, 1}, tilted_plane));
+    expect_near(sent_by(derived.shadow_from_world, {1, 2, 3}), {0.323760, 0.816581, 2.323760}, 1e-6);
+}
+
+TEST(DeriveShadow, GroundMatrixIsTheOneOnTheSlide) {
+    const double x = 2.6, y = 5.2, z = 2.2;
+    const Derived derived = derived_of(with_light_and_plane({x, y, z, 1}, {0, 1, 0, 0}));
+    const glm::dmat4 slide_rows(y, -x, 0, 0,  //
+                                0, 0, 0, 0,   //
+                                0, -z, y, 0,  //
+                                0, -1, 0, y);
+    EXPECT_LT(worst_difference(derived.shadow_from_world, glm::transpose(slide_rows)), 1e-15);
+}
+
+TEST(DeriveShadow, SignFollowsTheSideOfTheLight) {
+    const glm::dvec4 above(2, 5, 1, 1), below(2, -5, 1, 1);
+    const glm::dvec4 up(0, 1, 0, 0);
+    EXPECT_EQ(derived_of(with_light_and_plane(above, up)).shadow_sign, 1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(below, up)).shadow_sign, -1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(above, -up)).shadow_sign, -1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(below, -up)).shadow_sign, 1.0);
+}
+
+TEST(DeriveShadow, SignMakesWPositiveBetweenLightAndPlane) {
+    Random random(seed);
+    for (int trial = 0; trial < 200; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        const glm::dvec4 plane = glm::dvec4(random.direction(), random.number(-2, 2)) * random.number(-3, 3);
+        const glm::dvec3 light = random.vec3(5);
+        const Derived derived = derived_of(with_light_and_plane({light, 1.0}, plane));
+        if (std::abs(derived.facts.plane_dot_light) < 1e-3) continue;
+        const glm::dvec3 foot = light - glm::dvec3(derived.unit_plane) * derived.facts.plane_dot_light;
+        const glm::dvec3 across = glm::cross(glm::dvec3(derived.unit_plane), random.direction());
+        const glm::dvec3 caster = glm::mix(foot, light, random.number(0.01, 0.99)) + across;
+        EXPECT_GT((derived.shadow_sign * derived.shadow_from_world * glm::dvec4(caster, 1.0)).w, 0.0);
+    }
+}
+
+TEST(DeriveMirror, TiltedPlane) {
+    const Derived derived = derived_of(with_light_and_plane({5, 9, 7, 1}, tilted_plane));
+    expect_near(sent_by(derived.mirror_from_world, {1, 2, 3}), {-0.690599, 0.309401, 1.309401}, 1e-6);
+}
+
+TEST(DeriveMirror, PlanesOfTheSlide) {
+    const glm::dvec3 point(2, 3, 4);
+    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {1, 0, 0, 0})).mirror_from_world, point),
+                {-2, 3, 4});
+    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 1, 0, 0})).mirror_from_world, point),
+                {2, -3, 4});
+    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 0, 1, 0})).mirror_from_world, point),
+                {2, 3, -4});
+}
+
+TEST(DeriveFacts, OfTheOpeningState) {
+    const Facts facts = derived_of(Params{}).facts;
+    EXPECT_DOUBLE_EQ(facts.plane_dot_light, 5.2);
+    EXPECT_EQ(facts.det_shadow, 0.0);
+    EXPECT_DOUBLE_EQ(facts.det_mirror, -1.0);
+    EXPECT_EQ(facts.rank_shadow, 3);
+    EXPECT_LT(facts.shadow_residual, 1e-12);
+    EXPECT_LT(facts.mirror_residual, 1e-12);
+    EXPECT_LT(facts.view_residual, 1e-12);
+    // −z of the target in view space, by the angles alone: 3.9, 2.25 and 6.6 apart along the line of sight.
+    const double yaw = glm::radians(30.6), pitch = glm::radians(-16.4);
+    const glm::dvec3 back(std::sin(yaw) * std::cos(pitch), -std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+    const double distance = glm::dot(back, glm::dvec3(3.9, 2.25, 6.6));
+    EXPECT_NEAR(facts.target_distance, distance, 1e-12);
+    const double step = distance * distance * (40 - 0.5) / (40 * 0.5 * (std::pow(2.0, 24) - 1.0));
+    EXPECT_NEAR(facts.depth_step_at_target, step, step * 1e-9);
+}
+
+TEST(DeriveFacts, RankOfTheShadowMatrix) {
+    Random random(seed);
+    for (int trial = 0; trial < 100; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        const glm::dvec4 plane(random.direction(), random.number(-3, 3));
+        const glm::dvec3 light = random.vec3(8);
+        const double side = glm::dot(glm::dvec3(plane), light) + plane.w;
+        if (std::abs(side) > 0.01) {
+            EXPECT_EQ(derived_of(with_light_and_plane({light, 1.0}, plane)).facts.rank_shadow, 3);
+        }
+        const glm::dvec3 in_plane = light - glm::dvec3(plane) * side;
+        const Facts flat = derived_of(with_light_and_plane({in_plane, 1.0}, plane)).facts;
+        EXPECT_EQ(flat.rank_shadow, 1);
+        EXPECT_NEAR(flat.plane_dot_light, 0.0, 1e-12);
+    }
+}
+
+TEST(DeriveFacts, ResidualsAreMeasured) {
+    Params params;
+    params.overrides.shadow_from_world = glm::dmat4(2.0);  // S² − (P·L) S = 4 − 5.2 · 2
+    params.overrides.mirror_from_world = glm::dmat4(3.0);  // R² − I = 9 − 1
+    const Facts facts = derived_of(params).facts;
+    EXPECT_NEAR(facts.shadow_residual, 6.4, 1e-12);
+    EXPECT_NEAR(facts.mirror_residual, 8.0, 1e-12);
+    EXPECT_NEAR(facts.det_shadow, 16.0, 1e-12);
+    EXPECT_NEAR(facts.det_mirror, 81.0, 1e-12);
+    EXPECT_EQ(facts.rank_shadow, 4);
+    params.slips.camera_as_view = true;
+    EXPECT_GT(derived_of(params).facts.view_residual, 1.0);
+}
+
+TEST(DeriveFollowed, OnItsWayThroughBothMatrices) {
+    const Derived derived =
+        derived_of(following(with_light_and_plane({5, 9, 7, 1}, tilted_plane)), scene_at({1, 2, 3}));
+    ASSERT_TRUE(derived.followed);
+    const FollowedPoint& followed = *derived.followed;
+    expect_near(followed.point_world, {1, 2, 3});
+    // S p = (P·L) p − (P·p) l: P·L = 21/√3 − 2, P·p = 6/√3 − 2.
+    const double plane_dot_light = 21.0 / std::sqrt(3.0) - 2.0, k = 6.0 / std::sqrt(3.0) - 2.0;
+    expect_near(glm::dvec3(followed.shadow_homogeneous),
+                plane_dot_light * glm::dvec3(1, 2, 3) - k * glm::dvec3(5, 9, 7));
+    EXPECT_NEAR(followed.shadow_homogeneous.w, plane_dot_light - k, 1e-12);
+    ASSERT_TRUE(followed.shadow_world);
+    expect_near(*followed.shadow_world, {0.323760, 0.816581, 2.323760}, 1e-6);
+    EXPECT_NEAR(followed.plane_distance, k, 1e-12);
+    expect_near(followed.foot_world, glm::dvec3(1, 2, 3) - k / std::sqrt(3.0) * glm::dvec3(1.0));
+    expect_near(followed.mirrored_world, {-0.690599, 0.309401, 1.309401}, 1e-6);
+}
+
+TEST(DeriveFollowed, StandsWhereTheObjectIs) {
+    ObjectDescription description;
+    description.name = "marker";
+    const Mesh mesh = triangle_mesh({glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)});
+    // A quarter turn about y sends x to −z; then scaled by 2 before and moved by (10, 0, 0) after.
+    const Scene scene{
+        {{description, std::make_shared<const Mesh>(mesh), world_from_model({10, 0, 0}, {90, 0, 0}, {2, 2, 2})}}, {}};
+    const Derived derived = derived_of(following(Params{}), scene);
+    ASSERT_TRUE(derived.followed);
+    expect_near(derived.followed->point_world, {10, 0, -2});
+}
+
+TEST(DeriveFollowed, HasNoShadowAtTheHeightOfTheLight) {
+    const Derived derived =
+        derived_of(following(with_light_and_plane({2, 5, 2, 1}, {0, 1, 0, 0})), scene_at({-1, 5, 3}));
+    ASSERT_TRUE(derived.followed);
+    EXPECT_EQ(derived.followed->shadow_homogeneous.w, 0.0);
+    EXPECT_FALSE(derived.followed->shadow_world);
+    expect_near(derived.followed->mirrored_world, {-1, -5, 3});
+}
+
+TEST(DeriveFollowed, MissingVertexOrObjectIsSaid) {
+    Params params = following(Params{});
+    params.follow->vertex = 3;
+    Derived derived = derived_of(params, scene_at({1, 2, 3}));
+    EXPECT_FALSE(derived.followed);
+    EXPECT_TRUE(says(derived, "follow", "does not exist"));
+    params.follow = Follow{"nobody", 0};
+    derived = derived_of(params, scene_at({1, 2, 3}));
+    EXPECT_FALSE(derived.followed);
+    EXPECT_TRUE(says(derived, "follow", "does not exist"));
+}
+
+TEST(DeriveProblems, NoneInTheOpeningState) {
+    const Derived derived = derived_of(Params{});
+    EXPECT_TRUE(derived.problems.empty()) << derived.problems.front().sentence;
+}
+
+TEST(DeriveProblems, LightInThePlane) {
+    Derived derived = derived_of(params_with({"light.position=[3,0,-2,1]"}));
+    EXPECT_TRUE(derived.light_in_plane);
+    EXPECT_TRUE(says(derived, "light", "lies in the plane"));
+    EXPECT_FALSE(says(derived, "light", "other side"));
+    derived = derived_of(params_with({"light.position=[3,0,-2,0]"}));
+    EXPECT_TRUE(derived.light_in_plane);
+    EXPECT_TRUE(says(derived, "light", "runs along the plane"));
+    EXPECT_FALSE(derived_of(params_with({"light.position=[3,0.01,-2,1]"})).light_in_plane);
+}
+
+TEST(DeriveProblems, LightAndEyeOnOppositeSides) {
+    for (const char* const setting : {"light.position=[1,-4,1,1]", "camera.position=[3.9,-3,6.6]"}) {
+        for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-2,0,0]"}) {
+            SCOPED_TRACE(std::string(setting) + " " + plane);
+            const Derived derived = derived_of(params_with({setting, plane}));
+            EXPECT_TRUE(says(derived, "light", "other side of the plane"));
+            EXPECT_FALSE(light_reaches(derived, derived.eye_side));
+            EXPECT_TRUE(light_reaches(derived, -derived.eye_side));
+        }
+    }
+}
+
+TEST(DeriveProblems, EyeInThePlane) {
+    const Derived derived = derived_of(params_with({"camera.position=[3.9,0,6.6]"}));
+    EXPECT_EQ(derived.eye_side, 0.0);
+    EXPECT_TRUE(says(derived, "plane", "the eye lies in the plane"));
+    const Derived along = derived_of(params_with({"camera.pitch=0", "projection.type=orthographic"}));
+    EXPECT_TRUE(says(along, "plane", "lines of sight run along the plane"));
+}
+
+TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
+    const Scene scene = scene_of({object("low", box_mesh(), {0, 1, 0}), object("high", sphere_mesh(), {0, 6, 0})});
+    const auto problem_with_light_at = [&](double height) {
+        Params params;
+        params.light.position = {2.6, height, 2.2, 1.0};
+        const Derived derived = derived_of(params, scene);
+        return derived.problems.empty() ? std::string() : derived.problems.front().sentence;
+    };
+    EXPECT_NE(problem_with_light_at(5.5).find("part of high is not between"), std::string::npos);
+    EXPECT_EQ(problem_with_light_at(5.5).find("low"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(1.0).find("part of low, high is not"), std::string::npos);
+    EXPECT_EQ(problem_with_light_at(7.01), "");
+}
+
+TEST(DeriveProblems, CasterBelowTheLightThoughItsBoundsAreNot) {
+    // Turned by 45°, a box around the sphere sticks out above the light; the sphere does not.
+    SceneObject ball = object("ball", sphere_mesh(), {0, 1, 0});
+    ball.world_from_model = world_from_model({0, 1, 0}, {0, 45, 45}, {1, 1, 1});
+    EXPECT_TRUE(derived_of(with_light_and_plane({3, 2.1, 0, 1}, {0, 1, 0, 0}), scene_of({ball})).problems.empty());
+}
+
+TEST(DeriveProblems, ParallelLightHasNothingBeyondIt) {
+    const Scene scene = scene_of({object("high", sphere_mesh(), {0, 600, 0})});
+    EXPECT_TRUE(derived_of(with_light_and_plane({2.6, 5.2, 2.2, 0}, {0, 1, 0, 0}), scene).problems.empty());
+}
+
+TEST(DeriveProblems, OverridesAreUsedAndSaid) {
+    const Derived derived =
+        derived_of(params_with({"overrides.shadow_from_world=[[1,2,3,4],[5,6,7,8],[9,10,11,12],[0,0,0,1]]",
+                                "overrides.mirror_from_world=[[1,0,0,7],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"}));
+    EXPECT_EQ(derived.shadow_from_world[3][0], 4.0);  // row 0, column 3
+    EXPECT_EQ(derived.shadow_from_world[0][1], 5.0);
+    EXPECT_EQ(derived.mirror_from_world[3][0], 7.0);
+    EXPECT_TRUE(says(derived, "shadow", "S is overridden"));
+    EXPECT_TRUE(says(derived, "reflection", "R is overridden"));
+}
+
+TEST(DeriveProblems, WhatIsKeptButNotDrawnIsSaid) {
+    struct Case {
+        std::string setting, group;
+    };
+    for (const Case& each : {Case{"visibility.method=bsp", "visibility"},
+                             {"lights=[{\"position\":[1,1,1,1]}]", "light"},
+                             {"planes=[{\"equation\":[1,0,0,0]}]", "plane"},
+                             {"reflection.bounces=2", "reflection"},
+                             {"view.shows=overdraw", "view"}}) {
+        SCOPED_TRACE(each.setting);
+        EXPECT_TRUE(says(derived_of(params_with({each.setting})), each.group, "yet"));
+    }
+    EXPECT_TRUE(says(derived_of(params_with({"reflection.clip=oblique", "depth.mapping=reversed"})), "reflection",
+                     "oblique near plane"));
+    EXPECT_TRUE(derived_of(params_with({"visibility.method=none", "reflection.clip=oblique"})).problems.empty());
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,372 @@
+// The technique read as data: which passes there are, which field of which pass each switch changes and that it changes
+// nothing else, and what must hold for every state.
+#include "frame/plan.h"
+
+#include <algorithm>
+
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+#include "unit/state/random_params.h"
+
+namespace viewing {
+namespace {
+
+using testing::box_scene;
+using testing::differences;
+using testing::fields_of;
+using testing::params_with;
+
+FramePlan plan_of(const Params& params, bool clip_control = true) {
+    return plan(params, derive(params, box_scene(), Viewport{{160, 90}, clip_control}));
+}
+FramePlan plan_with(const std::vector<std::string>& settings) {
+    return plan_of(params_with(settings));
+}
+
+std::vector<std::string> names_of_passes(const FramePlan& frame) {
+    std::vector<std::string> names;
+    for (const Pass& pass : frame.passes) names.push_back(pass.name);
+    return names;
+}
+
+const Pass& pass_named(const FramePlan& frame, const std::string& name) {
+    static const Pass missing;
+    const auto found =
+        std::find_if(frame.passes.begin(), frame.passes.end(), [&](const Pass& pass) { return pass.name == name; });
+    EXPECT_NE(found, frame.passes.end()) << name;
+    return found == frame.passes.end() ? missing : *found;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(PlanPasses, OfTheOpeningState) {
+    const FramePlan frame = plan_of(Params{});
+    EXPECT_EQ(names_of_passes(frame), (Names{"Mirror mask", "Mirror image", "Patch", "Shadow", "Objects"}));
+
+    const Pass& mask = pass_named(frame, "Mirror mask");
+    EXPECT_EQ(mask.subject, Subject::patch);
+    EXPECT_FALSE(mask.color_write);
+    EXPECT_FALSE(mask.depth.write);
+    EXPECT_EQ(mask.stencil, (StencilState{true, CompareFunc::always, 1, StencilOp::replace}));
+
+    const Pass& image = pass_named(frame, "Mirror image");
+    EXPECT_TRUE(image.is_mirror_image);
+    EXPECT_EQ(image.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::keep}));
+    EXPECT_EQ(image.cull.front_face, FrontFace::cw);
+    EXPECT_EQ(image.light_world, glm::dvec4(2.6, -5.2, 2.2, 1.0));
+    EXPECT_EQ(image.sky_world, glm::dvec3(0, -1, 0));
+    ASSERT_EQ(image.clip_planes.size(), 1U);
+    EXPECT_EQ(image.clip_planes[0], glm::dvec4(0, 1, 0, 0));
+    EXPECT_EQ(image.world_from_scene * glm::dvec4(1, 2, 3, 1), glm::dvec4(1, -2, 3, 1));
+
+    const Pass& patch = pass_named(frame, "Patch");
+    EXPECT_EQ(patch.subject, Subject::patch);
+    EXPECT_EQ(patch.shading, Shading::lit);
+    EXPECT_EQ(patch.blend, Blend::alpha);
+    EXPECT_DOUBLE_EQ(patch.color.a, 0.7);  // 1 − reflectance
+    EXPECT_EQ(patch.depth, (DepthState{true, CompareFunc::always, true}));
+    EXPECT_FALSE(patch.cull.enabled);
+
+    const Pass& shadow = pass_named(frame, "Shadow");
+    EXPECT_EQ(shadow.shading, Shading::flat);
+    EXPECT_EQ(shadow.color, glm::dvec4(0, 0, 0, 0.5));
+    EXPECT_EQ(shadow.blend, Blend::alpha);
+    EXPECT_FALSE(shadow.depth.write);
+    EXPECT_EQ(shadow.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::increment}));
+    ASSERT_TRUE(shadow.offset);
+    EXPECT_EQ(*shadow.offset, (DepthOffset{-1, -1}));
+    ASSERT_EQ(shadow.clip_planes.size(), 1U);
+    EXPECT_EQ(shadow.clip_planes[0], glm::dvec4(0, 1, 0, 0));
+
+    const Pass& objects = pass_named(frame, "Objects");
+    EXPECT_EQ(objects.world_from_scene, glm::dmat4(1.0));
+    EXPECT_EQ(objects.depth, DepthState{});
+    EXPECT_FALSE(objects.stencil.test);
+    EXPECT_EQ(objects.blend, Blend::none);
+    EXPECT_TRUE(objects.clip_planes.empty());
+    EXPECT_FALSE(objects.offset);
+}
+
+TEST(PlanPasses, FollowTheSwitches) {
+    struct Case {
+        std::vector<std::string> settings;
+        Names passes;
+    };
+    const Case cases[] = {
+        {{"shadow.enabled=false"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"reflection.enabled=false"}, {"Patch", "Shadow", "Objects"}},
+        {{"reflection.bounces=0"}, {"Patch", "Shadow", "Objects"}},
+        {{"reflection.enabled=false", "shadow.enabled=false"}, {"Patch", "Objects"}},
+        {{"reflection.stencil=false"}, {"Mirror image", "Patch", "Shadow", "Objects"}},
+        {{"shadow.style=missing_light"},
+         {"Mirror mask", "Mirror image", "Shadow mask", "Patch in the light", "Patch in shadow", "Objects"}},
+        {{"shadow.style=missing_light", "reflection.enabled=false"},
+         {"Receiver mask", "Shadow mask", "Patch in the light", "Patch in shadow", "Objects"}},
+        {{"shadow.style=missing_light", "reflection.stencil=false"},
+         {"Mirror image", "Receiver mask", "Shadow mask", "Patch in the light", "Patch in shadow", "Objects"}},
+        {{"light.position=[1,-4,1,1]"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"light.position=[1,0,1,1]"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"light.position=[1,0,1,0]"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"camera.position=[3.9,-3,6.6]"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"camera.position=[3.9,0,6.6]"}, {"Patch", "Objects"}},
+    };
+    for (const Case& each : cases) {
+        std::string what;
+        for (const std::string& setting : each.settings) what += setting + " ";
+        EXPECT_EQ(names_of_passes(plan_with(each.settings)), each.passes) << what;
+    }
+}
+
+TEST(PlanPasses, PatchOnTheSideAwayFromTheLightIsUnlit) {
+    EXPECT_EQ(pass_named(plan_with({"light.position=[1,-4,1,1]"}), "Patch").shading, Shading::unlit);
+    EXPECT_EQ(pass_named(plan_with({"light.position=[1,0,1,1]"}), "Patch").shading, Shading::unlit);
+    EXPECT_EQ(pass_named(plan_with({"camera.position=[3.9,-3,6.6]", "light.position=[1,-4,1,1]"}), "Patch").shading,
+              Shading::lit);
+}
+
+/// All passes' value of one field.
+std::set<std::string> in_every_pass(const FramePlan& frame, const std::string& field) {
+    std::set<std::string> keys;
+    for (const Pass& pass : frame.passes) keys.insert(pass.name + "." + field);
+    return keys;
+}
+
+TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
+    struct Case {
+        std::vector<std::string> settings;
+        std::set<std::string> changed;
+    };
+    const FramePlan opening = plan_of(Params{});
+    const std::set<std::string> depth_everywhere = in_every_pass(opening, "depth");
+    const std::set<std::string> depth_but_patch = {"Mirror mask.depth", "Mirror image.depth", "Shadow.depth",
+                                                   "Objects.depth"};
+    std::set<std::string> reversed = in_every_pass(opening, "clip_from_world");
+    reversed.insert({"frame.clear_depth", "frame.depth_mapping", "frame.clip_zero_to_one", "Shadow.offset"});
+    reversed.insert(depth_but_patch.begin(), depth_but_patch.end());
+    const Case cases[] = {
+        {{"depth.test=false"}, depth_everywhere},
+        {{"depth.func=lequal"}, depth_but_patch},
+        {{"depth.func=always"}, depth_but_patch},
+        {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
+        {{"depth.clear=false"}, {"frame.clear_depth"}},
+        {{"depth.format=d16"}, {"frame.depth_format"}},
+        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping"}},
+        {{"depth.mapping=reversed"}, reversed},
+        {{"depth.offset.factor=-2"}, {"frame.decal_offset"}},
+        {{"cull.enabled=true"}, {"Mirror image.cull", "Objects.cull"}},
+        {{"cull.face=front"}, {"Mirror image.cull", "Objects.cull"}},
+        {{"cull.front_face=cw"}, {"Mirror image.cull", "Objects.cull"}},
+        {{"shadow.color=#112233"}, {"Shadow.color"}},
+        {{"shadow.opacity=0.75"}, {"Shadow.color"}},
+        {{"shadow.stencil_once=false"}, {"Shadow.stencil"}},
+        {{"shadow.clip_to_receiver=false"}, {"Shadow.stencil"}},
+        {{"shadow.clip_to_receiver=false", "shadow.stencil_once=false"}, {"Shadow.stencil"}},
+        {{"shadow.clip_casters=false"}, {"Shadow.clip_planes"}},
+        {{"shadow.offset=none"}, {"Shadow.offset"}},
+        {{"shadow.offset=lift"}, {"Shadow.offset", "Shadow.world_from_scene"}},
+        {{"shadow.offset=no_depth_test"}, {"Shadow.offset", "Shadow.depth"}},
+        {{"shadow.offset_factor=-3"}, {"Shadow.offset"}},
+        {{"shadow.offset_units=-3"}, {"Shadow.offset"}},
+        {{"shadow.lift=3"}, {}},
+        {{"reflection.reflectance=0.6"}, {"Patch.color"}},
+        {{"reflection.clip=none"}, {"Mirror image.clip_planes"}},
+        {{"reflection.clip=oblique"}, {"Mirror image.clip_planes", "Mirror image.clip_from_world"}},
+        {{"reflection.flip_winding=false"}, {"Mirror image.cull"}},
+        {{"reflection.reflect_light=false"}, {"Mirror image.light_world", "Mirror image.sky_world"}},
+        {{"view.shows=depth"}, {"frame.shows", "frame.samples"}},
+        {{"view.shows=stencil"}, {"frame.shows", "frame.samples"}},
+        {{"view.shows=facing"}, {"frame.shows", "Mirror image.shading", "Objects.shading"}},
+        {{"view.depth_scale=window"}, {"frame.depth_scale"}},
+        {{"view.samples=0"}, {"frame.samples"}},
+        {{"ui.theme=light"}, {"frame.background", "frame.patch_colors"}},
+        {{"ui.theme=projector"}, {"frame.background", "frame.patch_colors"}},
+        {{"plane.extent=2"}, {"frame.patch"}},
+        {{"camera.target=[1,1,1]"}, {}},
+        {{"camera.navigation=walk"}, {}},
+        {{"slips.walk_slows=true"}, {}},
+        {{"observer.yaw=10"}, {}},
+        {{"ui.scale=2"}, {}},
+        {{"visibility.method=none"}, depth_everywhere},
+    };
+    for (const Case& each : cases) {
+        std::string what;
+        for (const std::string& setting : each.settings) what += setting + " ";
+        EXPECT_EQ(differences(opening, plan_with(each.settings)), each.changed) << what;
+    }
+}
+
+TEST(PlanSwitches, StencilOfTheShadow) {
+    const auto stencil = [](const std::vector<std::string>& settings) {
+        return pass_named(plan_with(settings), "Shadow").stencil;
+    };
+    EXPECT_EQ(stencil({"shadow.stencil_once=false"}), (StencilState{true, CompareFunc::equal, 1, StencilOp::keep}));
+    EXPECT_EQ(stencil({"shadow.clip_to_receiver=false"}),
+              (StencilState{true, CompareFunc::notequal, 2, StencilOp::replace}));
+    EXPECT_FALSE(stencil({"shadow.clip_to_receiver=false", "shadow.stencil_once=false"}).test);
+}
+
+TEST(PlanSwitches, LiftGoesTowardsTheEye) {
+    for (const char* const plane : {"plane.equation=[0,1,0,0]", "plane.equation=[0,-3,0,0]"}) {
+        const FramePlan frame = plan_with({"shadow.offset=lift", "shadow.lift=0.25", plane});
+        const glm::dvec4 lifted = pass_named(frame, "Shadow").world_from_scene * glm::dvec4(0.5, 1.0, 0.5, 1.0);
+        EXPECT_GT(lifted.w, 0.0);
+        EXPECT_NEAR(lifted.y / lifted.w, 0.25, 1e-12) << plane;
+    }
+}
+
+TEST(PlanDepth, ReversedTurnsComparisonsOffsetsAndClearRound) {
+    struct Case {
+        const char *func, *standard, *reversed;
+    };
+    for (const Case& each : {Case{"never", "GL_NEVER", "GL_NEVER"},
+                             {"less", "GL_LESS", "GL_GREATER"},
+                             {"equal", "GL_EQUAL", "GL_EQUAL"},
+                             {"lequal", "GL_LEQUAL", "GL_GEQUAL"},
+                             {"greater", "GL_GREATER", "GL_LESS"},
+                             {"notequal", "GL_NOTEQUAL", "GL_NOTEQUAL"},
+                             {"gequal", "GL_GEQUAL", "GL_LEQUAL"},
+                             {"always", "GL_ALWAYS", "GL_ALWAYS"}}) {
+        const std::string func = std::string("depth.func=") + each.func;
+        EXPECT_EQ(gl_name(pass_named(plan_with({func}), "Objects").depth.func), each.standard);
+        EXPECT_EQ(gl_name(pass_named(plan_with({func, "depth.mapping=logarithmic"}), "Objects").depth.func),
+                  each.standard);
+        EXPECT_EQ(gl_name(pass_named(plan_with({func, "depth.mapping=reversed"}), "Objects").depth.func),
+                  each.reversed);
+    }
+    const FramePlan standard = plan_with({"depth.offset.factor=-2", "depth.offset.units=3"});
+    const FramePlan reversed = plan_with({"depth.offset.factor=-2", "depth.offset.units=3", "depth.mapping=reversed"});
+    EXPECT_EQ(standard.clear_depth_value, 1.0);
+    EXPECT_EQ(reversed.clear_depth_value, 0.0);
+    EXPECT_EQ(standard.decal_offset, (DepthOffset{-2, 3}));
+    EXPECT_EQ(reversed.decal_offset, (DepthOffset{2, -3}));
+    EXPECT_EQ(*pass_named(reversed, "Shadow").offset, (DepthOffset{1, 1}));
+}
+
+TEST(PlanDepth, ReversedKeepsTheClipDistanceInPlaceOfTheObliquePlane) {
+    const FramePlan frame = plan_with({"depth.mapping=reversed", "reflection.clip=oblique"});
+    EXPECT_EQ(pass_named(frame, "Mirror image").clip_planes.size(), 1U);
+}
+
+TEST(PlanMirror, ObliqueNearPlaneIsTheMirror) {
+    const FramePlan frame = plan_with({"reflection.clip=oblique"});
+    const Pass& image = pass_named(frame, "Mirror image");
+    EXPECT_TRUE(image.clip_planes.empty());
+    const auto ndc_z = [&](const glm::dvec3& point) {
+        const glm::dvec4 clip = image.clip_from_world * glm::dvec4(point, 1.0);
+        return clip.z / clip.w;
+    };
+    EXPECT_NEAR(ndc_z({0.5, 0.0, 0.5}), -1.0, 1e-12);
+    EXPECT_NEAR(ndc_z({-2.0, 0.0, 1.0}), -1.0, 1e-12);
+    EXPECT_GT(ndc_z({0.5, -0.5, 0.5}), -1.0);  // the image, below the mirror, is kept
+    EXPECT_LT(ndc_z({0.5, 0.5, 0.5}), -1.0);
+}
+
+TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
+    Random random(seed);
+    for (int trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        Params params;
+        params.camera.position = random.vec3(6);
+        params.camera.yaw = random.number(-180, 180);
+        params.projection.type = trial % 3 == 0 ? ProjectionType::orthographic : ProjectionType::perspective;
+        params.light.position = {random.vec3(6), trial % 2};
+        params.plane.equation = {random.direction(), random.number(-2, 2)};
+        params.shadow.offset = static_cast<ShadowOffset>(trial % 4);
+        params.shadow.style = trial % 5 == 0 ? ShadowStyle::missing_light : ShadowStyle::blend;
+        params.reflection.clip = static_cast<MirrorClip>(trial % 3);
+        const FramePlan frame = plan_of(params);
+        for (const double factor : {-1.0, 2.0, -0.5}) {
+            Params same = params;
+            same.plane.equation *= factor;
+            EXPECT_EQ(differences(frame, plan_of(same)), std::set<std::string>{}) << "times " << factor;
+        }
+    }
+}
+
+TEST(PlanObserver, IsPlainWhateverTheCameraDoes) {
+    const Params params = params_with({"depth.test=false", "cull.enabled=true", "depth.mapping=reversed",
+                                       "view.shows=depth", "visibility.method=none", "reflection.clip=oblique"});
+    const Derived derived = derive(params, box_scene(), Viewport{});
+    const ObserverView observer = derive_observer(params.observer, Viewport{});
+    const FramePlan frame = plan_observer(params, derived, observer);
+    EXPECT_EQ(frame.shows, Shows::color);
+    EXPECT_EQ(frame.depth_mapping, DepthMapping::standard);
+    EXPECT_EQ(frame.clear_depth_value, 1.0);
+    EXPECT_FALSE(frame.clip_zero_to_one);
+    const Pass& objects = pass_named(frame, "Objects");
+    EXPECT_EQ(objects.depth, DepthState{});
+    EXPECT_FALSE(objects.cull.enabled);
+    EXPECT_EQ(objects.eye_world, observer.eye_world);
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            EXPECT_NEAR(objects.clip_from_world[column][row], observer.clip_from_world[column][row], 1e-9);
+    EXPECT_EQ(pass_named(frame, "Mirror image").clip_planes.size(), 1U);
+}
+
+TEST(PlanObserver, SeesTheSideThatTheObserverIsOn) {
+    Params params;
+    params.observer.pitch = 30.0;  // from below
+    const Derived derived = derive(params, box_scene(), Viewport{});
+    const FramePlan frame = plan_observer(params, derived, derive_observer(params.observer, Viewport{}));
+    EXPECT_EQ(names_of_passes(frame), (Names{"Mirror mask", "Mirror image", "Patch", "Objects"}));
+    EXPECT_EQ(pass_named(frame, "Patch").shading, Shading::unlit);
+    EXPECT_EQ(pass_named(frame, "Mirror image").clip_planes.at(0), glm::dvec4(0, -1, 0, 0));
+}
+
+TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
+    constexpr unsigned first_seed = 7400;
+    for (unsigned run = 0; run < 300; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(first_seed + run));
+        Params params = testing::RandomParams(first_seed + run).make();
+        clamp_to_ranges(params);
+        const FramePlan frame = plan_of(params, run % 2 == 0);
+        ASSERT_FALSE(frame.passes.empty());
+        EXPECT_EQ(frame.passes.back().name, "Objects");
+        bool marked = false;
+        int patches = 0;
+        for (const Pass& pass : frame.passes) {
+            EXPECT_FALSE(pass.reason.empty());
+            EXPECT_LE(pass.clip_planes.size(), 2U);
+            if (pass.stencil.test && pass.stencil.func == CompareFunc::equal) {
+                EXPECT_TRUE(marked) << pass.name;
+            }
+            marked |= pass.subject == Subject::patch && pass.stencil.test && pass.stencil.func == CompareFunc::always &&
+                      pass.stencil.on_pass == StencilOp::replace;
+            if (pass.subject == Subject::patch && pass.color_write) ++patches;
+            if (pass.subject == Subject::patch) {
+                EXPECT_FALSE(pass.cull.enabled) << pass.name;
+            }
+            if (pass.is_mirror_image) {
+                EXPECT_EQ(pass.cull.enabled, params.cull.enabled);
+            }
+            EXPECT_TRUE(!pass.depth.test || params.depth.test) << pass.name;
+            EXPECT_TRUE(!pass.depth.write || params.depth.write) << pass.name;
+        }
+        EXPECT_GE(patches, 1) << "the patch is always drawn";
+    }
+}
+
+TEST(PlanCalls, SayThePassWithItsCurrentValues) {
+    using Calls = std::vector<std::string>;
+    const FramePlan frame =
+        plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
+    EXPECT_EQ(gl_calls(pass_named(frame, "Shadow")),
+              (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
+                     "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_EQUAL, 1, 0xFF)",
+                     "glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)", "glEnable(GL_BLEND)",
+                     "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)", "glEnable(GL_POLYGON_OFFSET_FILL)",
+                     "glPolygonOffset(-1.5, -1.0)", "glEnable(GL_CLIP_DISTANCE0)", "drawObjects()"}));
+    EXPECT_EQ(gl_calls(pass_named(frame, "Objects")),
+              (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_TRUE)",
+                     "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CCW)", "drawObjects()"}));
+    EXPECT_EQ(gl_calls(pass_named(frame, "Mirror mask")),
+              (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
+                     "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_ALWAYS, 1, 0xFF)",
+                     "glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)", "glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)",
+                     "drawPatch()"}));
+    EXPECT_EQ(gl_calls(pass_named(plan_with({"depth.test=false"}), "Objects")),
+              (Calls{"glDisable(GL_DEPTH_TEST)", "drawObjects()"}));
+}
+
+}  // namespace
+}  // namespace viewing

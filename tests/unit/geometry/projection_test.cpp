@@ -1,0 +1,173 @@
+// Projections by what becomes of near and far; depth precision against the table of facts, worked out independently.
+#include "geometry/projection.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+constexpr DepthMapping mappings[] = {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic};
+
+double ndc_z(const glm::dmat4& clip, double distance) {
+    const glm::dvec4 p = clip * glm::dvec4(0.1, 0.2, -distance, 1);
+    return p.z / p.w;
+}
+
+TEST(Projection, NearAndFarMapToTheEndsOfTheClipRange) {
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 0.5, .far = 40};
+        EXPECT_NEAR(ndc_z(clip_from_view(lens, 1.5), 0.5), -1, 1e-14);
+        EXPECT_NEAR(ndc_z(clip_from_view(lens, 1.5), 40), 1, 1e-14);
+        EXPECT_NEAR(ndc_z(clip_from_view_reversed(lens, 1.5), 0.5), 1, 1e-14);
+        EXPECT_NEAR(ndc_z(clip_from_view_reversed(lens, 1.5), 40), 0, 1e-14);
+    }
+}
+
+TEST(Projection, FieldOfViewAndHeightAreTheFullVerticalOnes) {
+    // 90°: at distance 7 the frustum is 14 high and, with aspect 2, 28 wide.
+    for (const glm::dmat4& clip : {clip_from_view({.fovy_deg = 90, .near = 1, .far = 10}, 2.0),
+                                   clip_from_view_reversed({.fovy_deg = 90, .near = 1, .far = 10}, 2.0)}) {
+        const glm::dvec4 corner = clip * glm::dvec4(14, 7, -7, 1);
+        EXPECT_NEAR(corner.x / corner.w, 1, 1e-14);
+        EXPECT_NEAR(corner.y / corner.w, 1, 1e-14);
+        EXPECT_EQ(corner.w, 7.0);
+    }
+    for (const glm::dmat4& clip :
+         {clip_from_view({.orthographic = true, .height = 6, .near = 1, .far = 10}, 2.0),
+          clip_from_view_reversed({.orthographic = true, .height = 6, .near = 1, .far = 10}, 2.0)}) {
+        const glm::dvec4 corner = clip * glm::dvec4(6, 3, -7, 1);
+        EXPECT_NEAR(corner.x, 1, 1e-14);
+        EXPECT_NEAR(corner.y, 1, 1e-14);
+        EXPECT_EQ(corner.w, 1.0);
+    }
+}
+
+TEST(WindowDepth, AgreesWithTheMatrices) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 0.3, .far = 70};
+        for (int i = 0; i < 50; ++i) {
+            const double z = random.number(0.3, 70);
+            EXPECT_NEAR(window_depth(lens, DepthMapping::standard, z), ndc_z(clip_from_view(lens, 1), z) / 2 + 0.5,
+                        1e-13);
+            EXPECT_NEAR(window_depth(lens, DepthMapping::reversed, z), ndc_z(clip_from_view_reversed(lens, 1), z),
+                        1e-13);
+        }
+    }
+}
+
+TEST(WindowDepth, WorkedValues) {
+    // d = f/(f−n) − f n/((f−n) z) with 1, 101, 2: 1.01 − 0.505.
+    EXPECT_NEAR(window_depth({.near = 1, .far = 101}, DepthMapping::standard, 2), 0.505, 1e-15);
+    EXPECT_NEAR(window_depth({.near = 1, .far = 101}, DepthMapping::reversed, 2), 0.495, 1e-15);
+    EXPECT_NEAR(window_depth({.near = 1, .far = 100}, DepthMapping::logarithmic, 10), 0.5, 1e-15);
+    EXPECT_NEAR(window_depth({.orthographic = true, .near = 1, .far = 11}, DepthMapping::standard, 2), 0.1, 1e-15);
+    EXPECT_NEAR(window_depth({.orthographic = true, .near = 1, .far = 11}, DepthMapping::reversed, 2), 0.9, 1e-15);
+}
+
+TEST(WindowDepth, OutsideTheRangeLiesOutsideZeroToOne) {
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 1, .far = 10};
+        for (const DepthMapping mapping : mappings) {
+            const bool reversed = mapping == DepthMapping::reversed;
+            for (const double z : {-3.0, 0.0, 0.5}) {
+                const double depth = window_depth(lens, mapping, z);
+                EXPECT_TRUE(reversed ? depth > 1 : depth < 0) << depth;
+            }
+            const double beyond = window_depth(lens, mapping, 20);
+            EXPECT_TRUE(reversed ? beyond < 0 : beyond > 1) << beyond;
+        }
+    }
+}
+
+TEST(WindowDepth, RoundTrip) {
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 0.1, .far = 100};
+        for (const DepthMapping mapping : mappings) {
+            for (const double z : {0.1, 0.5, 3.0, 42.0, 100.0}) {
+                EXPECT_NEAR(distance_of_window_depth(lens, mapping, window_depth(lens, mapping, z)), z, 1e-10 * z);
+            }
+        }
+    }
+}
+
+TEST(DepthStep, TableOfFacts) {
+    struct Row {
+        double near, far, z, bits16, bits24, float_standard, float_reversed;  // 0: not storage that limits it
+    };
+    const Row rows[] = {
+        {20, 100, 60, 2.197e-3, 8.583e-6, 8.583e-6, 2.146e-6}, {1, 100, 10, 1.511e-3, 5.901e-6, 5.901e-6, 7.376e-7},
+        {1, 100, 100, 1.511e-1, 5.901e-4, 5.901e-4, 0},        {0.1, 100, 10, 1.524e-2, 5.955e-5, 5.955e-5, 9.304e-7},
+        {0.1, 100, 100, 1.524, 5.955e-3, 5.955e-3, 0},         {0.01, 100, 10, 1.526e-1, 5.960e-4, 5.960e-4, 5.820e-7},
+        {0.001, 100, 100, 152.6, 5.960e-1, 5.960e-1, 0},       {0.01, 10000, 500, 381.5, 1.490, 1.490, 4.547e-5},
+    };
+    for (const Row& row : rows) {
+        SCOPED_TRACE(testing::Message() << row.near << " " << row.far << " " << row.z);
+        const Lens lens{.near = row.near, .far = row.far};
+        const auto step = [&](DepthMapping mapping, int bits, bool is_float) {
+            return depth_step(lens, mapping, {bits, is_float}, row.z);
+        };
+        EXPECT_NEAR(step(DepthMapping::standard, 16, false), row.bits16, 1e-2 * row.bits16);
+        EXPECT_NEAR(step(DepthMapping::standard, 24, false), row.bits24, 1e-2 * row.bits24);
+        EXPECT_NEAR(step(DepthMapping::standard, 32, true), row.float_standard, 1e-2 * row.float_standard);
+        if (row.float_reversed > 0) {
+            EXPECT_NEAR(step(DepthMapping::reversed, 32, true), row.float_reversed, 1e-2 * row.float_reversed);
+        }
+        EXPECT_GT(step(DepthMapping::reversed, 32, true), 0.0);
+    }
+}
+
+TEST(DepthStep, FloatsTellNoMoreApartThanTheEyeDepthDoes) {
+    const auto step = [](double z, DepthMapping mapping, DepthPrecision precision) {
+        return resolvable_depth_step({.near = 0.1, .far = 100}, mapping, precision, z);
+    };
+    // From 64 to 128 the floats lie 2⁻¹⁷ apart; near a window depth of 0 the stored ones are far finer.
+    EXPECT_DOUBLE_EQ(step(100, DepthMapping::reversed, {32, true}), std::exp2(-18));
+    EXPECT_DOUBLE_EQ(step(0.1, DepthMapping::standard, {32, true}), std::exp2(-28));
+    EXPECT_NEAR(step(10, DepthMapping::reversed, {32, true}), 9.304e-7, 1e-2 * 9.304e-7) << "storage limits";
+    EXPECT_NEAR(step(100, DepthMapping::standard, {32, true}), 5.955e-3, 1e-2 * 5.955e-3);
+    EXPECT_NEAR(step(100, DepthMapping::standard, {24, false}), 5.955e-3, 1e-2 * 5.955e-3);
+}
+
+TEST(DepthStep, IsTheWidthOfOneCode) {
+    // Brute force: how far one goes until the rounded code has changed by one hundred.
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 0.5, .far = 40};
+        for (const DepthMapping mapping : mappings) {
+            const double z = 8, codes = 65535, at_z = window_depth(lens, mapping, z);
+            const double lo = distance_of_window_depth(lens, mapping, at_z - 50 / codes);
+            const double hi = distance_of_window_depth(lens, mapping, at_z + 50 / codes);
+            EXPECT_NEAR(depth_step(lens, mapping, {16, false}, z), std::abs(hi - lo) / 100,
+                        1e-3 * std::abs(hi - lo) / 100);
+        }
+    }
+}
+
+TEST(DepthStep, WorkedValuesOfTheOtherMappings) {
+    const Lens lens{.orthographic = true, .near = 1, .far = 101};
+    EXPECT_NEAR(depth_step(lens, DepthMapping::standard, {8, false}, 50), 100 / 255.0, 1e-12);
+    EXPECT_NEAR(depth_step(lens, DepthMapping::reversed, {8, false}, 3), 100 / 255.0, 1e-12);
+    EXPECT_NEAR(depth_step({.near = 1, .far = 100}, DepthMapping::logarithmic, {16, false}, 10),
+                10 * std::log(100.0) / 65535, 1e-12);
+}
+
+TEST(DepthStep, PositiveAndFiniteWhereverTheTargetLies) {
+    for (const bool orthographic : {false, true}) {
+        const Lens lens{.orthographic = orthographic, .near = 1e-6, .far = 1e9};
+        for (const DepthMapping mapping : mappings) {
+            for (const DepthPrecision precision :
+                 {DepthPrecision{4, false}, DepthPrecision{24, false}, DepthPrecision{32, true}}) {
+                for (const double z : {-5.0, 0.0, 1e-9, 1e-6, 1.0, 1e9, 1e12}) {
+                    const double step = depth_step(lens, mapping, precision, z);
+                    EXPECT_TRUE(step > 0 && std::isfinite(step)) << step << " at " << z;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,261 @@
+// Bad states and scenes: each is refused with one sentence that names the source, the field's path, what was wrong and
+// what is allowed.
+#include <gtest/gtest.h>
+
+#include "state/json.h"
+
+namespace viewing {
+namespace {
+
+struct Bad {
+    std::string json;
+    std::string path;      ///< the message opens with "state.json: " and this
+    std::string fragment;  ///< and goes on to say this
+};
+
+std::string box(const std::string& members) {
+    return R"({"scene": {"objects": [{"name": "a", "shape": "box"}, {"name": "b", )" + members + "}]}}";
+}
+
+std::string repeated(const std::string& text, int count) {
+    std::string all;
+    for (int i = 0; i < count; ++i) {
+        all += text;
+    }
+    return all;
+}
+
+void expect_refused(const Bad& bad, const std::string& error, const std::string& source) {
+    SCOPED_TRACE(bad.json.substr(0, 200));
+    const std::string opening = source + ": " + (bad.path.empty() ? "" : bad.path + ": ");
+    EXPECT_EQ(error.substr(0, opening.size()), opening) << error;
+    EXPECT_NE(error.find(bad.fragment), std::string::npos) << error << "\nlacks: " << bad.fragment;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << "one line: " << error;
+}
+
+void expect_all_refused(const std::vector<Bad>& all) {
+    for (const Bad& bad : all) {
+        const Result<Params> params = parse_state(bad.json, "state.json");
+        ASSERT_FALSE(params) << bad.json.substr(0, 200);
+        expect_refused(bad, params.error(), "state.json");
+    }
+}
+
+TEST(BadStates, NotJson) {
+    expect_all_refused({
+        {"", "line 1, column 1", "ends too early"},
+        {"  \n ", "line 2, column 2", "ends too early"},
+        {"{", "line 1, column 2", "ends too early"},
+        {R"({"version": 1)", "line 1, column 14", "ends too early"},
+        {"{\n  \"version\": 1,\n}", "line 3, column 1", "unexpected"},
+        {"{\n  // a comment\n}", "line 2, column 3", "comments are not allowed"},
+        {R"({"camera": {"yaw": NaN}})", "line 1, column 20", "NaN and infinity are not allowed"},
+        {R"({"camera": {"yaw": nan}})", "line 1, column 21", "NaN and infinity are not allowed"},
+        {R"({"camera": {"yaw": Infinity}})", "line 1, column 20", "NaN and infinity are not allowed"},
+        {R"({"camera": {"yaw": -Infinity}})", "line 1, column 21", "NaN and infinity are not allowed"},
+        {"{} {}", "line 1, column 4", "something follows the end"},
+        {"{'version': 1}", "line 1, column 2", "unexpected"},
+        {"{\"scene\": \"open", "line 1, column 16", "not closed"},
+        {"{\"scene\": \"a\xff\"}", "line 1, column 13", "not valid UTF-8"},
+        {"{\"scene\": \"a\nb\"}", "line 1, column 13", "control character"},
+        {std::string("\x89PNG\r\n\x1a\n\0\0", 10), "line 1, column 1", "unexpected"},
+    });
+}
+
+TEST(BadStates, AbsurdDocuments) {
+    expect_all_refused({
+        {repeated("[", 100'000), "", "nested deeper than 64"},
+        {R"({"camera": )" + repeated("{\"a\":", 70) + "1" + repeated("}", 71), "", "nested deeper than 64"},
+        {std::string((16U << 20U) + 1, ' '), "", "longer than 16 MiB"},
+        {"[" + repeated("0,", 1'000'001) + "0]", "", "more than a million values"},
+        {R"({"camera": {"yaw": 1, "yaw": 2}})", "camera.yaw", "appears twice"},
+        {R"({"ui": {}, "ui": {}})", "ui", "appears twice"},
+        {R"({"scene": {"objects": [{"name": "a", "name": "b"}]}})", "scene.objects[0].name", "appears twice"},
+        {"[]", "", "must be an object, got an array"},
+        {"3", "", "must be an object, got the number 3"},
+        {"null", "", "must be an object, got null"},
+        {"\"text\"", "", "must be an object, got the text"},
+    });
+    std::string keys = "{";
+    for (int i = 0; i < 1001; ++i) {
+        keys += (i == 0 ? "" : ",") + ("\"k" + std::to_string(i) + "\":0");
+    }
+    expect_all_refused({{keys + "}", "", "more than 1000 fields in one object"}});
+}
+
+TEST(BadStates, UnknownNames) {
+    expect_all_refused({
+        {R"({"projection": {"naer": 1}})", "projection.naer", "no such field; did you mean projection.near?"},
+        {R"({"objects": []})", "objects", "no such field; this is a scene: use --set scene=state.json"},
+        {R"({"near": 1})", "near", "no such field; did you mean projection.near?"},
+        {R"({"projektion": {}})", "projektion", "no such field; did you mean projection?"},
+        {R"({"camera": {"zoom": 1}})", "camera.zoom", "no such field"},
+        {R"({"camera": {"elevator": 1}})", "camera.elevator", "camera has position, yaw, pitch"},
+        {R"({"quaternions": 1})", "quaternions", "there are version, scene, camera"},
+        {R"({"camera.yaw": 1})", "camera.yaw", "no such field"},
+        {R"({"": 1})", "", "no such field"},
+        {R"({"shadow": {"colour": "#000000"}})", "shadow.colour", "did you mean shadow.color?"},
+        {R"({"depth": {"offset": {"unit": 1}}})", "depth.offset.unit", "did you mean depth.offset.units?"},
+        {R"({"depth": {"func": "les"}})", "depth.func",
+         "must be one of never, less, equal, lequal, greater, notequal, gequal, always, got the text \"les\"; did you "
+         "mean less?"},
+        {R"({"depth": {"func": "LESS"}})", "depth.func", "must be one of never, less"},
+        {R"({"depth": {"format": "d13"}})", "depth.format", "did you mean d10?"},
+        {R"({"camera": {"navigation": "swim"}})", "camera.navigation", "must be one of fly, walk, orbit"},
+        {R"({"camera": {"navigation": 1}})", "camera.navigation", "got the number 1"},
+        {R"({"ui": {"theme": "projektor"}})", "ui.theme", "did you mean projector?"},
+        {R"({"lights": [{"positoin": [0,1,0,0]}]})", "lights[0].positoin", "did you mean position?"},
+        {R"({"planes": [{"normal": [0,1,0]}]})", "planes[0].normal",
+         "allowed here: equation, extent, receives_shadow, mirrors"},
+        {R"({"follow": {"object": "a", "index": 1}})", "follow.index", "allowed here: object, vertex"},
+    });
+}
+
+TEST(BadStates, WrongTypes) {
+    expect_all_refused({
+        {R"({"version": "1"})", "version", "must be 1"},
+        {R"({"version": 2})", "version", "must be 1, the only one that this program reads, got the number 2"},
+        {R"({"title": 3})", "title", "must be a text"},
+        {R"({"about": []})", "about", "must be a text"},
+        {R"({"scene": 3})", "scene", "must be a scene's name"},
+        {R"({"scene": ""})", "scene", "must not be empty"},
+        {R"({"scene": "a\u0000b"})", "scene", "control characters"},
+        {R"({"scene": ")" + repeated("a", 2000) + R"("})", "scene", "longer than 1024 bytes"},
+        {R"({"camera": []})", "camera", "must be an object, got an array"},
+        {R"({"camera": {"yaw": "30"}})", "camera.yaw", "must be a number from -3600 to 3600, got the text \"30\""},
+        {R"({"camera": {"yaw": null}})", "camera.yaw", "got null"},
+        {R"({"camera": {"position": [1, 2]}})", "camera.position", "three numbers"},
+        {R"({"camera": {"position": [1, 2, 3, 4]}})", "camera.position", "got an array of 4"},
+        {R"({"camera": {"position": [1, true, 3]}})", "camera.position[1]", "must be a number"},
+        {R"({"camera": {"position": {"x": 1}}})", "camera.position", "got an object"},
+        {R"({"depth": {"test": 1}})", "depth.test", "must be true or false, got the number 1"},
+        {R"({"depth": {"test": "true"}})", "depth.test", "must be true or false"},
+        {R"({"light": {"position": [1, 2, 3]}})", "light.position", "four numbers [x, y, z, w]"},
+        {R"({"lights": {}})", "lights", "an array of at most 3 lights"},
+        {R"({"lights": [3]})", "lights[0]", "must be a light"},
+        {R"({"planes": [[0, 1, 0, 0]]})", "planes[0]", "must be a plane"},
+        {R"({"shadow": {"color": "red"}})", "shadow.color", "must be a colour \"#rrggbb\""},
+        {R"({"shadow": {"color": "#12345"}})", "shadow.color", "#rrggbb"},
+        {R"({"shadow": {"color": "#1234567"}})", "shadow.color", "#rrggbb"},
+        {R"({"shadow": {"color": "#12345g"}})", "shadow.color", "#rrggbb"},
+        {R"({"shadow": {"color": "#-12345"}})", "shadow.color", "#rrggbb"},
+        {R"({"reflection": {"bounces": 1.5}})", "reflection.bounces", "must be a whole number from 0 to 16"},
+        {R"({"overrides": {"shadow_from_world": []}})", "overrides.shadow_from_world", "4 rows of 4 numbers"},
+        {R"({"overrides": {"shadow_from_world": [[1,0,0,0],[0,1,0],[0,0,1,0],[0,0,0,1]]}})",
+         "overrides.shadow_from_world[1]", "a row of 4 numbers"},
+        {R"({"overrides": {"mirror_from_world": [[1,0,0,0],[0,1,0,"x"],[0,0,1,0],[0,0,0,1]]}})",
+         "overrides.mirror_from_world[1][3]", "must be a number"},
+        {R"({"follow": "box"})", "follow", "must be null or"},
+        {R"({"follow": {}})", "follow.object", "is missing"},
+        {R"({"follow": {"object": "box", "vertex": -1}})", "follow.vertex", "whole number from 0"},
+        {R"({"follow": {"object": "box", "vertex": 0.5}})", "follow.vertex", "whole number"},
+    });
+}
+
+TEST(BadStates, OutOfRange) {
+    expect_all_refused({
+        {R"({"projection": {"near": 0}})", "projection.near", "must be a number from 1e-6 to 1e6, got the number 0"},
+        {R"({"projection": {"near": -1}})", "projection.near", "from 1e-6 to 1e6"},
+        {R"({"projection": {"near": 40}})", "projection.near", "must be less than projection.far (40), got 40"},
+        {R"({"projection": {"far": 0.25}})", "projection.near", "must be less than projection.far (0.25), got 0.5"},
+        {R"({"projection": {"fovy": 180}})", "projection.fovy", "from 1 to 179"},
+        {R"({"projection": {"far": 1e13}})", "projection.far", "got the number 1e13"},
+        {R"({"projection": {"far": 1e999}})", "projection.far", "the number 1e999 is too large"},
+        {R"({"camera": {"position": [1, 2, 1e400]}})", "camera.position[2]", "too large"},
+        {R"({"camera": {"position": [1, 2e6, 3]}})", "camera.position[1]", "from -1e6 to 1e6"},
+        {R"({"camera": {"yaw": 123456789012345678901234567890}})", "camera.yaw", "got the number 1.2345"},
+        {R"({"shadow": {"opacity": 1.01}})", "shadow.opacity", "from 0 to 1"},
+        {R"({"reflection": {"bounces": 17}})", "reflection.bounces", "from 0 to 16"},
+        {R"({"visibility": {"step": -2}})", "visibility.step", "from -1"},
+        {R"({"view": {"samples": 2}})", "view.samples", "must be 0 or 4, got the number 2"},
+        {R"({"view": {"samples": 8}})", "view.samples", "must be 0 or 4, got the number 8"},
+        {R"({"ui": {"scale": 0}})", "ui.scale", "from 0.5 to 4"},
+        {R"({"observer": {"distance": 0}})", "observer.distance", "from 0.001"},
+        {R"({"light": {"position": [0, 0, 0, 0]}})", "light.position", "must not be zero"},
+        {R"({"light": {"position": [1, 2, 3, 2]}})", "light.position[3]", "from 0 to 1"},
+        {R"({"lights": [{"position": [0, 1, 0, 1]}, {"position": [0, 0, 0, 0]}]})", "lights[1].position", "zero"},
+        {R"({"lights": [{}, {}, {}, {}]})", "lights", "at most 3"},
+        {R"({"plane": {"equation": [0, 0, 0, 1]}})", "plane.equation", "normal (a, b, c) must not be zero"},
+        {R"({"plane": {"equation": [1e-200, 0, 0, 1]}})", "plane.equation", "must not be zero"},
+        {R"({"plane": {"extent": -4}})", "plane.extent", "from 0.001 to 10000"},
+        {R"({"planes": [{}, {"equation": [0, 0, 0, 0]}]})", "planes[1].equation", "must not be zero"},
+        {R"({"planes": [{}, {}, {}, {}, {}, {}, {}, {}]})", "planes", "at most 7"},
+        {R"({"planes": [{"extent": 0}]})", "planes[0].extent", "from 0.001"},
+        {R"({"overrides": {"shadow_from_world": [[1e13,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}})",
+         "overrides.shadow_from_world[0][0]", "from -1e12 to 1e12"},
+    });
+}
+
+TEST(BadStates, Objects) {
+    expect_all_refused({
+        {R"({"scene": {}})", "scene.objects", "is missing"},
+        {R"({"scene": {"objects": {}}})", "scene.objects", "an array of at most 10000 objects"},
+        {R"({"scene": {"objects": [], "title": "t"}})", "scene.title", "no such field"},
+        {R"({"scene": {"objects": ["box"]}})", "scene.objects[0]", "must be an object"},
+        {R"({"scene": {"objects": [{"shape": "box"}]}})", "scene.objects[0].name", "is missing"},
+        {R"({"scene": {"objects": [{"name": "", "shape": "box"}]}})", "scene.objects[0].name", "must not be empty"},
+        {R"({"scene": {"objects": [{"name": "a"}]}})", "scene.objects[0].shape", "one of box, sphere"},
+        {R"({"scene": {"objects": [{"name": "a", "shape": "box"}, {"name": "a", "shape": "box"}]}})",
+         "scene.objects[1].name", "called \"a\" already"},
+        {box(R"("shape": "cube")"), "scene.objects[1].shape", "must be one of box, sphere, torus"},
+        {box(R"("shape": "spere")"), "scene.objects[1].shape", "did you mean sphere?"},
+        {box(R"("shape": "box", "colour": "#ffffff")"), "scene.objects[1].colour", "did you mean color?"},
+        {box(R"("shape": "box", "scale": [1, 0, 1])"), "scene.objects[1].scale[1]", "must be other than 0"},
+        {box(R"("shape": "box", "scale": 2)"), "scene.objects[1].scale", "three factors"},
+        {box(R"("shape": "box", "scale": [1, 1e-300, 1])"), "scene.objects[1].scale[1]", "at least 1e-6"},
+        {box(R"("shape": "box", "scale": [1, 1e7, 1])"), "scene.objects[1].scale[1]", "from -1e6 to 1e6"},
+        {box(R"("shape": "box", "position": [1, 2])"), "scene.objects[1].position", "three numbers"},
+        {box(R"("shape": "box", "rotation": [0, 0, 4000])"), "scene.objects[1].rotation[2]", "from -3600 to 3600"},
+        {box(R"("shape": "box", "color": 7)"), "scene.objects[1].color", "#rrggbb"},
+        {box(R"("shape": "box", "file": "a.obj")"), "scene.objects[1].file", "belongs to the shape mesh"},
+        {box(R"("shape": "box", "vertices": [[0,0,0],[1,0,0],[0,1,0]])"), "scene.objects[1].vertices",
+         "belongs to the shape triangle"},
+        {box(R"("shape": "box", "resolution": 4)"), "scene.objects[1].resolution", "belongs to the shape teapot"},
+        {box(R"("shape": "teapot", "resolution": 0)"), "scene.objects[1].resolution", "from 1 to 64"},
+        {box(R"("shape": "mesh")"), "scene.objects[1].file", "is missing"},
+        {box(R"("shape": "mesh", "file": "")"), "scene.objects[1].file", "must not be empty"},
+        {box(R"("shape": "triangle")"), "scene.objects[1].vertices", "is missing"},
+        {box(R"("shape": "triangle", "vertices": [[0,0,0],[1,0,0]])"), "scene.objects[1].vertices", "three vertices"},
+        {box(R"("shape": "triangle", "vertices": [[0,0,0],[1,0,0],[2,0]])"), "scene.objects[1].vertices[2]",
+         "a vertex [x, y, z]"},
+        {box(R"("shape": "triangle", "vertices": [[0,0,0],[1,1,1],[2,2,2]])"), "scene.objects[1].vertices", "no area"},
+        {box(R"("shape": "triangle", "vertices": [[5,5,5],[5,5,5],[5,5,5]])"), "scene.objects[1].vertices", "no area"},
+        {box(R"("shape": "triangle", "vertices": [[1e6,0,0],[999999.999,0,0],[1e6,0.5,0]])"),
+         "scene.objects[1].vertices", "no area"},
+    });
+}
+
+TEST(BadScenes, NameTheirFile) {
+    for (const Bad& bad : std::vector<Bad>{
+             {R"({"objects": [{"name": "a", "shape": "box", "scale": [1, 1, 0]}]})", "objects[0].scale[2]",
+              "other than 0"},
+             {R"({"object": []})", "object", "did you mean objects?"},
+             {R"({"title": 1, "objects": []})", "title", "must be a text"},
+             {"[]", "", "must be an object"},
+         }) {
+        const Result<SceneDescription> scene = parse_scene(bad.json, "room.json");
+        ASSERT_FALSE(scene);
+        expect_refused(bad, scene.error(), "room.json");
+    }
+    std::string many = R"({"objects": [{"name": "0", "shape": "box"})";
+    for (int i = 1; i <= 10'000; ++i) {
+        many += R"(,{"name": ")" + std::to_string(i) + R"(", "shape": "box"})";
+    }
+    const Result<SceneDescription> scene = parse_scene(many + "]}", "room.json");
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error(), "room.json: objects: must be an array of at most 10000 objects, got an array of 10001");
+}
+
+TEST(BadStates, MessagesStayShort) {
+    const std::string long_key = repeated("ключ\\n", 5000);
+    const Result<Params> params = parse_state("{\"" + long_key + "\": 1}", "state.json");
+    ASSERT_FALSE(params);
+    EXPECT_LT(params.error().size(), 600U);
+    EXPECT_EQ(params.error().find('\n'), std::string::npos);
+    const Result<Params> value = parse_state(R"({"ui": {"theme": ")" + repeated("x", 100'000) + R"("}})", "state.json");
+    ASSERT_FALSE(value);
+    EXPECT_LT(value.error().size(), 300U);
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,293 @@
+// The list of fields against the contract, written out here by hand.
+#include "state/fields.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "random_params.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::string_view contract_paths[] = {
+    "version",
+    "scene",
+    "camera.position",
+    "camera.yaw",
+    "camera.pitch",
+    "camera.roll",
+    "camera.target",
+    "camera.navigation",
+    "projection.type",
+    "projection.fovy",
+    "projection.height",
+    "projection.near",
+    "projection.far",
+    "depth.test",
+    "depth.func",
+    "depth.write",
+    "depth.clear",
+    "depth.format",
+    "depth.mapping",
+    "depth.offset.factor",
+    "depth.offset.units",
+    "cull.enabled",
+    "cull.face",
+    "cull.front_face",
+    "light.position",
+    "lights",
+    "plane.equation",
+    "plane.extent",
+    "planes",
+    "shadow.enabled",
+    "shadow.color",
+    "shadow.opacity",
+    "shadow.stencil_once",
+    "shadow.clip_to_receiver",
+    "shadow.clip_casters",
+    "shadow.offset",
+    "shadow.offset_factor",
+    "shadow.offset_units",
+    "shadow.lift",
+    "shadow.style",
+    "reflection.enabled",
+    "reflection.reflectance",
+    "reflection.stencil",
+    "reflection.clip",
+    "reflection.flip_winding",
+    "reflection.reflect_light",
+    "reflection.bounces",
+    "overrides.shadow_from_world",
+    "overrides.mirror_from_world",
+    "follow",
+    "visibility.method",
+    "visibility.step",
+    "visibility.sort_key",
+    "visibility.splitter",
+    "view.shows",
+    "view.depth_scale",
+    "view.samples",
+    "observer.target",
+    "observer.yaw",
+    "observer.pitch",
+    "observer.distance",
+    "slips.walk_slows",
+    "slips.creeping_roll",
+    "slips.pole_flip",
+    "slips.swapped_order",
+    "slips.camera_as_view",
+    "ui.theme",
+    "ui.scale",
+};
+
+std::vector<std::string> names(std::string_view path) {
+    Params params;
+    const auto choice = std::get<EnumRef>(field(path).in(params));
+    return {choice.names.begin(), choice.names.end()};
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Fields, AreThoseOfTheContractInItsOrder) {
+    ASSERT_EQ(fields().size(), std::size(contract_paths));
+    for (std::size_t i = 0; i < fields().size(); ++i) {
+        EXPECT_EQ(fields()[i].path, contract_paths[i]);
+    }
+}
+
+TEST(Fields, EnumsHaveTheContractsNames) {
+    EXPECT_EQ(names("camera.navigation"), (Names{"fly", "walk", "orbit"}));
+    EXPECT_EQ(names("projection.type"), (Names{"perspective", "orthographic"}));
+    EXPECT_EQ(names("depth.func"),
+              (Names{"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"}));
+    EXPECT_EQ(names("depth.format"),
+              (Names{"d4", "d5", "d6", "d7", "d8", "d9", "d10", "d11", "d12", "d16", "d24", "d32f"}));
+    EXPECT_EQ(names("depth.mapping"), (Names{"standard", "reversed", "logarithmic"}));
+    EXPECT_EQ(names("cull.face"), (Names{"front", "back", "front_and_back"}));
+    EXPECT_EQ(names("cull.front_face"), (Names{"ccw", "cw"}));
+    EXPECT_EQ(names("shadow.offset"), (Names{"none", "polygon_offset", "lift", "no_depth_test"}));
+    EXPECT_EQ(names("shadow.style"), (Names{"blend", "missing_light"}));
+    EXPECT_EQ(names("reflection.clip"), (Names{"none", "clip_distance", "oblique"}));
+    EXPECT_EQ(names("visibility.method"),
+              (Names{"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}));
+    EXPECT_EQ(names("visibility.sort_key"), (Names{"nearest", "farthest", "centroid"}));
+    EXPECT_EQ(names("visibility.splitter"), (Names{"first", "random", "fewest_splits", "balanced"}));
+    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw"}));
+    EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
+    EXPECT_EQ(names("ui.theme"), (Names{"dark", "light", "projector"}));
+}
+
+TEST(Fields, NamesMatchTheirEnumerators) {
+    EXPECT_EQ(name_of(CompareFunc::always), "always");
+    EXPECT_EQ(name_of(DepthFormat::d32f), "d32f");
+    EXPECT_EQ(name_of(CullFace::front_and_back), "front_and_back");
+    EXPECT_EQ(name_of(VisibilityMethod::ray_cast), "ray_cast");
+    EXPECT_EQ(name_of(Splitter::balanced), "balanced");
+    EXPECT_EQ(name_of(DepthMapping::logarithmic), "logarithmic");
+    EXPECT_EQ(name_of(Shows::overdraw), "overdraw");
+    EXPECT_EQ(name_of(ShapeKind::mesh), "mesh");
+    EXPECT_EQ(name_of(ShapeKind::torus), "torus");
+}
+
+TEST(Fields, EveryFieldReachesAMemberOfItsOwn) {
+    Params params;
+    std::set<const void*> addresses;
+    for (const Field& field : fields()) {
+        const FieldRef ref = field.in(params);
+        const void* address = std::visit(
+            [](auto value) -> const void* {
+                if constexpr (std::is_same_v<decltype(value), EnumRef>) {
+                    return value.value;
+                } else {
+                    return value;
+                }
+            },
+            ref);
+        EXPECT_TRUE(addresses.insert(address).second) << field.path << " names the same member as another field";
+        EXPECT_GE(static_cast<const char*>(address), reinterpret_cast<const char*>(&params)) << field.path;
+        EXPECT_LT(static_cast<const char*>(address), reinterpret_cast<const char*>(&params + 1)) << field.path;
+    }
+}
+
+// A change that the list cannot reach would survive this: every field is copied from a random state, one by one.
+TEST(Fields, TogetherMakeUpAllOfParams) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Params random = testing::RandomParams(seed).make();
+        Params copy;
+        for (const Field& field : fields()) {
+            const FieldRef to = field.in(copy);
+            const FieldRef from = field.in(random);
+            ASSERT_EQ(to.index(), from.index());
+            std::visit(
+                [&](auto target) {
+                    const auto source = std::get<decltype(target)>(from);
+                    if constexpr (std::is_same_v<decltype(target), EnumRef>) {
+                        target.set(source.index());
+                    } else {
+                        *target = *source;
+                    }
+                },
+                to);
+        }
+        EXPECT_EQ(copy, random);
+    }
+}
+
+TEST(Fields, DefaultsAreWithinTheRanges) {
+    Params params;
+    Params clamped = params;
+    clamp_to_ranges(clamped);
+    EXPECT_EQ(clamped, params);
+}
+
+TEST(Fields, AreDescribed) {
+    for (const Field& field : fields()) {
+        EXPECT_FALSE(field.label.empty()) << field.path;
+        EXPECT_GT(field.help.size(), 20U) << field.path;
+        EXPECT_TRUE(field.help.ends_with(".")) << field.path;
+        EXPECT_LE(field.min, field.max) << field.path;
+        EXPECT_GT(field.step, 0.0) << field.path;
+        EXPECT_GE(field.min, -1e12) << field.path;
+        EXPECT_LE(field.max, 1e12) << field.path;
+        EXPECT_FALSE(allowed_text(field).empty()) << field.path;
+        if (field.logarithmic) {
+            EXPECT_GT(field.min, 0.0) << field.path;
+        }
+    }
+    EXPECT_EQ(field("projection.near").label, "z-near");
+    EXPECT_EQ(field("projection.far").label, "z-far");
+    EXPECT_EQ(field("depth.test").gl_call, "glEnable(GL_DEPTH_TEST)");
+    EXPECT_EQ(field("cull.enabled").gl_call, "glEnable(GL_CULL_FACE)");
+    EXPECT_EQ(field("depth.func").gl_call, "glDepthFunc");
+    EXPECT_EQ(find_field("projection.naer"), nullptr);
+}
+
+TEST(Fields, RangesAllowWhatTheLectureAsksFor) {
+    EXPECT_LE(field("projection.near").min, 0.001);
+    EXPECT_GE(field("projection.far").max, 1e9);
+    EXPECT_EQ(field("projection.fovy").min, 1.0);
+    EXPECT_EQ(field("projection.fovy").max, 179.0);
+    EXPECT_EQ(component_range(field("light.position"), 3).min, 0.0);
+    EXPECT_EQ(component_range(field("light.position"), 3).max, 1.0);
+    EXPECT_EQ(component_range(field("light.position"), 0).max, 1e6);
+    EXPECT_EQ(component_range(field("plane.equation"), 3).max, 1e6);
+}
+
+TEST(Clamp, PutsNumbersBackIntoTheirRanges) {
+    Params params;
+    params.projection.fovy = 400.0;
+    params.projection.near = -3.0;
+    params.shadow.opacity = 1.5;
+    params.reflection.bounces = 99;
+    params.view.samples = 3;
+    params.visibility.step = -7;
+    params.light.position = {1e9, 2.0, 3.0, 4.0};
+    params.observer.pitch = -120.0;
+    params.camera.position.x = std::nan("");
+    params.projection.height = INFINITY;
+    clamp_to_ranges(params);
+    EXPECT_EQ(params.projection.fovy, 179.0);
+    EXPECT_EQ(params.projection.near, 1e-6);
+    EXPECT_EQ(params.shadow.opacity, 1.0);
+    EXPECT_EQ(params.reflection.bounces, 16);
+    EXPECT_EQ(params.view.samples, 4);
+    EXPECT_EQ(params.visibility.step, -1);
+    EXPECT_EQ(params.light.position, glm::dvec4(1e6, 2.0, 3.0, 1.0));
+    EXPECT_EQ(params.observer.pitch, -90.0);
+    EXPECT_EQ(params.camera.position.x, 3.9);
+    EXPECT_EQ(params.projection.height, 1e4);
+}
+
+TEST(Clamp, WrapsAnglesByWholeTurns) {
+    Params params;
+    params.camera.yaw = 3600.0 * 3.0 + 10.0;
+    params.camera.roll = -3605.0;
+    params.camera.pitch = 190.0;
+    params.observer.yaw = 725.0;  // within ten turns: left as it is
+    clamp_to_ranges(params);
+    EXPECT_EQ(params.camera.yaw, 10.0);
+    EXPECT_EQ(params.camera.roll, -5.0);
+    EXPECT_EQ(params.camera.pitch, -170.0);
+    EXPECT_EQ(params.observer.yaw, 725.0);
+}
+
+TEST(Clamp, MendsWhatBelongsTogether) {
+    Params params;
+    params.projection.near = 50.0;
+    params.plane.equation = {0.0, 0.0, 0.0, 3.0};
+    params.light.position = glm::dvec4(0.0);
+    params.lights.resize(9, LightParams{glm::dvec4(0.0)});
+    params.planes.resize(9, FurtherPlane{glm::dvec4(0.0), -1.0, true, true});
+    params.overrides.shadow_from_world = glm::dmat4(std::nan(""));
+    params.follow = Follow{"box", -3};
+    clamp_to_ranges(params);
+    EXPECT_LT(params.projection.near, params.projection.far);
+    EXPECT_EQ(params.projection.near, 50.0);
+    EXPECT_EQ(params.plane.equation, glm::dvec4(0.0, 1.0, 0.0, 3.0));
+    EXPECT_EQ(params.light.position, glm::dvec4(0.0, 1.0, 0.0, 0.0));
+    EXPECT_EQ(params.lights.size(), 3U);
+    EXPECT_EQ(params.planes.size(), 7U);
+    EXPECT_EQ(params.planes[6].extent, 1e-3);
+    EXPECT_EQ((*params.overrides.shadow_from_world)[0][0], 0.0);
+    EXPECT_EQ(params.follow->vertex, 0);
+}
+
+// The nearest that near and far can be pushed: the mend must hold at both ends of their ranges.
+TEST(Clamp, KeepsNearBelowFarAtTheEnds) {
+    for (const double near : {1e-9, 1e-6, 1e-5, 1.0, 1e6, 1e12}) {
+        for (const double far : {0.0, 1e-6, 1e-5, 1e6, 1e9, 1e12}) {
+            Params params;
+            params.projection.near = near;
+            params.projection.far = far;
+            clamp_to_ranges(params);
+            EXPECT_LT(params.projection.near, params.projection.far) << near << " " << far;
+            EXPECT_LE(params.projection.far, 1e9);
+            EXPECT_GE(params.projection.near, 1e-6);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,259 @@
+// State files out and in: defaults, order, exactness, scenes, the `params` command.
+#include "state/json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "random_params.h"
+
+namespace viewing {
+namespace {
+
+Params read(const std::string& json) {
+    Result<Params> params = parse_state(json, "test.json");
+    EXPECT_TRUE(params) << params.error();
+    return params ? *params : Params{};
+}
+
+TEST(State, EmptyObjectIsTheDefaults) {
+    EXPECT_EQ(read("{}"), Params{});
+    EXPECT_EQ(read("\xEF\xBB\xBF {}\n"), Params{}) << "a byte order mark is no reason to refuse";
+}
+
+TEST(State, ReadsEveryKindOfField) {
+    const Params params = read(R"({
+        "version": 1, "title": "a title", "about": "about it",
+        "scene": "teapot",
+        "camera": {"position": [1, 2.5, -3e2], "navigation": "walk"},
+        "projection": {"type": "orthographic", "near": 0.001, "far": 1e9},
+        "depth": {"test": false, "func": "notequal", "format": "d16", "offset": {"units": -2}},
+        "light": {"position": [1, 2, 3, 0.5]}, "lights": [{"position": [0, 1, 0, 0]}],
+        "planes": [{"equation": [0, 0, 2, 1], "mirrors": false}],
+        "shadow": {"color": "#0A0b0C"}, "reflection": {"bounces": 2.0},
+        "overrides": {"mirror_from_world": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]]},
+        "follow": {"object": "box", "vertex": 3}, "view": {"samples": 0}
+    })");
+    EXPECT_EQ(std::get<std::string>(params.scene), "teapot");
+    EXPECT_EQ(params.camera.position, glm::dvec3(1, 2.5, -300));
+    EXPECT_EQ(params.camera.navigation, Navigation::walk);
+    EXPECT_EQ(params.camera.yaw, 30.6) << "left-out fields keep their defaults";
+    EXPECT_EQ(params.projection.type, ProjectionType::orthographic);
+    EXPECT_EQ(params.projection.far, 1e9);
+    EXPECT_FALSE(params.depth.test);
+    EXPECT_EQ(params.depth.func, CompareFunc::notequal);
+    EXPECT_EQ(params.depth.format, DepthFormat::d16);
+    EXPECT_EQ(params.depth.offset.units, -2.0);
+    ASSERT_EQ(params.lights.size(), 1U);
+    EXPECT_EQ(params.lights[0].position, glm::dvec4(0, 1, 0, 0));
+    ASSERT_EQ(params.planes.size(), 1U);
+    EXPECT_EQ(params.planes[0].equation, glm::dvec4(0, 0, 2, 1));
+    EXPECT_EQ(params.planes[0].extent, 4.0);
+    EXPECT_TRUE(params.planes[0].receives_shadow);
+    EXPECT_FALSE(params.planes[0].mirrors);
+    EXPECT_EQ(params.shadow.color, (Color{10, 11, 12}));
+    EXPECT_EQ(params.reflection.bounces, 2);
+    ASSERT_TRUE(params.overrides.mirror_from_world);
+    EXPECT_EQ((*params.overrides.mirror_from_world)[3][0], 4.0) << "rows in the file, columns in GLM";
+    EXPECT_EQ((*params.overrides.mirror_from_world)[0][3], 13.0);
+    EXPECT_FALSE(params.overrides.shadow_from_world);
+    EXPECT_EQ(params.follow, (Follow{"box", 3}));
+    EXPECT_EQ(params.view.samples, 0);
+}
+
+TEST(State, WritesTheContractsFileForTheDefaults) {
+    EXPECT_EQ(write_state(Params{}), R"({
+  "version": 1,
+  "scene": "torus-and-boxes",
+  "camera": {
+    "position": [3.9, 3, 6.6],
+    "yaw": 30.6,
+    "pitch": -16.4,
+    "roll": 0,
+    "target": [0, 0.75, 0],
+    "navigation": "fly"
+  },
+  "projection": {
+    "type": "perspective",
+    "fovy": 40,
+    "height": 6,
+    "near": 0.5,
+    "far": 40
+  },
+  "depth": {
+    "test": true,
+    "func": "less",
+    "write": true,
+    "clear": true,
+    "format": "d24",
+    "mapping": "standard",
+    "offset": {
+      "factor": 0,
+      "units": 0
+    }
+  },
+  "cull": {
+    "enabled": false,
+    "face": "back",
+    "front_face": "ccw"
+  },
+  "light": {
+    "position": [2.6, 5.2, 2.2, 1]
+  },
+  "lights": [],
+  "plane": {
+    "equation": [0, 1, 0, 0],
+    "extent": 4
+  },
+  "planes": [],
+  "shadow": {
+    "enabled": true,
+    "color": "#000000",
+    "opacity": 0.5,
+    "stencil_once": true,
+    "clip_to_receiver": true,
+    "clip_casters": true,
+    "offset": "polygon_offset",
+    "offset_factor": -1,
+    "offset_units": -1,
+    "lift": 0.01,
+    "style": "blend"
+  },
+  "reflection": {
+    "enabled": true,
+    "reflectance": 0.3,
+    "stencil": true,
+    "clip": "clip_distance",
+    "flip_winding": true,
+    "reflect_light": true,
+    "bounces": 1
+  },
+  "overrides": {
+    "shadow_from_world": null,
+    "mirror_from_world": null
+  },
+  "follow": null,
+  "visibility": {
+    "method": "depth_buffer",
+    "step": -1,
+    "sort_key": "farthest",
+    "splitter": "fewest_splits"
+  },
+  "view": {
+    "shows": "color",
+    "depth_scale": "linear",
+    "samples": 4
+  },
+  "observer": {
+    "target": [0, 1, 1],
+    "yaw": -38,
+    "pitch": -30,
+    "distance": 16
+  },
+  "slips": {
+    "walk_slows": false,
+    "creeping_roll": false,
+    "pole_flip": false,
+    "swapped_order": false,
+    "camera_as_view": false
+  },
+  "ui": {
+    "theme": "dark",
+    "scale": 1
+  }
+}
+)");
+}
+
+TEST(State, RandomStatesComeBackExactly) {
+    constexpr unsigned first_seed = 20'200'000;
+    for (unsigned seed = first_seed; seed < first_seed + 200; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Params params = testing::RandomParams(seed).make();
+        const std::string written = write_state(params);
+        const Result<Params> back = parse_state(written, "written");
+        ASSERT_TRUE(back) << back.error();
+        ASSERT_EQ(*back, params) << written;
+        ASSERT_EQ(write_state(*back), written);
+        Params clamped = params;
+        clamp_to_ranges(clamped);
+        ASSERT_EQ(clamped, params) << "clamping must leave a valid state alone";
+    }
+}
+
+// What clamp_to_ranges lets pass, the reader must accept: the panel may write it.
+TEST(State, WhateverTheClampLeavesIsAccepted) {
+    std::mt19937 random(7);
+    const double wild[] = {-1e300, -1e12, -1e6, -4000, -180, -1, -1e-12, 0, 1e-12, 1e-7, 1, 91, 3601, 1e6, 1e13, 1e300};
+    const auto pick = [&] { return wild[random() % std::size(wild)]; };
+    for (int round = 0; round < 200; ++round) {
+        Params params;
+        for (const Field& field : fields()) {
+            const FieldRef ref = field.in(params);
+            if (const auto* value = std::get_if<double*>(&ref)) {
+                **value = pick();
+            } else if (const auto* vec3 = std::get_if<glm::dvec3*>(&ref)) {
+                **vec3 = {pick(), pick(), pick()};
+            } else if (const auto* vec4 = std::get_if<glm::dvec4*>(&ref)) {
+                **vec4 = {pick(), pick(), pick(), pick()};
+            }
+        }
+        params.lights.resize(random() % 6, {glm::dvec4(pick(), pick(), pick(), pick())});
+        params.planes.resize(random() % 9, {glm::dvec4(pick(), pick(), pick(), pick()), pick(), true, false});
+        params.reflection.bounces = static_cast<int>(random());
+        params.view.samples = static_cast<int>(random() % 9);
+        clamp_to_ranges(params);
+        const Result<Params> back = parse_state(write_state(params), "clamped");
+        ASSERT_TRUE(back) << "round " << round << ": " << back.error();
+        ASSERT_EQ(*back, params);
+    }
+}
+
+TEST(Scene, ComesBackAsItWas) {
+    const Result<SceneDescription> scene = parse_scene(R"({"title": "T", "objects": [
+        {"name": "a", "shape": "teapot", "resolution": 3, "color": "#a0B0c0"},
+        {"name": "b", "shape": "mesh", "file": "x.obj", "decal": true, "rotation": [10, 20, 30]},
+        {"name": "c", "shape": "triangle", "vertices": [[0,0,0],[1,0,0],[0,1,0]], "scale": [1, -2, 1]}]})",
+                                                       "s.json");
+    ASSERT_TRUE(scene) << scene.error();
+    ASSERT_EQ(scene->objects.size(), 3U);
+    EXPECT_EQ(scene->objects[0].resolution, 3);
+    EXPECT_EQ(scene->objects[1].rotation, (Angles{10, 20, 30}));
+    EXPECT_TRUE(scene->objects[1].decal);
+    EXPECT_EQ(scene->objects[2].scale.y, -2.0);
+    const Result<SceneDescription> again = parse_scene(write_scene(*scene), "again");
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(*again, *scene);
+}
+
+TEST(Scene, IsWrittenAsItWasGiven) {
+    EXPECT_NE(write_state(read(R"({"scene": "my/room.json"})")).find(R"("scene": "my/room.json")"), std::string::npos);
+    const std::string inline_scene = write_state(read(R"({"scene": {"objects": [{"name": "b", "shape": "box"}]}})"));
+    EXPECT_NE(inline_scene.find(R"("name": "b")"), std::string::npos);
+    EXPECT_NE(inline_scene.find(R"("scale": [1, 1, 1])"), std::string::npos);
+}
+
+TEST(ParamsCommand, ListsEveryField) {
+    const nlohmann::json list = nlohmann::json::parse(params_as_json());
+    ASSERT_EQ(list.size(), fields().size());
+    const std::string text = params_as_text();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        EXPECT_EQ(list[i]["path"], fields()[i].path);
+        for (const char* key : {"type", "unit", "default", "allowed", "help", "label"}) {
+            EXPECT_TRUE(list[i].contains(key)) << fields()[i].path << " " << key;
+        }
+        EXPECT_NE(text.find("\n" + std::string(fields()[i].path) + " "), i == 0 ? 0 : std::string::npos);
+    }
+    const auto near = std::ranges::find_if(list, [](const auto& entry) { return entry["path"] == "projection.near"; });
+    EXPECT_EQ((*near)["type"], "number");
+    EXPECT_EQ((*near)["min"], 1e-6);
+    EXPECT_EQ((*near)["default"], 0.5);
+    EXPECT_EQ((*near)["unit"], "world units");
+    const auto func = std::ranges::find_if(list, [](const auto& entry) { return entry["path"] == "depth.func"; });
+    EXPECT_EQ((*func)["values"].size(), 8U);
+    EXPECT_FALSE(func->contains("min"));
+}
+
+}  // namespace
+}  // namespace viewing

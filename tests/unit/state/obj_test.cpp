@@ -1,0 +1,230 @@
+// Wavefront OBJ files, good and broken.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "scratch_folder.h"
+#include "state/scene.h"
+
+namespace viewing {
+namespace {
+
+class Obj : public testing::ScratchFolder {
+protected:
+    Mesh load(const std::string& content) const {
+        Result<Mesh> mesh = load_obj(write("m.obj", content));
+        EXPECT_TRUE(mesh) << mesh.error();
+        return mesh ? *mesh : Mesh{};
+    }
+
+    /// What the message says after the file's name.
+    std::string refusal(const std::string& content) const {
+        const std::filesystem::path file = write("broken.obj", content);
+        const Result<Mesh> mesh = load_obj(file);
+        EXPECT_FALSE(mesh) << content;
+        if (mesh) {
+            return "";
+        }
+        const std::string opening = file.string() + ": ";
+        EXPECT_EQ(mesh.error().substr(0, opening.size()), opening);
+        EXPECT_EQ(mesh.error().find('\n'), std::string::npos);
+        return mesh.error().substr(opening.size());
+    }
+};
+
+/// The area of all triangles, and the area as seen from +z (negative from behind).
+std::pair<double, double> areas(const Mesh& mesh) {
+    double area = 0.0;
+    double seen = 0.0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
+        const glm::dvec3 cross = glm::cross(glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
+                                            glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a);
+        area += glm::length(cross) / 2.0;
+        seen += cross.z / 2.0;
+    }
+    return {area, seen};
+}
+
+constexpr const char* square = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\n";
+
+TEST_F(Obj, QuadsBecomeTwoTriangles) {
+    const Mesh mesh = load(std::string(square) + "f 1 2 3 4\n");
+    EXPECT_EQ(mesh.triangle_count(), 2U);
+    EXPECT_EQ(mesh.positions.size(), 4U);
+    ASSERT_EQ(mesh.normals.size(), 4U);
+    EXPECT_NEAR(mesh.normals[0].z, 1.0, 1e-6) << "made, since the file has none";
+    const auto [area, seen] = areas(mesh);
+    EXPECT_NEAR(area, 4.0, 1e-6) << "side 4 was scaled to side 2";
+    EXPECT_NEAR(seen, 4.0, 1e-6);
+    const Bounds bounds = bounds_of(mesh);
+    EXPECT_NEAR(glm::length(bounds.center()), 0.0, 1e-6);
+    EXPECT_NEAR(bounds.size().x, 2.0, 1e-6);
+}
+
+// An L of six corners: area 3 of the 2 × 2 square around it. A fan would cover the notch.
+TEST_F(Obj, ConcavePolygonsAreCutRight) {
+    const std::string corners = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\n";
+    for (const char* face : {"f 1 2 3 4 5 6", "f 2 3 4 5 6 1", "f 3 4 5 6 1 2", "f 4 5 6 1 2 3", "f 5 6 1 2 3 4"}) {
+        const Mesh mesh = load(corners + face + "\n");
+        EXPECT_EQ(mesh.triangle_count(), 4U);
+        const auto [area, seen] = areas(mesh);
+        EXPECT_NEAR(area, 3.0, 1e-6) << face;
+        EXPECT_NEAR(seen, 3.0, 1e-6) << face;
+    }
+    const auto [area, seen] = areas(load(corners + "f 6 5 4 3 2 1\n"));
+    EXPECT_NEAR(area, 3.0, 1e-6);
+    EXPECT_NEAR(seen, -3.0, 1e-6) << "the winding stays";
+}
+
+TEST_F(Obj, BigPolygonsAreFilled) {
+    std::string content;
+    std::string face = "f";
+    constexpr int corners = 1000;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2.0 * 3.14159265358979 * i / corners;
+        content += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) + " 0\n";
+        face += " " + std::to_string(i + 1);
+    }
+    const Mesh mesh = load(content + face + "\n");
+    EXPECT_EQ(mesh.triangle_count(), 998U);
+    EXPECT_NEAR(areas(mesh).first, 3.14159, 1e-3);
+}
+
+TEST_F(Obj, NegativeIndicesCountFromTheEnd) {
+    const Mesh mesh = load("v 9 9 9\n" + std::string(square) + "f -4 -3 -2 -1\n");
+    EXPECT_EQ(mesh.triangle_count(), 2U);
+    EXPECT_EQ(mesh.positions.size(), 4U) << "an unused vertex counts for nothing";
+    EXPECT_NEAR(bounds_of(mesh).size().x, 2.0, 1e-6);
+}
+
+TEST_F(Obj, FacesMayComeBeforeTheirVertices) {
+    EXPECT_EQ(load("f 1 2 3\n" + std::string(square)).triangle_count(), 1U);
+}
+
+TEST_F(Obj, NormalsOfTheFileAreUsedWhereEveryCornerHasOne) {
+    const std::string normals = "vn 0 3 4\nvn 1 0 0\n";
+    const Mesh mesh = load(square + normals + "f 1//1 2//1 3//1\nf 1//1 3//2 4//1\n");
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+    EXPECT_EQ(mesh.positions.size(), 5U) << "corner 3 has two normals";
+    EXPECT_NEAR(mesh.normals[0].y, 0.6, 1e-6) << "scaled to length 1";
+    EXPECT_NEAR(mesh.normals[0].z, 0.8, 1e-6);
+    const Mesh partly = load(square + normals + "f 1//1 2//1 3//1\nf 1 3 4\n");
+    EXPECT_NEAR(partly.normals[0].z, 1.0, 1e-6) << "one corner without: all are made";
+    const Mesh zero = load(std::string(square) + "vn 0 0 0\nf 1//1 2//1 3//1\n");
+    EXPECT_NEAR(zero.normals[0].z, 1.0, 1e-6) << "a normal of length 0 is none";
+}
+
+TEST_F(Obj, ToleratesTexturesCommentsAndLineEndings) {
+    const Mesh mesh = load("# a comment\nmtllib nowhere.mtl\no thing\ng group\nusemtl red\ns off\nvt 0 0\nvt 1 0\n" +
+                           std::string("v 0 0 0 # first\r\nv 1 0 0 1.0\r\n\r\n  v 0 1e0 -0.5E-1\r\nl 1 2\np 1\n") +
+                           "\tf 1/1 2/2 3 # last");
+    EXPECT_EQ(mesh.triangle_count(), 1U);
+}
+
+TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
+    EXPECT_EQ(refusal(""), "not an OBJ file, or an empty one: it has no vertices and no faces");
+    EXPECT_EQ(refusal("hello\n"), "not an OBJ file, or an empty one: it has no vertices and no faces");
+    EXPECT_EQ(refusal(square), "has vertices but no faces");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 5\n"), "face 1 names vertex 5, but there are 4");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nf 1 2 -5\n"), "face 2 names vertex -5, which there is not");
+    EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "face 1 names vertex 0, which there is not");
+    EXPECT_EQ(refusal(std::string(square) + "f 1//1 2//1 3//1\n"), "face 1 names normal 1, but there are 0");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2\n"), "line 5: a face with fewer than three corners: f 1 2");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/\n"), "line 5: not a face: f 1 2 3/");
+    EXPECT_EQ(refusal(std::string(square) + "f a b c\n"), "line 5: not a face: f a b c");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 4294967297\n"), "line 5: not a face: f 1 2 4294967297");
+    EXPECT_EQ(refusal("v 0 0 nan\n"), "line 1: not three numbers: v 0 0 nan");
+    EXPECT_EQ(refusal("v 0 0 inf\n"), "line 1: not three numbers: v 0 0 inf");
+    EXPECT_EQ(refusal("v 0 0\n"), "line 1: not three numbers: v 0 0");
+    EXPECT_EQ(refusal("v 1-2 0 0\n"), "line 1: not three numbers: v 1-2 0 0");
+    EXPECT_EQ(refusal("v 1e 0 0\n"), "line 1: not three numbers: v 1e 0 0");
+    EXPECT_EQ(refusal("v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
+    EXPECT_EQ(refusal("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
+    EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with an area");
+    EXPECT_NE(refusal(std::string("\x7f"
+                                  "ELF\0\0\1\2",
+                                  8))
+                  .find("binary data"),
+              std::string::npos);
+    EXPECT_NE(refusal(std::string((1U << 20U) + 500'000, 'x')).find("a line longer than 1 MiB"), std::string::npos);
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nv 1 2"), "line 6: not three numbers: v 1 2") << "truncated";
+}
+
+TEST_F(Obj, WhatIsNoFileIsRefused) {
+    EXPECT_EQ(load_obj(folder_ / "none.obj").error(), (folder_ / "none.obj").string() + ": no such file");
+    EXPECT_EQ(load_obj(folder_).error(), folder_.string() + ": is a directory, not a file");
+    EXPECT_NE(load_obj("/dev/zero").error().find("is not a file"), std::string::npos);
+}
+
+/// A height field of side × side quads with normals.
+std::string height_field(int side) {
+    std::string content;
+    content.reserve(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 120);
+    for (int y = 0; y <= side; ++y) {
+        for (int x = 0; x <= side; ++x) {
+            content += "v " + std::to_string(x * 0.01) + " " + std::to_string(y * 0.01) + " " +
+                       std::to_string(0.1 * std::sin(x * 0.05)) + "\n";
+        }
+    }
+    content += "vn 0 0 1\n";
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            const int corner = y * (side + 1) + x + 1;
+            const std::string a = std::to_string(corner);
+            const std::string b = std::to_string(corner + 1);
+            const std::string c = std::to_string(corner + side + 2);
+            const std::string d = std::to_string(corner + side + 1);
+            content.append("f ").append(a).append("//1 ").append(b).append("//1 ").append(c).append("//1\nf ");
+            content.append(a).append("//1 ").append(c).append("//1 ").append(d).append("//1\n");
+        }
+    }
+    return content;
+}
+
+TEST_F(Obj, AMillionTrianglesLoadWithProgress) {
+    const std::filesystem::path file = write("big.obj", height_field(708));
+    LoadProgress progress;
+    const auto start = std::chrono::steady_clock::now();
+    const Result<Mesh> mesh = load_obj(file, &progress);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    ASSERT_TRUE(mesh) << mesh.error();
+    EXPECT_EQ(mesh->triangle_count(), 2U * 708 * 708);
+    EXPECT_EQ(mesh->positions.size(), 709U * 709);
+    EXPECT_EQ(progress.fraction, 1.0F);
+    RecordProperty("seconds", std::to_string(seconds.count()));
+    EXPECT_LT(seconds.count(), 30.0) << "a few seconds at most in a release build";
+}
+
+TEST_F(Obj, CanBeCancelled) {
+    const std::filesystem::path file = write("big.obj", height_field(300));
+    LoadProgress progress;
+    progress.cancelled = true;
+    EXPECT_EQ(load_obj(file, &progress).error(), file.string() + ": loading was cancelled");
+}
+
+TEST_F(Obj, ProgressOnlyGrows) {
+    const std::filesystem::path file = write("big.obj", height_field(300));
+    LoadProgress progress;
+    std::atomic<bool> done{false};
+    bool grows = true;
+    std::thread watcher([&] {
+        float last = 0.0F;
+        while (!done) {
+            const float now = progress.fraction;
+            grows = grows && now >= last && now <= 1.0F;
+            last = now;
+        }
+    });
+    const Result<Mesh> mesh = load_obj(file, &progress);
+    done = true;
+    watcher.join();
+    ASSERT_TRUE(mesh);
+    EXPECT_TRUE(grows);
+}
+
+}  // namespace
+}  // namespace viewing

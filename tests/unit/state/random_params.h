@@ -1,0 +1,134 @@
+// Random states within the ranges of the list of fields, for round trips.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "state/fields.h"
+
+namespace viewing::testing {
+
+class RandomParams {
+public:
+    explicit RandomParams(unsigned seed) : random_(seed) {}
+
+    Params make() {
+        Params params;
+        for (const Field& field : fields()) {
+            fill(field, params);
+        }
+        if (params.projection.near >= params.projection.far) {
+            params.projection.near = params.projection.far / 3.0;
+        }
+        return params;
+    }
+
+private:
+    double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    bool coin() { return whole(0, 1) == 1; }
+
+    double number(const Field& field, int component) {
+        const Range range = component_range(field, component);
+        const double value = field.logarithmic ? std::exp(uniform(std::log(range.min), std::log(range.max)))
+                                               : uniform(range.min, range.max);
+        // Round numbers and the ends of the range come up too.
+        const int kind = whole(0, 9);
+        return std::clamp(kind == 0   ? range.min
+                          : kind == 1 ? range.max
+                          : kind < 5  ? std::round(value)
+                                      : value,
+                          range.min, range.max);
+    }
+
+    template <typename Vector>
+    Vector vector(const Field& field) {
+        Vector result;
+        for (int i = 0; i < Vector::length(); ++i) {
+            result[i] = number(field, i);
+        }
+        return result;
+    }
+
+    ObjectDescription object(int index) {
+        ObjectDescription made;
+        made.name = "object \"" + std::to_string(index) + "\" äß – 그림자";
+        made.shape = static_cast<ShapeKind>(whole(0, static_cast<int>(names_of<ShapeKind>().size()) - 1));
+        made.position = {uniform(-10, 10), uniform(-1e6, 1e6), 0.1};
+        made.rotation = {uniform(-3600, 3600), uniform(-90, 90), 0.0};
+        made.scale = {uniform(0.1, 2), -uniform(0.1, 2), 1e-6};
+        made.color = {static_cast<std::uint8_t>(whole(0, 255)), static_cast<std::uint8_t>(whole(0, 255)), 7};
+        made.decal = coin();
+        if (made.shape == ShapeKind::triangle) {
+            made.vertices = {glm::dvec3(0, uniform(0, 1), 0), glm::dvec3(uniform(2, 3), 0, 0), glm::dvec3(0, 0, 4)};
+        } else if (made.shape == ShapeKind::mesh) {
+            made.file = "folder/bunny \\ 2.obj";
+        } else if (made.shape == ShapeKind::teapot) {
+            made.resolution = whole(1, 64);
+        }
+        return made;
+    }
+
+    void fill(const Field& field, Params& params) {
+        const FieldRef ref = field.in(params);
+        if (const auto* value = std::get_if<bool*>(&ref)) {
+            **value = coin();
+        } else if (const auto* value_int = std::get_if<int*>(&ref)) {
+            **value_int = field.path == "view.samples"
+                              ? 4 * whole(0, 1)
+                              : whole(static_cast<int>(field.min), static_cast<int>(field.max));
+        } else if (const auto* value_double = std::get_if<double*>(&ref)) {
+            **value_double = number(field, 0);
+        } else if (const auto* vec3 = std::get_if<glm::dvec3*>(&ref)) {
+            **vec3 = vector<glm::dvec3>(field);
+        } else if (const auto* vec4 = std::get_if<glm::dvec4*>(&ref)) {
+            **vec4 = vector<glm::dvec4>(field);
+        } else if (const auto* color = std::get_if<Color*>(&ref)) {
+            **color = {static_cast<std::uint8_t>(whole(0, 255)), static_cast<std::uint8_t>(whole(0, 255)),
+                       static_cast<std::uint8_t>(whole(0, 255))};
+        } else if (const auto* choice = std::get_if<EnumRef>(&ref)) {
+            choice->set(whole(0, static_cast<int>(choice->names.size()) - 1));
+        } else if (const auto* scene = std::get_if<SceneSource*>(&ref)) {
+            fill_scene(**scene);
+        } else if (const auto* lights = std::get_if<std::vector<LightParams>*>(&ref)) {
+            (*lights)->resize(static_cast<std::size_t>(whole(0, static_cast<int>(max_further_lights))));
+            for (LightParams& light : **lights) {
+                light.position = vector<glm::dvec4>(viewing::field("light.position"));
+            }
+        } else if (const auto* planes = std::get_if<std::vector<FurtherPlane>*>(&ref)) {
+            (*planes)->resize(static_cast<std::size_t>(whole(0, static_cast<int>(max_further_planes))));
+            for (FurtherPlane& plane : **planes) {
+                plane = {vector<glm::dvec4>(viewing::field("plane.equation")),
+                         number(viewing::field("plane.extent"), 0), coin(), coin()};
+            }
+        } else if (const auto* matrix = std::get_if<std::optional<glm::dmat4>*>(&ref)) {
+            (*matrix)->reset();
+            if (coin()) {
+                **matrix = glm::dmat4(vector<glm::dvec4>(field), vector<glm::dvec4>(field), vector<glm::dvec4>(field),
+                                      vector<glm::dvec4>(field));
+            }
+        } else if (const auto* follow = std::get_if<std::optional<Follow>*>(&ref)) {
+            (*follow)->reset();
+            if (coin()) {
+                **follow = Follow{"box", whole(0, 1'000'000)};
+            }
+        }
+    }
+
+    void fill_scene(SceneSource& scene) {
+        if (coin()) {
+            scene = std::string("a scene/with \"quotes\".json");
+            return;
+        }
+        SceneDescription made;
+        for (int i = whole(0, 4); i > 0; --i) {
+            made.objects.push_back(object(i));
+        }
+        scene = made;
+    }
+
+    std::mt19937 random_;
+};
+
+}  // namespace viewing::testing

@@ -1,0 +1,317 @@
+// Scenes with their meshes, the scenes and presets that come with the sandbox, and how a STATE argument is found.
+#include "state/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+#include "scratch_folder.h"
+#include "state/fields.h"
+#include "state/json.h"
+#include "state/presets.h"
+
+namespace viewing {
+namespace {
+
+using SceneFiles = testing::ScratchFolder;
+
+constexpr const char* triangle_obj = "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n";
+
+SceneDescription one_object(ShapeKind shape) {
+    ObjectDescription object;
+    object.name = "thing";
+    object.shape = shape;
+    object.vertices = {glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)};
+    return {{object}};
+}
+
+TEST(Scenes, TheAssetsAreFound) {
+    ASSERT_FALSE(assets_directory().empty()) << "set VIEWING_SANDBOX_ASSETS";
+}
+
+TEST(Scenes, EveryShapeLoadsWithItsSize) {
+    const std::pair<ShapeKind, glm::dvec3> sizes[] = {
+        {ShapeKind::box, {2, 2, 2}},      {ShapeKind::sphere, {2, 2, 2}}, {ShapeKind::torus, {2.48, 0.68, 2.48}},
+        {ShapeKind::cylinder, {2, 2, 2}}, {ShapeKind::cone, {2, 2, 2}},   {ShapeKind::quad, {2, 0, 2}},
+        {ShapeKind::triangle, {1, 1, 0}},
+    };
+    for (const auto& [shape, size] : sizes) {
+        const Result<Scene> scene = load_scene(one_object(shape), "");
+        ASSERT_TRUE(scene) << scene.error();
+        EXPECT_LT(glm::length(scene->bounds_world.size() - size), 0.02) << name_of(shape);
+        EXPECT_NE(scene->find("thing"), nullptr);
+        EXPECT_EQ(scene->find("nothing"), nullptr);
+    }
+}
+
+TEST(Scenes, PoseIsTRS) {
+    SceneDescription description = one_object(ShapeKind::box);
+    description.objects[0].position = {10, 0, 0};
+    description.objects[0].scale = {1, 2, 3};
+    description.objects[0].rotation = {90, 0, 0};  // x becomes −z
+    const Result<Scene> scene = load_scene(description, "");
+    ASSERT_TRUE(scene);
+    EXPECT_LT(glm::length(scene->bounds_world.min - glm::dvec3(7, -2, -1)), 1e-9);
+    EXPECT_LT(glm::length(scene->bounds_world.max - glm::dvec3(13, 2, 1)), 1e-9);
+}
+
+TEST(Scenes, ShareTheirMeshes) {
+    const Result<Scene> first = load_scene(one_object(ShapeKind::teapot), "");
+    const Result<Scene> second = load_scene(one_object(ShapeKind::teapot), "");
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->objects[0].mesh, second->objects[0].mesh);
+    SceneDescription finer = one_object(ShapeKind::teapot);
+    finer.objects[0].resolution = 3;
+    EXPECT_NE(load_scene(finer, "")->objects[0].mesh, first->objects[0].mesh);
+}
+
+TEST(Scenes, LoadFromSeveralThreads) {
+    std::vector<std::thread> threads;
+    std::atomic<int> loaded{0};
+    threads.reserve(4);
+    for (int i = 0; i < 4; ++i) {
+        threads.emplace_back([&loaded] {
+            for (int round = 0; round < 5; ++round) {
+                loaded += load_scene(std::string("torus-and-boxes"), "") ? 1 : 0;
+            }
+        });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    EXPECT_EQ(loaded, 20);
+}
+
+TEST(Scenes, TheOnesOfTheIssueAreThereAndLoad) {
+    std::vector<std::string> names;
+    for (const NamedFile& file : scenes()) {
+        names.push_back(file.name);
+        EXPECT_NE(file.title, file.name) << "has a title of its own";
+        EXPECT_TRUE(file.about.ends_with(".")) << file.name;
+        const Result<Scene> scene = load_scene(file.name, "");
+        ASSERT_TRUE(scene) << scene.error();
+        EXPECT_FALSE(scene->objects.empty());
+        EXPECT_GT(scene->bounds_world.min.y, -1e-3) << file.name << " stands on the plane y = 0";
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"coplanar", "curved", "cyclic-overlap", "interpenetrating", "letters",
+                                               "teapot", "torus-and-boxes", "walkthrough"}));
+}
+
+TEST(Scenes, TheOpeningOneIsComposedAsDesigned) {
+    const Result<Scene> scene = load_scene(Params{}.scene, "");
+    ASSERT_TRUE(scene);
+    for (const char* name : {"torus", "box", "small box"}) {
+        ASSERT_NE(scene->find(name), nullptr) << name;
+    }
+    EXPECT_NEAR(scene->bounds_world.min.y, 0.0, 1e-6);
+    EXPECT_LT(scene->bounds_world.size().x / 2.0, 4.0);
+}
+
+TEST(Scenes, TheWalkthroughKeepsItsDoorwaysOpen) {
+    const Result<Scene> scene = load_scene(std::string("walkthrough"), "");
+    ASSERT_TRUE(scene);
+    EXPECT_GE(scene->objects.size(), 40U);
+    EXPECT_LE(scene->objects.size(), 80U);
+    // A walk at eye height, from outside the entrance down the corridor and out at the end, and into three rooms.
+    const glm::dvec3 route[] = {{0, 1.7, 11}, {0, 1.7, -11}, {0, 1.7, 5},   {-5, 1.7, 5}, {0, 1.7, 5},
+                                {0, 1.7, 6},  {3.5, 1.7, 6}, {0, 1.7, 6},   {0, 1.7, -6}, {-5, 1.7, -6},
+                                {0, 1.7, -6}, {0, 1.7, -5},  {4.0, 1.7, -5}};
+    for (std::size_t leg = 0; leg + 1 < std::size(route); ++leg) {
+        for (int step = 0; step <= 100; ++step) {
+            const glm::dvec3 eye = glm::mix(route[leg], route[leg + 1], step / 100.0);
+            for (const SceneObject& object : scene->objects) {
+                const glm::dvec4 local = glm::inverse(object.world_from_model) * glm::dvec4(eye, 1.0);
+                const bool inside = std::abs(local.x) < 1.0 && std::abs(local.y) < 1.0 && std::abs(local.z) < 1.0;
+                ASSERT_FALSE(inside) << "leg " << leg << " runs into " << object.description.name;
+            }
+        }
+    }
+}
+
+TEST_F(SceneFiles, MeshesAreRelativeToTheScenesFile) {
+    std::filesystem::create_directories(folder_ / "meshes");
+    write("meshes/t.obj", triangle_obj);
+    write("room.json", R"({"objects": [{"name": "t", "shape": "mesh", "file": "meshes/t.obj"}]})");
+    const Result<Scene> by_path = load_scene((folder_ / "room.json").string(), "");
+    ASSERT_TRUE(by_path) << by_path.error();
+    EXPECT_EQ(by_path->objects[0].mesh->triangle_count(), 1U);
+    const Result<Scene> by_base = load_scene(std::string("room.json"), folder_);
+    ASSERT_TRUE(by_base) << by_base.error();
+    EXPECT_EQ(by_base->objects[0].mesh, by_path->objects[0].mesh) << "the same file is read once";
+}
+
+TEST_F(SceneFiles, AChangedMeshIsReadAgain) {
+    SceneDescription scene = one_object(ShapeKind::mesh);
+    scene.objects[0].file = write("t.obj", triangle_obj).string();
+    EXPECT_EQ(load_scene(scene, "")->objects[0].mesh->triangle_count(), 1U);
+    write("t.obj", std::string(triangle_obj) + "f 3 2 1\n");
+    EXPECT_EQ(load_scene(scene, "")->objects[0].mesh->triangle_count(), 2U);
+}
+
+TEST_F(SceneFiles, BadOnesAreRefusedByNameAndField) {
+    const auto error = [this](const char* content) {
+        write("room.json", content);
+        const Result<Scene> scene = load_scene(std::string("room.json"), folder_);
+        return scene ? std::string("loaded") : scene.error();
+    };
+    write("broken.obj", "not a mesh\n");
+    EXPECT_EQ(error(R"({"objects": [{"name": "t", "shape": "mesh", "file": "none.obj"}]})"),
+              "room.json: objects[0].file: " + (folder_ / "none.obj").string() + ": no such file");
+    EXPECT_EQ(error(R"({"objects": [{"name": "t", "shape": "mesh", "file": "broken.obj"}]})"),
+              "room.json: objects[0].file: " + (folder_ / "broken.obj").string() +
+                  ": not an OBJ file, or an empty one: it has no vertices and no faces");
+    EXPECT_EQ(error(R"({"objects": [{"name": "t", "shape": "box", "scale": [0, 1, 1]}]})"),
+              "room.json: objects[0].scale[0]: must be other than 0: nothing would be left of the object, got the "
+              "number 0");
+    EXPECT_EQ(load_scene(std::string("missing.json"), folder_).error(),
+              "scene: " + (folder_ / "missing.json").string() + ": no such file");
+    const std::string unknown = load_scene(std::string("teapod"), folder_).error();
+    EXPECT_NE(
+        unknown.find(
+            "scene: teapod is neither a file nor a scene (viewing-sandbox presets lists them); did you mean teapot?"),
+        std::string::npos)
+        << unknown;
+    EXPECT_NE(load_scene(folder_.string(), "").error().find("is a directory"), std::string::npos);
+}
+
+TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
+    const std::filesystem::path file = write("t.obj", triangle_obj);
+    const SceneDescription description = scene_of_mesh(file);
+    ASSERT_EQ(description.objects.size(), 1U);
+    EXPECT_EQ(description.objects[0].name, "t");
+    const Result<Scene> scene = load_scene(description, "/nowhere");
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_NEAR(scene->bounds_world.min.y, 0.0, 1e-6);
+    EXPECT_NEAR(scene->bounds_world.size().x, 2.0, 1e-6);
+    const Result<Scene> by_name = load_scene(file.string(), "");
+    ASSERT_TRUE(by_name) << "the path of an OBJ file is a scene too";
+    EXPECT_EQ(by_name->objects[0].mesh, scene->objects[0].mesh);
+    Params params;
+    params.scene = description;
+    EXPECT_TRUE(parse_state(write_state(params), "s"));
+
+    const SceneDescription missing = scene_of_mesh(folder_ / "none.obj");
+    const std::string path = (folder_ / "none.obj").string();
+    EXPECT_EQ(load_scene(missing, "").error(), "scene.objects[0].file: " + path + ": no such file");
+    EXPECT_EQ(load_scene(missing, "", nullptr, "mine.json: scene").error(),
+              "mine.json: scene.objects[0].file: " + path + ": no such file");
+    EXPECT_EQ(load_scene(path, "", nullptr, "--mesh").error(), "--mesh: " + path + ": no such file");
+}
+
+TEST_F(SceneFiles, LoadingCanBeCancelled) {
+    SceneDescription scene = one_object(ShapeKind::mesh);
+    scene.objects[0].file = write("t.obj", triangle_obj).string();
+    LoadProgress progress;
+    progress.cancelled = true;
+    EXPECT_NE(load_scene(scene, "", &progress).error().find("cancelled"), std::string::npos);
+}
+
+TEST(Presets, AllLoadWithTheirScenes) {
+    const std::vector<NamedFile> all = presets();
+    ASSERT_GE(all.size(), 27U);
+    EXPECT_EQ(all.front().name, "opening");
+    EXPECT_TRUE(std::ranges::is_sorted(all.begin() + 1, all.end(), {}, &NamedFile::name));
+    for (const NamedFile& preset : all) {
+        SCOPED_TRACE(preset.name);
+        EXPECT_NE(preset.title, preset.name);
+        EXPECT_TRUE(preset.about.ends_with("."));
+        const Result<LoadedState> state = load_state(preset.name);
+        ASSERT_TRUE(state) << state.error();
+        const Result<Scene> scene = load_scene(state->params.scene, state->base);
+        ASSERT_TRUE(scene) << scene.error();
+        EXPECT_TRUE(preset.name == "opening" || state->params != Params{}) << "differs from the opening state";
+        Params clamped = state->params;
+        clamp_to_ranges(clamped);
+        EXPECT_EQ(clamped, state->params);
+    }
+}
+
+TEST(Presets, TheOnesOfTheLectureAreThere) {
+    std::vector<std::string> names;
+    for (const NamedFile& preset : presets()) {
+        names.push_back(preset.name);
+    }
+    for (const char* name : {"teapot",
+                             "interpenetrating",
+                             "cyclic-overlap",
+                             "coplanar",
+                             "walkthrough",
+                             "letters",
+                             "curved",
+                             "depth-test-off",
+                             "back-faces-culled",
+                             "front-faces-culled",
+                             "inside-out",
+                             "parallel-light",
+                             "wall-mirror",
+                             "tilted-plane",
+                             "depth-fighting",
+                             "walk",
+                             "orbit",
+                             "orthographic",
+                             "shadow-double-blend",
+                             "shadow-off-the-edge",
+                             "shadow-fights",
+                             "mirror-off-the-edge",
+                             "mirror-unclipped",
+                             "mirror-inside-out",
+                             "projector",
+                             "light-theme"}) {
+        EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
+    }
+}
+
+TEST(Presets, OpeningIsTheDefaults) {
+    const Result<LoadedState> left_out = load_state("");
+    const Result<LoadedState> named = load_state("opening");
+    ASSERT_TRUE(left_out && named);
+    EXPECT_EQ(left_out->params, Params{});
+    EXPECT_EQ(named->params, Params{});
+    EXPECT_EQ(left_out->base, named->base);
+}
+
+TEST(Presets, UnknownNamesListTheNearest) {
+    const Result<LoadedState> state = load_state("orthografic");
+    ASSERT_FALSE(state);
+    EXPECT_NE(state.error().find("orthografic: neither a file nor a preset (viewing-sandbox presets lists them); did "
+                                 "you mean orthographic?"),
+              std::string::npos)
+        << state.error();
+}
+
+TEST_F(SceneFiles, StatesAreFoundByPath) {
+    const std::filesystem::path file = write("s.json", R"({"camera": {"yaw": 5}, "scene": "room.json"})");
+    write("room.json", R"({"objects": []})");
+    const Result<LoadedState> state = load_state(file.string());
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_EQ(state->params.camera.yaw, 5.0);
+    EXPECT_EQ(state->base, folder_);
+    EXPECT_TRUE(load_scene(state->params.scene, state->base));
+
+    EXPECT_EQ(load_state((folder_ / "no.json").string()).error(), (folder_ / "no.json").string() + ": no such file");
+    EXPECT_NE(load_state(folder_.string()).error().find("is a directory"), std::string::npos);
+    const std::string bad = write("bad.json", R"({"projection": {"naer": 1}})").string();
+    EXPECT_EQ(load_state(bad).error(), bad + ": projection.naer: no such field; did you mean projection.near?");
+}
+
+TEST_F(SceneFiles, StatesAreReadFromStandardInput) {
+    std::istringstream input(R"({"camera": {"yaw": 6}})");
+    std::streambuf* before = std::cin.rdbuf(input.rdbuf());
+    const Result<LoadedState> state = load_state("-");
+    std::istringstream broken("{");
+    std::cin.rdbuf(broken.rdbuf());
+    std::cin.clear();
+    const Result<LoadedState> refused = load_state("-");
+    std::cin.rdbuf(before);
+    std::cin.clear();
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_EQ(state->params.camera.yaw, 6.0);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().rfind("standard input: line 1", 0), 0U) << refused.error();
+}
+
+}  // namespace
+}  // namespace viewing

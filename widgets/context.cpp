@@ -1,0 +1,125 @@
+// The context that all widgets share: one frame's beginning, highlights, the recorder that tests click by, groups.
+// Read widgets.h first.
+#include <cassert>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace {
+Context* current = nullptr;
+}
+
+void NewFrame(Context& context) {
+    current = &context;
+    context.hovered = context.hovered_next;
+    context.hovered_next = 0;
+    context.entry_hovered = context.entry_hovered_next;
+    context.entry_hovered_next = false;
+    context.recorded.clear();
+    context.label_path.clear();
+
+    Editing& editing = context.editing;
+    const int frame = ImGui::GetFrameCount();
+    if (editing.typing_frame < frame - 1) editing.typing = 0;  // its panel was folded away
+    editing.type_now = editing.type_next;
+    editing.type_next = 0;
+    editing.tab = 0;
+    editing.last_number = 0;
+    editing.redraw_in_s = -1.0F;
+}
+
+Context& CurrentContext() {
+    assert(current && "call widgets::NewFrame first");
+    return *current;
+}
+
+float RedrawIn(const Context& context) {
+    const Editing& editing = context.editing;
+    if (context.hovered != context.hovered_next || context.entry_hovered != context.entry_hovered_next) return 0.0F;
+    if (editing.type_next || (editing.typing && !editing.focused)) return 0.0F;
+    constexpr float caret_blink_s = 0.2F;
+    if (editing.typing && (editing.redraw_in_s < 0.0F || editing.redraw_in_s > caret_blink_s)) return caret_blink_s;
+    return editing.redraw_in_s;
+}
+
+Group::Group(const char* name) {
+    CurrentContext().label_path.emplace_back(inner::RecordedPart(name));
+    ImGui::PushID(name);
+}
+
+Group::~Group() {
+    ImGui::PopID();
+    CurrentContext().label_path.pop_back();
+}
+
+void Record(const char* label) {
+    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+namespace inner {
+
+std::string_view ShownPart(const char* label) {
+    const std::string_view whole = label;
+    return whole.substr(0, whole.find("##"));
+}
+
+std::string_view RecordedPart(const char* label) {
+    const std::string_view shown = ShownPart(label);
+    if (!shown.empty()) return shown;
+    const std::string_view whole = label;
+    const std::size_t begin = whole.find_first_not_of('#');
+    return begin == std::string_view::npos ? std::string_view{} : whole.substr(begin);
+}
+
+void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text) {
+    Context& context = CurrentContext();
+    if (!context.record) return;
+    RecordedItem item;
+    const char* window = ImGui::GetWindowDrawList()->_OwnerName;
+    item.window = window ? window : "";
+    for (const std::string& name : context.label_path) item.label.append(name).append("/");
+    item.label.append(RecordedPart(label));
+    item.min = min;
+    item.max = max;
+    item.enabled = !IsDisabled();
+    item.text = text;
+    context.recorded.push_back(std::move(item));
+}
+
+bool FollowLinks(Links links) {
+    Context& context = CurrentContext();
+    const bool under_pointer = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive();
+    if (under_pointer) context.hovered_next |= links;
+    return (links & context.hovered) != 0;
+}
+
+bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
+    constexpr float delay_s = 0.5F;
+    Editing& editing = CurrentContext().editing;
+    if (!hovered || ImGui::IsAnyMouseDown()) return false;
+    const int frame = ImGui::GetFrameCount();
+    const ImVec4 item(min.x, min.y, max.x, max.y);
+    const bool same_item = editing.tooltip_of.x == item.x && editing.tooltip_of.y == item.y &&
+                           editing.tooltip_of.z == item.z && editing.tooltip_of.w == item.w;
+    if (!same_item && editing.tooltip_frame == frame) return false;
+    if (!same_item || editing.tooltip_frame < frame - 1) {
+        editing.tooltip_of = item;
+        editing.tooltip_time_s = 0.0F;
+    } else if (editing.tooltip_frame < frame) {
+        editing.tooltip_time_s += ImGui::GetIO().DeltaTime;
+    }
+    editing.tooltip_frame = frame;
+    if (editing.tooltip_time_s >= delay_s) {
+        // ImGui hides a new window in its first frame: the tooltip needs further ones to appear.
+        constexpr int frames_to_appear = 3;
+        if (editing.tooltip_frames_due++ < frames_to_appear) editing.redraw_in_s = 0.0F;
+        return true;
+    }
+    editing.tooltip_frames_due = 0;
+    editing.redraw_in_s = delay_s - editing.tooltip_time_s;
+    return false;
+}
+
+}  // namespace inner
+}  // namespace widgets

@@ -1,0 +1,344 @@
+// Controls that are no numbers: toggles, choices, segments, colours, buttons, sections.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace {
+
+bool ResetClicked() {
+    return ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+}
+
+void DrawTextIn(ImDrawList* draw, ImVec2 at, float height, ImU32 color, std::string_view text, ImFont* font = nullptr) {
+    const inner::Face face = inner::FaceOf(font);
+    face.Draw(draw, ImVec2(at.x, std::floor(at.y + (height - face.size) * 0.5F)), inner::Shown(color), text);
+}
+
+void DrawCheckBox(ImDrawList* draw, ImVec2 min, float side, bool on, bool hovered) {
+    const Palette& palette = CurrentContext().palette;
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    const ImVec2 max(min.x + side, min.y + side);
+    if (!on) {
+        inner::DrawField(draw, min, max, hovered, false, false, Role::none);
+        draw->AddRect(min, max, inner::Shown(palette.border), rounding, 0, inner::Px(1) * palette.stroke);
+        return;
+    }
+    const ImU32 fill = hovered ? inner::Mix(palette.accent, palette.text, 0.15F) : palette.accent;
+    draw->AddRectFilled(min, max, inner::Shown(fill), rounding);
+    const ImVec2 tick[] = {ImVec2(min.x + side * 0.24F, min.y + side * 0.53F),
+                           ImVec2(min.x + side * 0.43F, min.y + side * 0.71F),
+                           ImVec2(min.x + side * 0.78F, min.y + side * 0.31F)};
+    draw->AddPolyline(tick, 3, inner::Shown(inner::InkOn(palette.accent)), 0, side * 0.12F);
+}
+
+}  // namespace
+
+bool Toggle(const char* label, bool& value, bool default_value) {
+    const std::string_view shown = inner::ShownPart(label);
+    const float height = ImGui::GetFrameHeight(), side = std::floor(height * 0.76F), gap = inner::Px(7);
+    const float text_width = shown.empty() ? 0.0F : gap + inner::FaceOf(nullptr).Measure(shown).x;
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    bool edited = value;
+    if (ImGui::InvisibleButton(label, ImVec2(side + text_width, height))) edited = !value;
+    if (ResetClicked()) edited = default_value;
+    const bool changed = edited != value;
+    value = edited;
+    if (ImGui::IsItemVisible()) {
+        ImDrawList* draw = ImGui::GetWindowDrawList();
+        const float top = std::floor(min.y + (height - side) * 0.5F);
+        DrawCheckBox(draw, ImVec2(min.x, top), side, value, ImGui::IsItemHovered());
+        const ImU32 ink = CurrentContext().palette.text;
+        if (!shown.empty()) DrawTextIn(draw, ImVec2(min.x + side + gap, min.y), height, ink, shown);
+    }
+    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value ? "on" : "off");
+    return changed;
+}
+
+namespace {
+
+/// The open list of a Choice.
+void ShowItems(const char* label, int& index, std::span<const char* const> names) {
+    const Group items(label);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const int item = static_cast<int>(i);
+        ImGui::PushID(item);
+        if (ImGui::Selectable(names[i], item == index)) index = item;
+        ImGui::PopID();
+        Record(names[i]);
+    }
+}
+
+}  // namespace
+
+bool ClosePopupOnEscape() {
+    // An item in use takes Escape for itself: a text field puts back what was there.
+    const bool pressed = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (!pressed || !ImGui::IsWindowFocused() || ImGui::IsAnyItemActive()) return false;
+    ImGui::CloseCurrentPopup();
+    return true;
+}
+
+namespace {
+
+/// The text, or what of it fits with "…" behind.
+std::string Shortened(std::string text, float room) {
+    const inner::Face face = inner::FaceOf(nullptr);
+    if (face.Measure(text).x <= room) return text;
+    const auto continues_character = [&text] { return !text.empty() && (text.back() & 0xC0) == 0x80; };
+    while (!text.empty() && face.Measure(text + "…").x > room) {
+        while (continues_character()) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "…";
+}
+
+constexpr float arrow_room = 18.0F;  ///< design pixels for a closed list's triangle
+
+}  // namespace
+
+bool BeginChoice(const char* label, const char* preview, float width) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (width <= 0.0F) width = ImGui::CalcItemWidth();
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 max(min.x + width, min.y + ImGui::GetFrameHeight());
+    inner::RecordRect(label, min, max, preview);
+    const float text_room = width - ImGui::GetStyle().FramePadding.x * 2.0F - inner::Px(arrow_room);
+    const std::string shown = Shortened(preview, text_room + 1.0F);
+    ImGui::PushID(label);
+    ImGui::SetNextItemWidth(width);
+    const bool open =
+        ImGui::BeginCombo("##combo", shown.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+    inner::DrawTriangle(draw, ImVec2(max.x - inner::Px(13), (min.y + max.y) * 0.5F), inner::Px(4), true,
+                        inner::Shown(CurrentContext().palette.quiet));
+    if (open) {
+        ClosePopupOnEscape();
+    } else {
+        ImGui::PopID();
+    }
+    return open;
+}
+
+void EndChoice() {
+    ImGui::EndCombo();
+    ImGui::PopID();
+}
+
+bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width) {
+    const int count = static_cast<int>(names.size());
+    if (width <= 0.0F) {
+        for (const char* name : names) width = std::max(width, inner::FaceOf(nullptr).Measure(name).x);
+        width = std::ceil(width + ImGui::GetStyle().FramePadding.x * 2.0F + inner::Px(arrow_room));
+    }
+    const char* preview = index >= 0 && index < count ? names[static_cast<std::size_t>(index)] : "—";
+    int edited = index;
+
+    ImGui::BeginGroup();
+    if (BeginChoice(label, preview, width)) {
+        ShowItems(label, edited, names);
+        EndChoice();
+    } else if (ResetClicked()) {
+        edited = default_index;
+    }
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+
+    const bool changed = edited != index;
+    index = edited;
+    return changed;
+}
+
+namespace inner {
+
+namespace {
+
+bool DrawSegment(const Segment& segment, ImVec2 size, bool selected, ImDrawFlags corners) {
+    const Palette& palette = CurrentContext().palette;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::BeginDisabled(!segment.enabled);
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 max(min.x + size.x, min.y + size.y);
+    const bool clicked = ImGui::InvisibleButton(segment.recorded_name, size);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    ImU32 fill = ImGui::IsItemHovered() ? palette.field_hovered : palette.field;
+    if (selected) fill = Mix(fill, palette.accent, 0.42F);
+    draw->AddRectFilled(min, max, Shown(fill), style.FrameRounding, corners);
+    const float border = selected ? std::max(style.FrameBorderSize, Px(1)) : style.FrameBorderSize;
+    const ImU32 line = selected ? palette.accent : palette.border;
+    if (border > 0.0F) draw->AddRect(min, max, Shown(line), style.FrameRounding, corners, border);
+    const float text_width = FaceOf(nullptr).Measure(segment.name).x;
+    const ImVec2 text_at(std::floor(min.x + (size.x - text_width) * 0.5F), min.y);
+    DrawTextIn(draw, text_at, size.y, selected ? palette.text : Mix(palette.quiet, palette.text, 0.35F), segment.name);
+    RecordRect(segment.recorded_name, min, max, selected ? "on" : "off");
+    ImGui::EndDisabled();
+    Tooltip(*segment.tip ? segment.name : "", segment.tip);
+    if (!segment.enabled) Tooltip("", segment.why_disabled);
+    return clicked;
+}
+
+}  // namespace
+
+int SegmentBar(std::span<const Segment> segments, int selected) {
+    const float padding = Px(9), gap = Px(1), height = ImGui::GetFrameHeight();
+    const float room = ImGui::GetContentRegionAvail().x;
+    const auto width_of = [padding](const Segment& segment) {
+        return std::ceil(FaceOf(nullptr).Measure(segment.name).x + 2.0F * padding);
+    };
+    int clicked = -1;
+    float used = 0.0F;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const float width = width_of(segments[i]);
+        const bool starts_row = i == 0 || used + gap + width > room;
+        if (!starts_row) ImGui::SameLine(0.0F, gap);
+        used = starts_row ? width : used + gap + width;
+        const bool ends_row = i + 1 == segments.size() || used + gap + width_of(segments[i + 1]) > room;
+        const ImDrawFlags corners = (starts_row ? ImDrawFlags_RoundCornersLeft : ImDrawFlags_None) |
+                                    (ends_row ? ImDrawFlags_RoundCornersRight : ImDrawFlags_None);
+        const bool is_selected = static_cast<int>(i) == selected;
+        if (DrawSegment(segments[i], ImVec2(width, height), is_selected,
+                        corners == ImDrawFlags_None ? ImDrawFlags_RoundCornersNone : corners)) {
+            clicked = static_cast<int>(i);
+        }
+    }
+    return clicked;
+}
+
+}  // namespace inner
+
+bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
+              std::span<const char* const> tips) {
+    constexpr std::size_t most = 16;
+    IM_ASSERT(names.size() <= most);
+    inner::Segment segments[most];
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        segments[i] = {.name = names[i], .recorded_name = names[i], .tip = i < tips.size() ? tips[i] : ""};
+    }
+
+    int edited = index;
+    ImGui::BeginGroup();
+    {
+        const Group group(label);
+        const int clicked = inner::SegmentBar({segments, names.size()}, index);
+        if (clicked >= 0) edited = clicked;
+    }
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+    if (ResetClicked()) edited = default_index;
+    const bool changed = edited != index;
+    index = edited;
+    return changed;
+}
+
+namespace {
+
+glm::vec3 FloatsOf(const glm::u8vec3& rgb) {
+    return glm::vec3(rgb) / 255.0F;
+}
+glm::u8vec3 BytesOf(const glm::vec3& color) {
+    return glm::u8vec3(glm::round(glm::clamp(color, 0.0F, 1.0F) * 255.0F));
+}
+
+void DrawColorBox(ImVec2 min, ImVec2 max, const glm::u8vec3& rgb, const char* hex) {
+    const Palette& palette = CurrentContext().palette;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    inner::DrawField(draw, min, max, ImGui::IsItemHovered(), ImGui::IsItemActive(), false, Role::none);
+    const float inset = inner::Px(4), rounding = ImGui::GetStyle().GrabRounding;
+    const ImVec2 swatch_min(min.x + inset, min.y + inset);
+    const ImVec2 swatch_max(swatch_min.x + inner::Px(20), max.y - inset);
+    draw->AddRectFilled(swatch_min, swatch_max, inner::Shown(IM_COL32(rgb.r, rgb.g, rgb.b, 255)), rounding);
+    draw->AddRect(swatch_min, swatch_max, inner::Shown(palette.border), rounding, 0, inner::Px(1));
+    DrawTextIn(draw, ImVec2(swatch_max.x + inner::Px(7), min.y), max.y - min.y, palette.text, hex,
+               CurrentContext().fonts.number);
+}
+
+}  // namespace
+
+bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value) {
+    glm::vec3& working = CurrentContext().editing.color;
+    glm::u8vec3 edited = rgb;
+    char hex[8];
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", rgb.r, rgb.g, rgb.b);
+
+    ImGui::BeginGroup();
+    ImGui::PushID(label);
+    const float width = inner::Px(38) + inner::FaceOf(CurrentContext().fonts.number).Measure(hex).x;
+    if (ImGui::InvisibleButton("##box", ImVec2(std::ceil(width), ImGui::GetFrameHeight()))) {
+        working = FloatsOf(rgb);
+        ImGui::OpenPopup("picker");
+    }
+    if (ResetClicked()) edited = default_value;
+    DrawColorBox(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), rgb, hex);
+    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex);
+    if (ImGui::BeginPopup("picker")) {
+        ClosePopupOnEscape();
+        // The finer copy keeps hue and saturation where 8 bits would lose them.
+        if (BytesOf(working) != rgb) working = FloatsOf(rgb);
+        ImGui::SetNextItemWidth(inner::Px(200));
+        if (ImGui::ColorPicker3("##picker", &working[0],
+                                ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoOptions |
+                                    ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel)) {
+            edited = BytesOf(working);
+        }
+        inner::RecordRect("picker", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+
+    const bool changed = edited != rgb;
+    rgb = edited;
+    return changed;
+}
+
+bool Button(const char* label, bool enabled, const char* why_disabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool clicked = ImGui::Button(label);
+    Record(label);
+    ImGui::EndDisabled();
+    if (!enabled) Tooltip("", why_disabled);
+    return clicked;
+}
+
+bool SmallButton(const char* label, bool enabled, const char* why_disabled) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(inner::Px(8), inner::Px(2)));
+    const bool clicked = Button(label, enabled, why_disabled);
+    ImGui::PopStyleVar();
+    return clicked;
+}
+
+bool Section(const char* label, bool open_by_default, const char* note) {
+    const Context& context = CurrentContext();
+    const Palette& palette = context.palette;
+    ImGuiStorage* storage = ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(label);
+    bool open = storage->GetBool(id, open_by_default);
+
+    ImGui::Dummy(ImVec2(0.0F, inner::Px(1)));
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), ImGui::GetFrameHeight());
+    const ImVec2 max(min.x + size.x, min.y + size.y);
+    if (ImGui::InvisibleButton(label, size)) {
+        open = !open;
+        storage->SetBool(id, open);
+    }
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImU32 fill =
+        ImGui::IsItemHovered() ? inner::Mix(palette.raised, palette.field_hovered, 0.8F) : palette.raised;
+    draw->AddRectFilled(min, max, inner::Shown(fill), ImGui::GetStyle().FrameRounding);
+    inner::DrawTriangle(draw, ImVec2(min.x + inner::Px(14), (min.y + max.y) * 0.5F), inner::Px(4.5F), open,
+                        inner::Shown(inner::Mix(palette.quiet, palette.text, 0.5F)));
+    DrawTextIn(draw, ImVec2(min.x + inner::Px(28), min.y), size.y, palette.text, inner::ShownPart(label),
+               context.fonts.heading);
+    if (*note) {
+        const float width = inner::FaceOf(context.fonts.note).Measure(note).x;
+        DrawTextIn(draw, ImVec2(max.x - width - inner::Px(9), min.y), size.y, palette.quiet, note, context.fonts.note);
+    }
+    inner::RecordRect(label, min, max, open ? "open" : "folded");
+    return open;
+}
+
+}  // namespace widgets

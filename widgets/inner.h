@@ -1,0 +1,142 @@
+// What the widgets share among themselves and nobody else needs: scaled lengths, fonts, colours, the recorder's
+// back door, numbers as characters, laid-out formulas. Read widgets.h first.
+#pragma once
+
+#include <string_view>
+
+#include "widgets/widgets.h"
+
+namespace widgets::inner {
+
+/// Pixels for a length in design pixels.
+inline float Px(float design_pixels) {
+    return design_pixels * CurrentContext().scale;
+}
+
+/// A font with the size it is drawn at; ImGui's current one where the caller has none.
+struct Face {
+    ImFont* font;
+    float size;
+
+    ImVec2 Measure(std::string_view text) const;
+    void Draw(ImDrawList* draw, ImVec2 position, ImU32 color, std::string_view text) const;
+};
+Face FaceOf(ImFont* font);
+
+/// Pushes a font while it lives; nothing for null.
+struct FontScope {
+    explicit FontScope(ImFont* font) : pushed(font != nullptr) {
+        if (pushed) ImGui::PushFont(font);
+    }
+    ~FontScope() {
+        if (pushed) ImGui::PopFont();
+    }
+    FontScope(const FontScope&) = delete;
+    FontScope& operator=(const FontScope&) = delete;
+    bool pushed;
+};
+
+/// a where t = 0, b where t = 1.
+ImU32 Mix(ImU32 a, ImU32 b, float t);
+ImU32 WithAlpha(ImU32 color, float alpha);
+/// Dark or light, whichever can be read on this colour.
+ImU32 InkOn(ImU32 color);
+/// The colour as it is drawn now: paler inside ImGui::BeginDisabled.
+inline ImU32 Shown(ImU32 color) {
+    return ImGui::GetColorU32(color);
+}
+/// Inside ImGui::BeginDisabled; ApplyStyle sets the alpha to 1, and only that block lowers it.
+inline bool IsDisabled() {
+    return ImGui::GetStyle().Alpha < 0.99F;
+}
+
+/// The part of a label that is shown: up to "##".
+std::string_view ShownPart(const char* label);
+/// The part that the recorder uses: what is shown, else what follows "##".
+std::string_view RecordedPart(const char* label);
+void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
+
+/// The label behind a control, quiet, on the same line.
+void LabelBehind(const char* label);
+
+/// The frame of a field: rounded, tinted and outlined when `lit`, with a stripe in its role's colour at the left.
+void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
+/// A small solid triangle that points down, or right when folded.
+void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU32 color);
+
+/// Adds to the links under the pointer for the last item, and says whether a control with these links is to be lit.
+bool FollowLinks(Links links);
+
+/// Whether the pointer has rested long enough on the item with this rectangle. In a frame only the first item that asks
+/// gets a yes: a part explains itself before the group around it.
+bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
+/// The tooltip window with its usual look; End after.
+void BeginTooltipWindow();
+void EndTooltipWindow();
+
+/// A number in characters, UTF-8, with a real minus.
+struct NumberChars {
+    char data[48];
+    int bytes = 0;
+    int columns = 0;  ///< characters
+
+    std::string_view view() const { return {data, static_cast<std::size_t>(bytes)}; }
+    void Append(std::string_view text);
+};
+/// What becomes of a magnitude too small for the decimals: 0.00, or 4.00·10⁻⁵ if it is no rounding noise.
+enum class Tiny { zero, exponent };
+NumberChars FormatNumber(double value, int decimals, Tiny tiny);
+/// The same with at most so many characters: fewer decimals, then without the unit, then 1.2·10⁵, then 1.2e5.
+NumberChars FitNumber(double value, int decimals, Tiny tiny, std::string_view unit, int columns);
+/// What a text field starts with: the shortest digits that read back to the same value, in signs that a keyboard has.
+std::string PlainText(double value);
+
+/// A formula split into pieces of one size and colour, ready to be drawn anywhere.
+struct FormulaLayout {
+    struct Piece {
+        short begin, end;  ///< in `text`
+        float x, y, size;
+        ImU32 color;
+    };
+    static constexpr int max_pieces = 48;
+    static constexpr int max_bytes = 256;  ///< what is longer is cut off
+
+    FormulaLayout(const char* formula, std::span<const LetterRole> roles, ImU32 base, Face face);
+    void Draw(ImDrawList* draw, ImVec2 position, float opacity = 1.0F) const;
+    /// In one colour throughout: for halos.
+    void DrawIn(ImDrawList* draw, ImVec2 position, ImU32 color) const;
+
+    char text[max_bytes];
+    Piece pieces[max_pieces];
+    int piece_count = 0;
+    int bytes = 0;
+    ImVec2 size;
+    ImFont* font;
+
+private:
+    void DrawPiece(ImDrawList* draw, ImVec2 position, const Piece& piece, ImU32 color) const;
+};
+
+/// The box of a Number without its label; `id` is unique in its ImGui id scope and is its name for the recorder.
+enum class BoxKind { drag, slider };
+bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag);
+
+/// The decimals with which all of several numbers fit boxes of this width, so that a row shows the same everywhere.
+int SharedDecimals(std::span<const double> values, const NumberStyle& style, float width);
+
+/// Numbers without a label, sharing a width; the component names are for the recorder.
+bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
+               std::span<const double> defaults, std::span<const Links> links, float width);
+
+/// Several choices as one bar, wrapped where it is too long.
+struct Segment {
+    const char* name;
+    const char* recorded_name;
+    bool enabled = true;
+    const char* why_disabled = "";
+    const char* tip = "";
+};
+/// The index of the one that was clicked, else −1. `selected` may be −1.
+int SegmentBar(std::span<const Segment> segments, int selected);
+
+}  // namespace widgets::inner

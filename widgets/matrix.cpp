@@ -1,0 +1,267 @@
+// The lecture's matrices on screen: rows as on the slides, aligned columns, the symbolic entry under each number.
+// First the measures (Measures), then one cell (DrawCell), then the whole (ShowMatrix).
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace {
+
+using inner::Px;
+
+constexpr const char* cell_names[16] = {"r0c0", "r0c1", "r0c2", "r0c3", "r1c0", "r1c1", "r1c2", "r1c3",
+                                        "r2c0", "r2c1", "r2c2", "r2c3", "r3c0", "r3c1", "r3c2", "r3c3"};
+constexpr const char* cell_titles[16] = {"row 1, column 1", "row 1, column 2", "row 1, column 3", "row 1, column 4",
+                                         "row 2, column 1", "row 2, column 2", "row 2, column 3", "row 2, column 4",
+                                         "row 3, column 1", "row 3, column 2", "row 3, column 3", "row 3, column 4",
+                                         "row 4, column 1", "row 4, column 2", "row 4, column 3", "row 4, column 4"};
+
+/// Entry `cell` = 4 · row + column of a GLM matrix.
+double& Entry(glm::dmat4& m, int cell) {
+    return m[cell % 4][cell / 4];
+}
+double Entry(const glm::dmat4& m, int cell) {
+    return m[cell % 4][cell / 4];
+}
+
+/// What follows from the width: where the cells are, how many decimals and whether the symbols fit.
+struct Measures {
+    inner::Face number, symbol;
+    float bracket, inset;  ///< from the edge to the bracket's line, from the cell's edge to its text
+    float cell_width, cell_height, number_height;
+    int columns;   ///< characters that fit
+    int decimals;  ///< of every number that fits
+    bool symbols = false;
+
+    Measures(const glm::dmat4& value, const MatrixStyle& style, float width);
+
+    ImVec2 CellMin(ImVec2 corner, int cell) const {
+        const auto row = static_cast<float>(cell / 4), column = static_cast<float>(cell % 4);
+        return ImVec2(corner.x + 2.0F * bracket + column * cell_width, corner.y + Px(3) + row * cell_height);
+    }
+    float Height() const { return 4.0F * cell_height + 2.0F * Px(3); }
+};
+
+/// Shrinks the symbols, at most to 0.7, until the widest fits; false when even that is too wide.
+bool FitSymbols(const MatrixStyle& style, float room, inner::Face& symbol) {
+    float widest = 0.0F;
+    for (const MatrixCell& cell : style.cells) {
+        widest = std::max(widest, inner::FormulaLayout(cell.symbol, {}, 0, symbol).size.x);
+    }
+    constexpr float smallest = 0.7F;
+    const float shrink = widest > room ? room / widest : 1.0F;
+    if (widest == 0.0F || shrink < smallest) return false;
+    symbol.size *= shrink;
+    return true;
+}
+
+/// The most decimals with which all entries fit that can fit at all.
+int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
+    const int fewest = std::min(decimals, 1);
+    int best = decimals;
+    for (int cell = 0; cell < 16; ++cell) {
+        int digits = best;
+        while (digits > fewest &&
+               inner::FormatNumber(Entry(value, cell), digits, inner::Tiny::zero).columns > columns) {
+            --digits;
+        }
+        const bool fits = inner::FormatNumber(Entry(value, cell), digits, inner::Tiny::zero).columns <= columns;
+        if (fits) best = digits;
+    }
+    return best;
+}
+
+Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float width)
+    : number(inner::FaceOf(CurrentContext().fonts.number)), symbol(inner::FaceOf(CurrentContext().fonts.note)) {
+    bracket = Px(7);
+    cell_width = std::floor((width - 4.0F * bracket) / 4.0F);
+    inset = std::min(Px(6), cell_width * 0.07F);
+    const float room = cell_width - 2.0F * inset;
+    symbols = !style.overridden && FitSymbols(style, room, symbol);
+
+    const float digit = number.font->GetCharAdvance('0') * number.size / number.font->FontSize;
+    columns = std::max(1, static_cast<int>(room / digit + 0.01F));
+    decimals = FitDecimals(value, style.decimals, columns);
+
+    number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
+    cell_height = number_height + Px(style.editable ? 4 : 8);
+    if (symbols) cell_height += symbol.size * 1.1F;
+    cell_height = std::ceil(cell_height);
+}
+
+void DrawBrackets(ImDrawList* draw, ImVec2 min, ImVec2 max, float at, bool overridden) {
+    const Palette& palette = CurrentContext().palette;
+    const float serif = Px(5), inset = Px(4), thickness = Px(1.5F) * palette.stroke;
+    const ImU32 color = inner::Shown(overridden ? palette.trouble : inner::Mix(palette.quiet, palette.text, 0.4F));
+    for (const float side : {1.0F, -1.0F}) {
+        const float x = side > 0.0F ? min.x + at : max.x - at;
+        const ImVec2 line[] = {ImVec2(x + side * serif, min.y + inset), ImVec2(x, min.y + inset),
+                               ImVec2(x, max.y - inset), ImVec2(x + side * serif, max.y - inset)};
+        draw->AddPolyline(line, 4, color, 0, thickness);
+    }
+}
+
+struct CellState {
+    bool changed, lit, zero;
+};
+
+void DrawTint(ImDrawList* draw, ImVec2 min, ImVec2 max, const CellState& state) {
+    if (!state.changed && !state.lit) return;
+    const Palette& palette = CurrentContext().palette;
+    const ImVec2 from(min.x + Px(1), min.y + Px(1)), to(max.x - Px(1), max.y - Px(1));
+    const float rounding = ImGui::GetStyle().FrameRounding;
+    draw->AddRectFilled(from, to, inner::Shown(inner::WithAlpha(palette.accent, state.lit ? 0.24F : 0.17F)), rounding);
+    const ImU32 outline = inner::Shown(inner::WithAlpha(palette.accent, 0.7F));
+    if (state.lit) draw->AddRect(from, to, outline, rounding, 0, Px(1) * palette.stroke);
+}
+
+/// Symbols of entries that are zero now stand back, except where a projector would lose them.
+void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const MatrixStyle& style,
+                const CellState& state, int cell) {
+    if (!measures.symbols) return;
+    const char* formula = style.cells[static_cast<std::size_t>(cell)].symbol;
+    if (*formula == '\0') return;
+    const inner::FormulaLayout layout(formula, style.roles, CurrentContext().palette.quiet, measures.symbol);
+    const float x = min.x + measures.cell_width - measures.inset - layout.size.x;
+    const bool stands_back = state.zero && !state.lit && !state.changed && CurrentContext().palette.stroke <= 1.0F;
+    layout.Draw(draw, ImVec2(std::floor(x), std::floor(min.y + Px(3) + measures.number_height)),
+                stands_back ? 0.65F : 1.0F);
+}
+
+/// The number, right-aligned so that the decimal points stand below each other.
+void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double value, const CellState& state, int cell,
+                ImVec2 max) {
+    const inner::NumberChars text = inner::FitNumber(value, measures.decimals, inner::Tiny::zero, {}, measures.columns);
+    const Palette& palette = CurrentContext().palette;
+    const ImU32 color = state.zero && !state.changed && !state.lit ? palette.quiet : palette.text;
+    const float width = measures.number.Measure(text.view()).x;
+    measures.number.Draw(draw, ImVec2(std::floor(max.x - measures.inset - width), std::floor(min.y + Px(3))),
+                         inner::Shown(color), text.view());
+    inner::RecordRect(cell_names[cell], min, max, text.view());
+}
+
+bool EditNumber(ImVec2 min, const Measures& measures, glm::dmat4& value, const MatrixStyle& style, int cell) {
+    static const glm::dmat4 identity(1.0);
+    const MatrixCell* info = style.cells.empty() ? nullptr : &style.cells[static_cast<std::size_t>(cell)];
+    const NumberStyle number{.step = 0.01,
+                             .decimals = measures.decimals,
+                             .default_value = Entry(style.defaults ? *style.defaults : identity, cell),
+                             .links = info ? info->links : 0};
+    ImGui::SetCursorScreenPos(ImVec2(min.x + Px(1), min.y + Px(2)));
+    return inner::NumberBox(cell_names[cell], Entry(value, cell), number, measures.cell_width - Px(2));
+}
+
+/// The entry under the pointer while the last item, the whole matrix, is hovered; −1 elsewhere.
+int CellUnderPointer(ImVec2 corner, const Measures& measures) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return -1;
+    const ImVec2 first = measures.CellMin(corner, 0), pointer = ImGui::GetMousePos();
+    const float column = std::floor((pointer.x - first.x) / measures.cell_width);
+    const float row = std::floor((pointer.y - first.y) / measures.cell_height);
+    if (column < 0.0F || column > 3.0F || row < 0.0F || row > 3.0F) return -1;
+    return 4 * static_cast<int>(row) + static_cast<int>(column);
+}
+
+/// What the entry is: its place, its symbol, all its digits, and how GLM calls it.
+void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
+    const Context& context = CurrentContext();
+    inner::BeginTooltipWindow();
+    {
+        const inner::FontScope font(context.fonts.heading);
+        ImGui::TextUnformatted(cell_titles[cell]);
+    }
+    if (!style.overridden && !style.cells.empty() && *style.cells[static_cast<std::size_t>(cell)].symbol) {
+        const inner::FormulaLayout layout(style.cells[static_cast<std::size_t>(cell)].symbol, style.roles,
+                                          context.palette.text, inner::FaceOf(nullptr));
+        layout.Draw(ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos());
+        ImGui::Dummy(layout.size);
+    }
+    {
+        const inner::FontScope font(context.fonts.number);
+        const inner::NumberChars digits = inner::FormatNumber(Entry(value, cell), 9, inner::Tiny::exponent);
+        ImGui::TextUnformatted(digits.data, digits.data + digits.bytes);
+        ImGui::PushStyleColor(ImGuiCol_Text, context.palette.accent);
+        // GLM indexes columns first.
+        ImGui::Text("GLM: m[%d][%d] (column, row)", cell % 4, cell / 4);
+        ImGui::PopStyleColor();
+    }
+    inner::EndTooltipWindow();
+}
+
+CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell, int hovered_cell) {
+    const Context& context = CurrentContext();
+    CellState state{false, cell == hovered_cell, std::abs(value) < 0.5 * std::pow(10.0, -decimals)};
+    if (style.cells.empty()) return state;
+    const MatrixCell& info = style.cells[static_cast<std::size_t>(cell)];
+    state.changed = info.changed;
+    state.lit |= !context.entry_hovered && (info.links & context.hovered) != 0;
+    return state;
+}
+
+/// Shows `value`; edits it when `style.editable`, which only the caller with a value of its own may ask for.
+bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width) {
+    IM_ASSERT(style.cells.empty() || style.cells.size() == 16);
+    Context& context = CurrentContext();
+    if (width <= 0.0F) width = std::max(ImGui::GetContentRegionAvail().x, Px(120));
+    const Measures measures(value, style, width);
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 max(min.x + width, min.y + measures.Height());
+
+    ImGui::BeginGroup();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(min, max, inner::Shown(inner::Mix(context.palette.ground, context.palette.raised, 0.55F)),
+                        ImGui::GetStyle().FrameRounding);
+    DrawBrackets(draw, min, max, measures.bracket, style.overridden);
+    if (!style.editable) ImGui::Dummy(ImVec2(width, measures.Height()));
+    const int hovered_cell = style.editable ? -1 : CellUnderPointer(min, measures);
+
+    const Group group(label);
+    bool changed = false;
+    int edited_cell = -1;
+    for (int cell = 0; cell < 16; ++cell) {
+        const ImVec2 cell_min = measures.CellMin(min, cell);
+        const ImVec2 cell_max(cell_min.x + measures.cell_width, cell_min.y + measures.cell_height);
+        const CellState state = StateOf(Entry(value, cell), style, measures.decimals, cell, hovered_cell);
+        if (style.editable) {
+            changed |= EditNumber(cell_min, measures, value, style, cell);
+            if (ImGui::IsItemHovered()) edited_cell = cell;
+        } else {
+            DrawTint(draw, cell_min, cell_max, state);
+            DrawNumber(draw, cell_min, measures, Entry(value, cell), state, cell, cell_max);
+        }
+        DrawSymbol(draw, cell_min, measures, style, state, cell);
+    }
+    if (style.editable) {
+        ImGui::SetCursorScreenPos(min);
+        ImGui::Dummy(ImVec2(width, measures.Height()));
+    }
+    ImGui::EndGroup();
+
+    if (hovered_cell >= 0 && !style.cells.empty()) {
+        context.hovered_next |= style.cells[static_cast<std::size_t>(hovered_cell)].links;
+        context.entry_hovered_next = true;
+    }
+    if (hovered_cell >= 0) {
+        const ImVec2 cell_min = measures.CellMin(min, hovered_cell);
+        const ImVec2 cell_max(cell_min.x + measures.cell_width, cell_min.y + measures.cell_height);
+        if (inner::TooltipDue(true, cell_min, cell_max)) CellTooltip(value, style, hovered_cell);
+    }
+    if (style.hovered_cell) *style.hovered_cell = style.editable ? edited_cell : hovered_cell;
+    return changed;
+}
+
+}  // namespace
+
+bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width) {
+    return ShowMatrix(label, value, style, width);
+}
+
+void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width) {
+    glm::dmat4 shown = value;
+    MatrixStyle fixed = style;
+    fixed.editable = false;
+    ShowMatrix(label, shown, fixed, width);
+}
+
+}  // namespace widgets

@@ -1,0 +1,76 @@
+// Numbers with their labels: alone, as a slider, in rows. All of them are made of NumberBox (number_box.cpp).
+#include <cmath>
+#include <iterator>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace inner {
+
+bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
+               std::span<const double> defaults, std::span<const Links> links, float width) {
+    const float gap = Px(4);
+    const auto count = static_cast<float>(values.size());
+    const float each = std::floor((width - gap * (count - 1.0F)) / count);
+    const int decimals = SharedDecimals(values, style, each);
+    bool changed = false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        NumberStyle own = style;
+        own.decimals = decimals;
+        if (i < defaults.size()) own.default_value = defaults[i];
+        if (i < links.size()) own.links = links[i];
+        if (i > 0) ImGui::SameLine(0.0F, gap);
+        changed |= NumberBox(names[i], values[i], own, each);
+    }
+    return changed;
+}
+
+}  // namespace inner
+
+namespace {
+
+constexpr const char* component_names[] = {"x", "y", "z", "w"};
+
+bool LabelledBox(const char* label, double& value, const NumberStyle& style, float width, inner::BoxKind kind) {
+    ImGui::BeginGroup();
+    const bool changed = inner::NumberBox(label, value, style, width > 0.0F ? width : ImGui::CalcItemWidth(), kind);
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+    return changed;
+}
+
+}  // namespace
+
+bool Number(const char* label, double& value, const NumberStyle& style, float width) {
+    return LabelledBox(label, value, style, width, inner::BoxKind::drag);
+}
+
+bool Slider(const char* label, double& value, const NumberStyle& style, float width) {
+    return LabelledBox(label, value, style, width, inner::BoxKind::slider);
+}
+
+bool Numbers(const char* label, std::span<double> values, const NumberStyle& style, std::span<const double> defaults,
+             std::span<const Links> links) {
+    IM_ASSERT(!values.empty() && values.size() <= std::size(component_names));
+    ImGui::BeginGroup();
+    bool changed = false;
+    {
+        const Group group(label);
+        changed = inner::NumberRow(values, component_names, style, defaults, links, ImGui::CalcItemWidth());
+    }
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+    return changed;
+}
+
+bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value,
+          std::span<const Links> links) {
+    double edited[] = {value.x, value.y, value.z};
+    const double defaults[] = {default_value.x, default_value.y, default_value.z};
+    const bool changed = Numbers(label, edited, style, defaults, links);
+    if (changed) value = {edited[0], edited[1], edited[2]};
+    return changed;
+}
+
+}  // namespace widgets

@@ -1,0 +1,116 @@
+// The two four-component things of the lecture, edited so that they never become meaningless: the plane's normal
+// never zero, the light never all zero.
+#include <cmath>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr double smallest = 1e-6;  ///< shorter than this is as good as zero
+
+double NormalLength(const glm::dvec4& plane) {
+    return glm::length(glm::dvec3(plane));
+}
+
+/// The coordinate planes through the origin and normalise. Whether `plane` was edited.
+bool PlaneButtons(glm::dvec4& plane) {
+    struct Preset {
+        const char* name;
+        glm::dvec4 plane;
+        const char* tip;
+    };
+    static const Preset presets[] = {{"yz", {1.0, 0.0, 0.0, 0.0}, "The plane x = 0, upright: a = 1, the rest 0."},
+                                     {"xz", {0.0, 1.0, 0.0, 0.0}, "The plane y = 0, the ground: b = 1, the rest 0."},
+                                     {"xy", {0.0, 0.0, 1.0, 0.0}, "The plane z = 0, upright: c = 1, the rest 0."}};
+    const glm::dvec4 before = plane;
+    for (const Preset& preset : presets) {
+        if (SmallButton(preset.name)) plane = preset.plane;
+        Tooltip(preset.name, preset.tip);
+        ImGui::SameLine(0.0F, inner::Px(4));
+    }
+    const bool is_unit = std::abs(NormalLength(plane) - 1.0) < 1e-12;
+    if (SmallButton("normalise", !is_unit, "The normal (a, b, c) already has length 1.")) plane /= NormalLength(plane);
+    if (!is_unit) Tooltip("normalise", "Divides a, b, c and d by the normal's length: the same plane, a unit normal.");
+    return plane != before;
+}
+
+}  // namespace
+
+bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& default_value,
+                   std::span<const Links> links) {
+    static constexpr const char* names[] = {"a", "b", "c", "d"};
+    const double defaults[] = {default_value.x, default_value.y, default_value.z, default_value.w};
+    const NumberStyle style{.step = 0.01, .decimals = 3, .role = Role::plane};
+    double values[] = {plane.x, plane.y, plane.z, plane.w};
+
+    ImGui::BeginGroup();
+    bool changed = false;
+    {
+        const Group group(label);
+        if (inner::NumberRow(values, names, style, defaults, links, ImGui::CalcItemWidth())) {
+            const glm::dvec4 edited(values[0], values[1], values[2], values[3]);
+            if (NormalLength(edited) >= smallest) {
+                plane = edited;
+                changed = true;
+            }
+        }
+    }
+    inner::LabelBehind(label);
+    {
+        const Group group(label);
+        changed |= PlaneButtons(plane);
+    }
+    ImGui::EndGroup();
+    return changed;
+}
+
+bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value, std::span<const Links> links) {
+    static constexpr const char* names[] = {"x", "y", "z", "w"};
+    const double defaults[] = {default_value.x, default_value.y, default_value.z, default_value.w};
+    const bool at_origin = glm::length(glm::dvec3(light)) < smallest;
+    const inner::Segment kinds[] = {
+        {.name = "Point (w = 1)",
+         .recorded_name = "point",
+         .tip = "A lamp at the point (x, y, z); its rays spread from there."},
+        {.name = "Parallel (w = 0)",
+         .recorded_name = "parallel",
+         .enabled = !at_origin,
+         .why_disabled = "A parallel light needs a direction: x, y and z are all 0.",
+         .tip = "A light infinitely far away, like the sun; (x, y, z) is the direction towards it."}};
+
+    glm::dvec4 edited = light;
+    ImGui::BeginGroup();
+    {
+        const Group group(label);
+        const int clicked = inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
+        if (clicked >= 0) edited.w = clicked == 0 ? 1.0 : 0.0;
+
+        const NumberStyle position{.step = 0.02, .decimals = 2, .role = Role::light};
+        const NumberStyle weight{.min = 0.0,
+                                 .max = 1.0,
+                                 .step = 0.005,
+                                 .decimals = 2,
+                                 .default_value = default_value.w,
+                                 .role = Role::light};
+        const float gap = inner::Px(4), width = ImGui::CalcItemWidth(),
+                    w_width = std::floor((width - 3.0F * gap) / 4.0F);
+        double values[] = {edited.x, edited.y, edited.z, edited.w};
+        const std::span<const Links> position_links = links.subspan(0, std::min<std::size_t>(links.size(), 3));
+        inner::NumberRow({values, 3}, {names, 3}, position, {defaults, 3}, position_links, width - gap - w_width);
+        ImGui::SameLine(0.0F, gap);
+        inner::NumberRow({values + 3, 1}, {names + 3, 1}, weight, {defaults + 3, 1},
+                         links.size() > 3 ? links.subspan(3, 1) : std::span<const Links>{}, w_width);
+        edited = {values[0], values[1], values[2], values[3]};
+    }
+    inner::LabelBehind(label);
+    ImGui::EndGroup();
+
+    const bool meaningful = glm::length(edited) >= smallest;
+    const bool changed = meaningful && edited != light;
+    if (changed) light = edited;
+    return changed;
+}
+
+}  // namespace widgets

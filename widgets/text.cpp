@@ -1,0 +1,147 @@
+// Text that is not a control: notes, troubles, values, the label behind a control, tooltips.
+#include <algorithm>
+
+#include "widgets/inner.h"
+
+namespace widgets {
+
+namespace {
+
+/// Wrapped at the window's edge, in one colour, and recorded.
+void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    inner::RecordRect(recorded_as, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text);
+}
+
+}  // namespace
+
+void Note(const char* text) {
+    const inner::FontScope font(CurrentContext().fonts.note);
+    WrappedText("note", text, CurrentContext().palette.quiet);
+}
+
+void Trouble(const char* sentence) {
+    const Palette& palette = CurrentContext().palette;
+    const float size = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+
+    // A warning sign: a triangle with a stroke and a dot, in shape as well as in colour.
+    const float width = size * 0.95F, top = at.y + size * 0.08F, bottom = at.y + size * 0.92F;
+    const float middle = at.x + width * 0.5F, stroke = size * 0.10F;
+    draw->AddTriangleFilled(ImVec2(middle, top), ImVec2(at.x + width, bottom), ImVec2(at.x, bottom),
+                            inner::Shown(palette.trouble));
+    const ImU32 ink = inner::Shown(palette.ground);
+    draw->AddLine(ImVec2(middle, top + size * 0.28F), ImVec2(middle, bottom - size * 0.28F), ink, stroke);
+    draw->AddCircleFilled(ImVec2(middle, bottom - size * 0.15F), stroke * 0.6F, ink, 8);
+
+    ImGui::Dummy(ImVec2(width, size));
+    ImGui::SameLine(0.0F, inner::Px(6));
+    WrappedText("trouble", sentence, palette.trouble);
+}
+
+void ValueText(const char* text, Role role) {
+    const inner::FontScope font(CurrentContext().fonts.number);
+    ImGui::PushStyleColor(ImGuiCol_Text, CurrentContext().palette.of(role));
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+    inner::RecordRect("value", ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text);
+}
+
+namespace {
+
+/// Formulas with "; " between them stand below each other.
+void TooltipFormulas(std::string_view formulas, std::span<const LetterRole> roles) {
+    constexpr std::string_view between = "; ";
+    while (!formulas.empty()) {
+        const std::string formula(formulas.substr(0, formulas.find(between)));
+        const inner::FormulaLayout layout(formula.c_str(), roles, CurrentContext().palette.text,
+                                          inner::FaceOf(nullptr));
+        layout.Draw(ImGui::GetWindowDrawList(), ImGui::GetCursorScreenPos());
+        ImGui::Dummy(layout.size);
+        formulas.remove_prefix(std::min(formulas.size(), formula.size() + between.size()));
+    }
+}
+
+void TooltipLine(const char* text, ImU32 color, ImFont* font) {
+    const inner::FontScope scope(font);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void Tooltip(const char* title, const char* body, const char* formula, const char* gl_call,
+             std::span<const LetterRole> roles, const char* path) {
+    if (!*title && !*body && !*formula && !*gl_call) return;
+    const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+    if (!inner::TooltipDue(hovered, ImGui::GetItemRectMin(), ImGui::GetItemRectMax())) return;
+    const Context& context = CurrentContext();
+    inner::BeginTooltipWindow();
+    if (*title) {
+        const inner::FontScope font(context.fonts.heading);
+        ImGui::TextUnformatted(title);
+    }
+    if (*body) ImGui::TextUnformatted(body);
+    TooltipFormulas(formula, roles);
+    if (*gl_call) TooltipLine(gl_call, context.palette.accent, context.fonts.number);
+    if (*path) TooltipLine(path, context.palette.quiet, context.fonts.small_number);
+    if (context.record) {
+        const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+        std::string all = title;
+        for (const char* line : {body, formula, gl_call, path}) {
+            if (*line) all.append("\n").append(line);
+        }
+        inner::RecordRect("tooltip", min, ImVec2(min.x + size.x, min.y + size.y), all);
+    }
+    inner::EndTooltipWindow();
+}
+
+namespace inner {
+
+Face FaceOf(ImFont* font) {
+    if (!font) return {ImGui::GetFont(), ImGui::GetFontSize()};
+    return {font, font->FontSize * font->Scale * ImGui::GetIO().FontGlobalScale};
+}
+
+ImVec2 Face::Measure(std::string_view text) const {
+    return font->CalcTextSizeA(size, 1e9F, 0.0F, text.data(), text.data() + text.size());
+}
+
+void Face::Draw(ImDrawList* draw, ImVec2 position, ImU32 color, std::string_view text) const {
+    draw->AddText(font, size, position, color, text.data(), text.data() + text.size());
+}
+
+void LabelBehind(const char* label) {
+    const std::string_view shown = ShownPart(label);
+    if (shown.empty()) return;
+    ImGui::SameLine(0.0F, Px(7));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, CurrentContext().palette.quiet);
+    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
+    ImGui::PopStyleColor();
+}
+
+void BeginTooltipWindow() {
+    // What a disabled item pushed must not make its explanation pale.
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(Px(11), Px(9)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(Px(6), Px(5)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, Px(6));
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(Px(340) * CurrentContext().palette.type_scale);
+}
+
+void EndTooltipWindow() {
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar(4);
+}
+
+}  // namespace inner
+}  // namespace widgets
