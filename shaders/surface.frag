@@ -1,16 +1,38 @@
 // Colours a fragment: lit, ambient only, one flat colour, front and back told apart, or an identity to read back.
 // Light is added in linear space and converted to sRGB here, so that no sRGB target is needed.
+//
+// FROM_PICTURE: the surface point comes from textures, one for each pixel, as a method in software found it.
+#ifdef FROM_PICTURE
+in vec2 position_texture;
+uniform sampler2D surface_positions;  // xyz world; w 2 where nothing is seen
+uniform sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
+uniform sampler2D surface_colors;     // linear; w the object's number from 1 on
+uniform sampler2D surface_counts;     // how often the pixel was drawn
+uniform mat4 world_from_model;
+uniform mat3 world_from_normal;
+uniform vec4 clip_plane_model[2];
+vec3 position_world = vec3(0.0), normal_world = vec3(0.0), albedo = vec3(0.0);
+bool is_front = false;
+#else
 in vec3 position_world;
 in vec3 normal_world;
 in vec2 position_patch;
+#endif
+
+// PER_VERTEX: colour and numbers come with the vertices.
+#ifdef PER_VERTEX
+in vec3 vertex_albedo;
+flat in vec2 ids;
+#endif
 
 // SHADING and IS_PATCH are defined in front of this source: a small program for each way to draw compiles faster than
-// one that can do everything. The values of Shading in frame/plan.h, and one more for reading back.
+// one that can do everything. The values of Shading in frame/plan.h, and more for reading back.
 #define SHADING_LIT 0
 #define SHADING_UNLIT 1
 #define SHADING_FLAT 2
 #define SHADING_FACING 3
 #define SHADING_IDENTITY 4
+#define SHADING_POLYGON_IDENTITY 5
 
 uniform vec4 light_world;   // w = 1 point light, w = 0 parallel light
 uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this direction
@@ -43,6 +65,7 @@ vec3 srgb_from_linear(vec3 linear) {
 }
 
 #if SHADING == SHADING_LIT || SHADING == SHADING_UNLIT
+#ifdef IS_PATCH
 // Two tones by turns with thin lines between, each faded to its mean where squares get smaller than pixels.
 vec3 patch_color() {
     vec2 cell = position_patch * patch_extent;
@@ -55,6 +78,7 @@ vec3 patch_color() {
     vec3 square = mix(patch_tones[0], patch_tones[1], mix(dark, 0.5, far_away));
     return mix(square, patch_tones[2], line * (1.0 - far_away));
 }
+#endif
 
 float pow48(float x) {
     float power = x * x * x;
@@ -62,24 +86,26 @@ float pow48(float x) {
     return power;
 }
 
-vec3 lit_color(vec3 albedo) {
+vec3 lit_color(vec3 surface_albedo) {
     vec3 eye = eye_world.xyz - eye_world.w * position_world;
     // The side of the surface that is seen, from its geometry: it must not depend on winding or culling.
-#ifdef IS_PATCH
+#if defined(IS_PATCH)
     vec3 face = normal_world;  // it is flat
-#else
+#elif !defined(FROM_PICTURE)
     vec3 face = cross(dFdx(position_world), dFdy(position_world));
 #endif
     vec3 normal = normalize(normal_world);
+#ifndef FROM_PICTURE  // where it was turned already
     normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
+#endif
 
     float ambient = 0.23 + 0.07 * dot(normal, sky_world);
 #if SHADING == SHADING_UNLIT
-    return albedo * ambient;
+    return surface_albedo * ambient;
 #else
     vec3 to_light = normalize(light_world.xyz - light_world.w * position_world);
     float diffuse = max(dot(normal, to_light), 0.0);
-    vec3 lit = albedo * (ambient + 0.78 * diffuse);
+    vec3 lit = surface_albedo * (ambient + 0.78 * diffuse);
 #ifndef IS_PATCH  // which is matt
     float shine = pow48(max(dot(normal, normalize(to_light + normalize(eye))), 0.0));
     lit += diffuse > 0.0 ? 0.16 * shine : 0.0;
@@ -89,20 +115,68 @@ vec3 lit_color(vec3 albedo) {
 }
 #endif
 
+#ifdef FROM_PICTURE
+ivec2 texel_of(sampler2D picture) {  // whose first row is the top one
+    ivec2 size = textureSize(picture, 0);
+    return min(ivec2(vec2(position_texture.x, 1.0 - position_texture.y) * vec2(size)), size - 1);
+}
+
+void fetch_surface() {
+    ivec2 texel = texel_of(surface_positions);
+    vec4 position = texelFetch(surface_positions, texel, 0);
+    vec4 normal = texelFetch(surface_normals, texel, 0);
+    vec4 scene = vec4(position.xyz, 1.0);
+    if (position.w > 1.5) discard;
+    if (dot(clip_plane_model[0], scene) < 0.0 || dot(clip_plane_model[1], scene) < 0.0) discard;
+    position_world = (world_from_model * scene).xyz;
+    normal_world = world_from_normal * normal.xyz;
+    albedo = texelFetch(surface_colors, texel, 0).rgb;
+    is_front = normal.w > 0.5;
+}
+#define FRONT_FACING is_front
+#else
+#define FRONT_FACING gl_FrontFacing
+#endif
+
+#if defined(FROM_PICTURE)
+#define ALBEDO albedo
+#elif defined(PER_VERTEX)
+#define ALBEDO vertex_albedo
+#else
+#define ALBEDO base_color.rgb
+#endif
+
+// A number below 2^24 in three bytes.
+vec4 bytes_of(float number) {
+    return vec4(mod(number, 256.0), mod(floor(number / 256.0), 256.0), floor(number / 65536.0), 255.0) / 255.0;
+}
+
 void main() {
-#if SHADING == SHADING_FLAT
+#ifdef FROM_PICTURE
+    fetch_surface();
+#endif
+#if SHADING == SHADING_FLAT && defined(FROM_PICTURE)
+    color = base_color * texelFetch(surface_counts, texel_of(surface_counts), 0).r;
+#elif SHADING == SHADING_FLAT
     color = base_color;
+#elif SHADING == SHADING_IDENTITY && defined(FROM_PICTURE)
+    float object = texelFetch(surface_colors, texel_of(surface_colors), 0).w;
+    color = vec4(bytes_of(object).rg, FRONT_FACING ? 1.0 : 0.0, 1.0);
+#elif SHADING == SHADING_IDENTITY && defined(PER_VERTEX)
+    color = vec4(bytes_of(ids.x).rg, FRONT_FACING ? 1.0 : 0.0, 1.0);
 #elif SHADING == SHADING_IDENTITY
-    color = vec4(base_color.rg, gl_FrontFacing ? 1.0 : 0.0, 1.0);
+    color = vec4(base_color.rg, FRONT_FACING ? 1.0 : 0.0, 1.0);
+#elif SHADING == SHADING_POLYGON_IDENTITY
+    color = bytes_of(ids.y);
 #elif SHADING == SHADING_FACING
     vec3 normal = normalize(normal_world);
     float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
     float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
-    color = vec4(gl_FrontFacing ? facing_colors[0] * shade : facing_colors[1] * mix(0.72, 1.0, stripe), alpha);
+    color = vec4(FRONT_FACING ? facing_colors[0] * shade : facing_colors[1] * mix(0.72, 1.0, stripe), alpha);
 #elif defined(IS_PATCH)
     color = vec4(srgb_from_linear(lit_color(patch_color())), alpha);
 #else
-    color = vec4(srgb_from_linear(lit_color(base_color.rgb)), alpha);
+    color = vec4(srgb_from_linear(lit_color(ALBEDO)), alpha);
 #endif
 #ifdef WRITE_DEPTH
     float depth = gl_FragCoord.z;

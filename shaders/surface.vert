@@ -2,6 +2,12 @@
 // The matrices arrive complete (S and R already multiplied in, in double precision on the CPU).
 layout(location = 0) in vec3 position_model;
 layout(location = 1) in vec3 normal_model;
+#ifdef PER_VERTEX
+layout(location = 2) in vec3 vertex_color;  // linear
+layout(location = 3) in vec2 vertex_ids;    // of the object and of the polygon, from 1 on
+out vec3 vertex_albedo;
+flat out vec2 ids;
+#endif
 
 uniform mat4 clip_from_model;
 uniform mat4 world_from_model;
@@ -34,6 +40,10 @@ void main() {
     position_world = (world_from_model * position).xyz;
     normal_world = world_from_normal * normal_model;
     position_patch = position_model.xz;
+#ifdef PER_VERTEX
+    vertex_albedo = vertex_color;
+    ids = vertex_ids;
+#endif
 #ifdef CLIP_DISTANCE
     for (int plane = 0; plane < 2; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
 #endif

@@ -70,7 +70,7 @@ GLFWwindow* OpenWindow(float scale) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    const int width = static_cast<int>(1100 * scale), height = static_cast<int>(720 * scale);
+    const int width = static_cast<int>(1600 * scale), height = static_cast<int>(840 * scale);
     GLFWwindow* window = glfwCreateWindow(width, height, "Widgets", nullptr, nullptr);
     if (window) glfwMakeContextCurrent(window);
     return window;

@@ -1,6 +1,6 @@
 // Every widget once, each in the few lines that it takes: read this as the library's manual, beside the running demo.
 // Left: controls for numbers and switches. Middle: the lecture's planes, lights and lamps, and labels in a view.
-// Right: matrices.
+// Then matrices, and the diagrams, which show_diagrams_demo.cpp shows.
 #include "widgets/show_demo.h"
 
 #include <array>
@@ -216,9 +216,9 @@ void ShowWidgetsDemo(DemoLook& look) {
     ImGui::SetNextWindowSize(display);
     ImGui::Begin("widgets-demo", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    const float column = std::floor((ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F);
-    const auto begin_column = [column](const char* name) {
-        ImGui::BeginChild(name, ImVec2(column, 0.0F));
+    const float column = std::floor((ImGui::GetContentRegionAvail().x - 3.0F * ImGui::GetStyle().ItemSpacing.x) / 4.4F);
+    const auto begin_column = [column](const char* name, float width = 1.0F) {
+        ImGui::BeginChild(name, ImVec2(std::floor(column * width), 0.0F));
         ImGui::PushItemWidth(column * 0.6F);
     };
     const auto end_column = [] {
@@ -237,6 +237,10 @@ void ShowWidgetsDemo(DemoLook& look) {
     ImGui::SameLine();
     begin_column("matrices");
     ShowMatrices(values);
+    end_column();
+    ImGui::SameLine();
+    begin_column("diagrams", 1.4F);
+    ShowDiagramsDemo();
     end_column();
     ImGui::End();
 }

@@ -13,5 +13,7 @@ struct DemoLook {
 
 /// Fills the display. Call between widgets::NewFrame and ImGui::Render; a change of `look` is for the caller to apply.
 void ShowWidgetsDemo(DemoLook& look);
+/// The part of it with the diagrams: a tree, its steps, costs.
+void ShowDiagramsDemo();
 
 }  // namespace widgets

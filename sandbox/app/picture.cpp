@@ -1,5 +1,6 @@
 #include "app/picture.h"
 
+#include "app/hidden_answers.h"
 #include "app/studio.h"
 
 namespace viewing {
@@ -39,9 +40,11 @@ Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const S
     if (request.view == PictureView::stencil) wanted.params.view.shows = Shows::stencil;
 
     const Viewport viewport{request.size_px, renderer.capabilities().clip_control};
-    const FramePlan frame = plan(wanted.params, derive(wanted.params, scene, viewport));
+    const Result<FramePlan> frame =
+        plan_at_once(renderer, wanted.params, derive(wanted.params, scene, viewport), scene, request.size_px);
+    if (!frame) return Error{frame.error()};
     View view;
-    if (Status drawn = renderer.draw(frame, scene, request.size_px, view); !drawn) return Error{drawn.error()};
+    if (Status drawn = renderer.draw(*frame, scene, request.size_px, view); !drawn) return Error{drawn.error()};
     return renderer.read(view);
 }
 

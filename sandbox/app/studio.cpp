@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/hidden_answers.h"
 #include "state/fields.h"
 #include "ui/fonts.h"
 
@@ -148,6 +149,28 @@ std::vector<std::string> Studio::pixel_parts() {
     return describe(probe_.at(*pixel, session.scene()));
 }
 
+Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
+    const std::optional<HiddenQuestion> question = hidden_question(session.params, derived_, camera_px);
+    if (!question) {
+        hidden_worker_.cancel();
+        hidden_.reset();
+        hidden_is_behind_ = false;
+        return std::monostate{};
+    }
+    constexpr double a_moment_s = 0.025;
+    hidden_worker_.ask(*question, session.scene(), session.scene_version());
+    hidden_worker_.wait(is_interactive ? a_moment_s : -1.0);
+    const std::shared_ptr<const HiddenAnswer> answer = hidden_worker_.answer(session.scene_version());
+    hidden_is_behind_ = !answer || answer->question != *question;
+    if (!answer) hidden_.reset();  // it was of another scene
+    if (!answer || (hidden_ && answer->camera == hidden_->camera && answer->question == hidden_->question))
+        return std::monostate{};
+    auto completed = std::make_shared<HiddenAnswer>(*answer);
+    Status done = complete_difference(renderer_, session.params, derived_, session.scene(), *completed);
+    hidden_ = std::move(completed);
+    return done;
+}
+
 Requests Studio::frame(const Surroundings& surroundings) {
     const auto started = std::chrono::steady_clock::now();
     apply_looks(surroundings.device_scale);
@@ -157,20 +180,26 @@ Requests Studio::frame(const Surroundings& surroundings) {
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 
     const Layout layout = workbench.layout(io.DisplaySize);
-    const Drawn wanted{session.params,
-                       session.scene_version(),
-                       layout.camera.size_px(),
-                       layout.observer.size_px(),
-                       layout.lower_right.size_px(),
-                       workbench.views.topic};
+    const glm::ivec2 camera_px = glm::max(layout.camera.size_px(), glm::ivec2(1));
+    const Viewport viewport{camera_px, renderer_.capabilities().clip_control};
+    const auto report = [this](const Status& done) {
+        if (!done) session.message = {done.error(), true};
+    };
+    Drawn wanted{session.params,
+                 session.scene_version(),
+                 layout.camera.size_px(),
+                 layout.observer.size_px(),
+                 layout.lower_right.size_px(),
+                 workbench.views.topic,
+                 drawn_.hidden};
+    if (wanted != drawn_) derived_ = derive(session.params, session.scene(), viewport);
+    if (wanted != drawn_ || hidden_is_behind_) report(update_hidden(camera_px, surroundings.shows_time));
+    wanted.hidden = hidden_;
     const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
     if (wanted != drawn_ || catch_up) {
-        const glm::ivec2 camera_px = glm::max(layout.camera.size_px(), glm::ivec2(1));
-        const Viewport viewport{camera_px, renderer_.capabilities().clip_control};
-        derived_ = derive(session.params, session.scene(), viewport);
         before_ = derive(session.before_latest_edit(), session.scene(), viewport);
-        plan_ = plan(session.params, derived_);
-        if (Status done = draw_views(layout, surroundings.shows_time); !done) session.message = {done.error(), true};
+        plan_ = plan(session.params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
+        report(draw_views(layout, surroundings.shows_time));
         drawn_ = wanted;
         probe_is_fresh_ = false;
         settling_ = std::max(settling_, 2);
@@ -180,11 +209,15 @@ Requests Studio::frame(const Surroundings& surroundings) {
     char time[32];
     std::snprintf(time, sizeof time, "%5.1f ms", frame_ms_);
     const StatusLine status{renderer_name_, surroundings.shows_time ? time : "–", pixel_parts()};
-    const Pictures pictures{texture_id(camera_), texture_id(observer_), texture_id(lower_right_)};
+    const Pictures pictures{texture_id(camera_),
+                            texture_id(observer_),
+                            texture_id(lower_right_),
+                            {hidden_, hidden_worker_.fraction(), surroundings.shows_time}};
 
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     const Requests requests = workbench.draw(session, derived_, before_, plan_, pictures, status, surroundings.input);
+    if (requests.cancel_hidden) hidden_worker_.cancel();
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
     glViewport(0, 0, surroundings.size_px.x, surroundings.size_px.y);
@@ -195,8 +228,10 @@ Requests Studio::frame(const Surroundings& surroundings) {
 
     if (settling_ > 0) --settling_;
     const bool behind = views_are_behind_ && !ImGui::IsAnyItemActive();
-    const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params;
-    redraw_in_s_ = busy ? 0.0 : session.loading_fraction() ? 0.05 : widgets::RedrawIn(workbench.widgets);
+    const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
+                      workbench.views.laboratory.playing;
+    const bool works = session.loading_fraction() || hidden_is_behind_ || workbench.views.laboratory.is_busy();
+    redraw_in_s_ = busy ? 0.0 : works ? 0.05 : widgets::RedrawIn(workbench.widgets);
     if (surroundings.shows_time) {
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - started;
         frame_ms_ = frame_ms_ == 0.0 ? took.count() : frame_ms_ * 0.6 + took.count() * 0.4;

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/hidden_worker.h"
 #include "render/probe.h"
 #include "render/renderer.h"
 #include "ui/workbench.h"
@@ -48,11 +49,16 @@ private:
     Status draw_observer_view(const Layout& layout);
     Status draw_lower_right_view(const Layout& layout);
     std::vector<std::string> pixel_parts();
+    /// Asks the worker for what the camera view needs; what is not there in a moment is taken when it comes.
+    Status update_hidden(glm::ivec2 camera_px, bool is_interactive);
 
     Renderer& renderer_;
     std::string renderer_name_;
     View camera_, observer_, lower_right_;
     gl::ColorTarget window_;
+    HiddenWorker hidden_worker_;
+    std::shared_ptr<const HiddenAnswer> hidden_;  ///< what the camera view shows
+    bool hidden_is_behind_ = false;               ///< a newer answer is awaited
     PixelProbe probe_;
     bool probe_is_fresh_ = false;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
@@ -63,6 +69,7 @@ private:
         int scene_version = -1;
         glm::ivec2 camera_px{0}, observer_px{0}, lower_right_px{0};
         LowerTopic topic = LowerTopic::depth;
+        std::shared_ptr<const HiddenAnswer> hidden;
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;

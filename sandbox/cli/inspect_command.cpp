@@ -1,4 +1,5 @@
 // inspect: what is at one pixel, read back from the buffers.
+#include "app/hidden_answers.h"
 #include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
@@ -6,7 +7,6 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
-#include "frame/plan.h"
 #include "render/probe.h"
 
 namespace viewing {
@@ -49,8 +49,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Headless headless(device_option(options, device_text));
     const bool clip_control = headless.renderer().capabilities().clip_control;
     const Derived derived = derive(state.params, scene, Viewport{size_px, clip_control});
+    const Result<FramePlan> frame = plan_at_once(headless.renderer(), state.params, derived, scene, size_px);
+    headless.drawn(frame ? Status(std::monostate{}) : Status(Error{frame.error()}));
     PixelProbe probe;
-    headless.drawn(probe.prepare(headless.renderer(), plan(state.params, derived), scene, derived, size_px));
+    headless.drawn(probe.prepare(headless.renderer(), *frame, scene, derived, size_px));
     const PixelReport report = probe.at(pixel, scene);
     headless.require_no_errors();
     print(print_document(report_as_json(report)) + "\n");

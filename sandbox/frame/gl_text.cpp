@@ -51,9 +51,10 @@ std::vector<std::string> gl_calls(const Pass& pass) {
                         ")");
     }
     if (!pass.color_write) calls.push_back("glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)");
-    if (pass.blend == Blend::alpha) {
+    if (pass.blend != Blend::none) {
         calls.push_back("glEnable(GL_BLEND)");
-        calls.push_back("glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)");
+        calls.push_back(pass.blend == Blend::alpha ? "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"
+                                                   : "glBlendFunc(GL_ONE, GL_ONE)");
     }
     if (pass.offset) {
         calls.push_back("glEnable(GL_POLYGON_OFFSET_FILL)");
@@ -61,7 +62,9 @@ std::vector<std::string> gl_calls(const Pass& pass) {
     }
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         calls.push_back("glEnable(GL_CLIP_DISTANCE" + std::to_string(plane) + ")");
-    calls.push_back(pass.subject == Subject::objects ? "drawObjects()" : "drawPatch()");
+    static constexpr const char* draws[] = {"drawObjects()", "drawPatch()", "drawInOrder()", "drawPixels()",
+                                            "drawDifference()"};
+    calls.push_back(draws[static_cast<std::size_t>(pass.subject)]);
     return calls;
 }
 

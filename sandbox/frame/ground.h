@@ -21,4 +21,15 @@ inline constexpr Color front_color{0x70, 0x9e, 0xd9}, back_color{0xcc, 0x7d, 0x2
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};
 
+/// How often a pixel was drawn: 0, 1 … 7, 8 or more. From dark to bright, so that it reads without colour.
+inline constexpr std::array<Color, 9> overdraw_colors = {{{0x12, 0x15, 0x1b},
+                                                          {0x2d, 0x2a, 0x63},
+                                                          {0x2f, 0x4a, 0x8f},
+                                                          {0x2a, 0x71, 0x9a},
+                                                          {0x2b, 0x96, 0x8b},
+                                                          {0x55, 0xb8, 0x67},
+                                                          {0xa0, 0xd0, 0x3f},
+                                                          {0xf2, 0xe2, 0x2e},
+                                                          {0xff, 0xff, 0xff}}};
+
 }  // namespace viewing

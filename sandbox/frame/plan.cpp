@@ -54,7 +54,7 @@ struct Frame {
         made.view_from_world = view_from_world;
         made.eye_world = eye_world;
         made.light_world = params.light.position;
-        const bool gl_test = params.depth.test && params.visibility.method != VisibilityMethod::none;
+        const bool gl_test = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
         made.depth = {gl_test, func_for(params.depth.func, params.depth.mapping), params.depth.write};
         if (subject == Subject::objects) made.cull = params.cull;
         return made;
@@ -218,7 +218,7 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
 
 }  // namespace
 
-FramePlan plan(const Params& params, const Derived& derived) {
+FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden) {
     FramePlan made = frame_plan(params, derived);
     made.clear_depth = params.depth.clear;
     made.clear_depth_value = params.depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
@@ -240,6 +240,8 @@ FramePlan plan(const Params& params, const Derived& derived) {
         for (Pass& pass : made.passes)
             if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = Shading::facing;
     }
+    use_hidden_surfaces(made, params, derived, hidden);
+    if (params.view.shows == Shows::overdraw) count_overdraw(made);
     return made;
 }
 

@@ -7,11 +7,18 @@
 #include <vector>
 
 #include "frame/derive.h"
+#include "frame/hidden_drawing.h"
 
 namespace viewing {
 
 /// What a pass draws.
-enum class Subject { objects, patch };
+enum class Subject {
+    objects,     ///< the scene's meshes
+    patch,       ///< the plane's square
+    ordered,     ///< polygons in the order that a method found: FramePlan::hidden
+    pixels,      ///< surface points that a method found for each pixel
+    difference,  ///< where two methods disagree
+};
 
 /// How its fragments get their colour.
 enum class Shading {
@@ -38,7 +45,7 @@ struct DepthState {
     bool operator==(const DepthState&) const = default;
 };
 
-enum class Blend { none, alpha };
+enum class Blend { none, alpha, add };
 
 /// A plane in world space; what lies on its negative side is cut off, before the pass's own matrix is applied.
 using ClipPlane = glm::dvec4;
@@ -80,12 +87,20 @@ struct FramePlan {
     glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that the linear scale shows as black and white: near and far
     int samples = 0;
     PlanePatch patch{};
+    HiddenPictures hidden;
     DepthOffset decal_offset;  ///< for objects marked as decals
     std::vector<Pass> passes;
 };
 
-/// The camera view's frame.
-FramePlan plan(const Params& params, const Derived& derived);
+/// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, GL
+/// draws the objects as they come.
+FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden = {});
+
+/// Puts what a method found in the place of the objects: part of plan().
+void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
+
+/// Leaves the objects' passes alone, each of which adds one level of red to a pixel: part of plan().
+void count_overdraw(FramePlan& frame);
 
 /// The eye distances between which everything lies that can be seen, inside near and far: for a depth picture with
 /// contrast.

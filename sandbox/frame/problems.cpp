@@ -71,15 +71,10 @@ void find_unsupported(std::vector<Problem>& problems, const Params& params, cons
     const auto say = [&](bool asked, std::string_view group, const char* sentence) {
         if (asked) problems.push_back({sentence, group});
     };
-    const VisibilityMethod method = params.visibility.method;
-    say(method != VisibilityMethod::depth_buffer && method != VisibilityMethod::none, "visibility",
-        "this visibility.method is kept but not drawn yet: the picture uses the depth buffer");
     say(!params.lights.empty(), "light", "further lights are kept but not drawn yet: only \"light\" shines");
     say(!params.planes.empty(), "plane", "further planes are kept but not drawn yet: only \"plane\" is there");
     say(params.reflection.bounces > 1, "reflection",
         "one plane mirrors once: reflection.bounces above 1 changes nothing yet");
-    say(params.view.shows == Shows::overdraw, "view",
-        "view.shows overdraw is kept but not drawn yet: the picture shows colour");
     say(params.reflection.clip == MirrorClip::oblique && params.depth.mapping == DepthMapping::reversed, "reflection",
         "the oblique near plane is made for depth that grows with distance: with reversed depth the clip distance is "
         "used");

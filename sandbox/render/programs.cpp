@@ -24,8 +24,12 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
     std::string defines = "#define SHADING " + std::to_string(kind.shading) + "\n";
     if (kind.is_patch) defines += "#define IS_PATCH\n";
     if (kind.write_depth) defines += "#define WRITE_DEPTH\n";
-    if (kind.clips) defines += capabilities_.clip_distance ? "#define CLIP_DISTANCE\n" : "#define CLIP_BY_DISCARD\n";
-    Result<gl::Program> program = load("surface.vert", "surface.frag", defines);
+    if (kind.clips && kind.source != SurfaceKind::Source::picture)
+        defines += capabilities_.clip_distance ? "#define CLIP_DISTANCE\n" : "#define CLIP_BY_DISCARD\n";
+    if (kind.source == SurfaceKind::Source::vertices) defines += "#define PER_VERTEX\n";
+    const bool from_picture = kind.source == SurfaceKind::Source::picture;
+    if (from_picture) defines += "#define FROM_PICTURE\n";
+    Result<gl::Program> program = load(from_picture ? "fullscreen.vert" : "surface.vert", "surface.frag", defines);
     if (!program) return Error{program.error()};
     SurfaceProgram& made = surfaces_[kind];
     made.program = std::move(*program);
@@ -52,6 +56,10 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
         {&SurfaceProgram::depth_levels, "depth_levels"},
         {&SurfaceProgram::logarithmic_range, "logarithmic_range"},
         {&SurfaceProgram::depth_offset, "depth_offset"},
+        {&SurfaceProgram::surface_positions, "surface_positions"},
+        {&SurfaceProgram::surface_normals, "surface_normals"},
+        {&SurfaceProgram::surface_colors, "surface_colors"},
+        {&SurfaceProgram::surface_counts, "surface_counts"},
     };
     for (const Location& location : locations) made.*location.member = uniform(made.program, location.name);
     return &made;
@@ -79,6 +87,23 @@ Result<const ShowStencilProgram*> Programs::show_stencil() {
     show_stencil_.stencil_colors = uniform(*program, "stencil_colors");
     show_stencil_.program = std::move(*program);
     return &show_stencil_;
+}
+
+Result<const ShowOverdrawProgram*> Programs::show_overdraw() {
+    if (show_overdraw_.program) return &show_overdraw_;
+    Result<gl::Program> program = load("fullscreen.vert", "show_overdraw.frag");
+    if (!program) return Error{program.error()};
+    show_overdraw_.overdraw_colors = uniform(*program, "overdraw_colors");
+    show_overdraw_.program = std::move(*program);
+    return &show_overdraw_;
+}
+
+Result<const gl::Program*> Programs::show_picture() {
+    if (show_picture_) return &show_picture_;
+    Result<gl::Program> program = load("fullscreen.vert", "show_picture.frag");
+    if (!program) return Error{program.error()};
+    show_picture_ = std::move(*program);
+    return &show_picture_;
 }
 
 Result<const ConstantProgram*> Programs::constant() {

@@ -11,12 +11,17 @@ namespace viewing {
 
 /// One way to draw a surface: each has a program of its own.
 struct SurfaceKind {
-    static constexpr int identity = 4;  ///< one more than Shading has: identities for colours, to read back
+    static constexpr int identity = 4;          ///< more than Shading has: identities for colours, to read back
+    static constexpr int polygon_identity = 5;  ///< of polygons; only with Source::vertices
 
-    int shading = 0;  ///< a Shading, or identity
+    /// Where colour and numbers come from: the object, its vertices, or a picture of surface points.
+    enum class Source { object, vertices, picture };
+
+    int shading = 0;  ///< a Shading, or one of the identities
     bool is_patch = false;
     bool clips = false;
     bool write_depth = false;
+    Source source = Source::object;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
@@ -26,6 +31,7 @@ struct SurfaceProgram {
     GLint clip_from_model, world_from_model, world_from_normal, clip_plane_model;
     GLint light_world, eye_world, sky_world, base_color, alpha, patch_tones, patch_extent, facing_colors;
     GLint view_z_of_model, view_w_of_model, depth_levels, logarithmic_range, depth_offset;
+    GLint surface_positions, surface_normals, surface_colors, surface_counts;
 };
 
 struct ShowDepthProgram {
@@ -36,6 +42,11 @@ struct ShowDepthProgram {
 struct ShowStencilProgram {
     gl::Program program;
     GLint stencil_colors;
+};
+
+struct ShowOverdrawProgram {
+    gl::Program program;
+    GLint overdraw_colors;
 };
 
 struct ConstantProgram {
@@ -50,14 +61,18 @@ public:
     Result<const SurfaceProgram*> surface(const SurfaceKind& kind);
     Result<const ShowDepthProgram*> show_depth();
     Result<const ShowStencilProgram*> show_stencil();
+    Result<const ShowOverdrawProgram*> show_overdraw();
     Result<const ConstantProgram*> constant();
+    Result<const gl::Program*> show_picture();
 
 private:
     gl::Capabilities capabilities_;
     std::map<SurfaceKind, SurfaceProgram> surfaces_;
     ShowDepthProgram show_depth_;
     ShowStencilProgram show_stencil_;
+    ShowOverdrawProgram show_overdraw_;
     ConstantProgram constant_;
+    gl::Program show_picture_;
 };
 
 }  // namespace viewing

@@ -8,7 +8,9 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "frame/ground.h"
+#include "geometry/normals.h"
 #include "geometry/shapes.h"
+#include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
 #include "render/programs.h"
 
@@ -17,14 +19,6 @@ namespace {
 
 glm::vec3 srgb(const Color& color) {
     return glm::vec3(color.r, color.g, color.b) / 255.0F;
-}
-
-glm::vec3 linear_from_srgb(const Color& color) {
-    const glm::vec3 value = srgb(color);
-    const auto one = [](float channel) {
-        return channel <= 0.04045F ? channel / 12.92F : std::pow((channel + 0.055F) / 1.055F, 2.4F);
-    };
-    return {one(value.r), one(value.g), one(value.b)};
 }
 
 GLenum gl_enum(CompareFunc func) {
@@ -45,17 +39,6 @@ void set_vector(GLint location, const glm::vec3& value) {
 }
 void set_vector(GLint location, const glm::vec4& value) {
     glUniform4fv(location, 1, glm::value_ptr(value));
-}
-
-/// How normals follow a matrix, up to their length and sign: its cofactors, which a matrix that flattens has too (a
-/// mirror by hand), scaled so that they fit into floats.
-glm::dmat3 normal_matrix(const glm::dmat3& matrix) {
-    const glm::dmat3 cofactors(glm::cross(matrix[1], matrix[2]), glm::cross(matrix[2], matrix[0]),
-                               glm::cross(matrix[0], matrix[1]));
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(cofactors[column][row]));
-    return largest > 0.0 ? cofactors / largest : cofactors;
 }
 
 /// A number below 2^16 in the bytes of red and green.
@@ -82,14 +65,21 @@ void apply_state(const Pass& pass, const gl::Capabilities& capabilities) {
     static constexpr GLenum ops[] = {GL_KEEP, GL_REPLACE, GL_INCR};
     glStencilOp(GL_KEEP, GL_KEEP, ops[static_cast<std::size_t>(pass.stencil.on_pass)]);
 
-    enable(GL_BLEND, pass.blend == Blend::alpha);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    enable(GL_BLEND, pass.blend != Blend::none);
+    if (pass.blend == Blend::add)
+        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    else
+        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     const GLboolean writes = pass.color_write ? GL_TRUE : GL_FALSE;
     glColorMask(writes, writes, writes, writes);
 
     if (capabilities.clip_distance)
         for (std::size_t plane = 0; plane < 2; ++plane)
             enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane), plane < pass.clip_planes.size());
+}
+
+const std::shared_ptr<const HiddenDrawing>& drawing_of(const FramePlan& plan, const Pass& pass) {
+    return pass.is_mirror_image ? plan.hidden.mirrored : plan.hidden.camera;
 }
 
 void restore_defaults(const gl::Capabilities& capabilities) {
@@ -115,6 +105,7 @@ struct Renderer::Implementation {
     gl::Capabilities capabilities;
     Programs programs;
     GpuMeshes meshes;
+    GpuDrawings drawings;
     GpuMesh quad = upload(quad_mesh());
     gl::VertexArray no_vertices = gl::make_vertex_array();
 
@@ -123,20 +114,26 @@ struct Renderer::Implementation {
         const FramePlan& plan;
         const Scene& scene;
         bool writes_depth;
-        bool identify;  ///< identities in place of colours, for reading back
+        int identify;  ///< a SurfaceKind's identity, in place of colours, for reading back; 0: colours
     };
 
-    Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view, bool identify);
+    Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view, int identify);
     Status draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target, bool clear_depth,
-                       bool identify);
+                       int identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
     Status draw_pass(const FrameState& frame, const Pass& pass);
     void set_uniforms(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) const;
+    void set_placement(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
+                       const glm::dmat4& world_from_model) const;
+    void draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
+    void draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
+    Status draw_difference(const FramePlan& plan);
     void draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
                   const glm::dmat4& world_from_model, const GpuMesh& mesh, const DepthOffset& own_offset) const;
     void set_offset(const FrameState& frame, const SurfaceProgram& program, const DepthOffset& offset) const;
     Status present_depth(const FramePlan& plan, View& view);
     Status present_stencil(View& view);
+    Status present_overdraw(View& view);
     void draw_fullscreen(const gl::Program& program) const;
 };
 
@@ -144,7 +141,8 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
     glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
     glViewport(0, 0, target.size_px().x, target.size_px().y);
     restore_defaults(capabilities);
-    const glm::vec3 background = frame.identify ? glm::vec3(0.0F) : srgb(frame.plan.background);
+    const bool counts = frame.identify != 0 || frame.plan.shows == Shows::overdraw;
+    const glm::vec3 background = counts ? glm::vec3(0.0F) : srgb(frame.plan.background);
     glClearColor(background.r, background.g, background.b, 1.0F);
     glClearDepth(frame.plan.clear_depth_value);
     glClearStencil(0);
@@ -188,9 +186,8 @@ void Renderer::Implementation::set_offset(const FrameState& frame, const Surface
     glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
 }
 
-void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
-                                        const glm::dmat4& world_from_model, const GpuMesh& mesh,
-                                        const DepthOffset& own_offset) const {
+void Renderer::Implementation::set_placement(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
+                                             const glm::dmat4& world_from_model) const {
     const glm::dmat4 placed_from_model = pass.world_from_scene * world_from_model;
     set_matrix(program.clip_from_model, pass.clip_from_world * placed_from_model);
     set_matrix(program.world_from_model, placed_from_model);
@@ -202,32 +199,75 @@ void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pas
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
     glUniform4fv(program.clip_plane_model, 2, glm::value_ptr(planes_model[0]));
-    if (frame.writes_depth) {
-        const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
-        set_vector(program.view_z_of_model, glm::vec4(rows[2]));
-        set_vector(program.view_w_of_model, glm::vec4(rows[3]));
-    }
+    if (!frame.writes_depth) return;
+    const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
+    set_vector(program.view_z_of_model, glm::vec4(rows[2]));
+    set_vector(program.view_w_of_model, glm::vec4(rows[3]));
+}
+
+void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
+                                        const glm::dmat4& world_from_model, const GpuMesh& mesh,
+                                        const DepthOffset& own_offset) const {
+    set_placement(frame, pass, program, world_from_model);
     set_offset(frame, program, pass.offset.value_or(own_offset));
     mesh.draw();
 }
 
+void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
+    const GpuDrawing& drawing = drawings.of(drawing_of(frame.plan, pass));
+    set_placement(frame, pass, program, glm::dmat4(1.0));
+    set_offset(frame, program, pass.offset.value_or(DepthOffset{}));
+    drawing.draw();
+}
+
+void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
+    drawings.of(drawing_of(frame.plan, pass)).bind_textures();
+    const GLint samplers[] = {program.surface_positions, program.surface_normals, program.surface_colors,
+                              program.surface_counts};
+    for (int unit = 0; unit < 4; ++unit) glUniform1i(samplers[unit], unit);
+    set_placement(frame, pass, program, glm::dmat4(1.0));
+    // The normals are turned towards the eye already: cofactors of a mirror would turn them around.
+    const glm::dmat3 scene(pass.world_from_scene);
+    const glm::mat3 world_from_normal(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
+    glUniformMatrix3fv(program.world_from_normal, 1, GL_FALSE, glm::value_ptr(world_from_normal));
+    draw_fullscreen(program.program);
+}
+
+Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
+    Result<const gl::Program*> program = programs.show_picture();
+    if (!program) return Error{program.error()};
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, drawings.texture_of(plan.hidden.difference));
+    draw_fullscreen(**program);
+    return std::monostate{};
+}
+
 Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass) {
+    apply_state(pass, capabilities);
+    if (pass.subject == Subject::difference)
+        return frame.identify != 0 ? Status(std::monostate{}) : draw_difference(frame.plan);
     const bool is_patch = pass.subject == Subject::patch;
-    const int shading = frame.identify ? SurfaceKind::identity : static_cast<int>(pass.shading);
-    Result<const SurfaceProgram*> found =
-        programs.surface({shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth});
+    using Source = SurfaceKind::Source;
+    const Source source = pass.subject == Subject::ordered  ? Source::vertices
+                          : pass.subject == Subject::pixels ? Source::picture
+                                                            : Source::object;
+    const int shading = frame.identify != 0 ? frame.identify : static_cast<int>(pass.shading);
+    Result<const SurfaceProgram*> found = programs.surface(
+        {shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth && source != Source::picture, source});
     if (!found) return Error{found.error()};
     const SurfaceProgram& program = **found;
-    apply_state(pass, capabilities);
     set_uniforms(frame, pass, program);
+    if (source == Source::vertices) draw_ordered(frame, pass, program);
+    if (source == Source::picture) draw_pixels(frame, pass, program);
+    if (source != Source::object) return std::monostate{};
     if (is_patch) {
-        if (frame.identify) set_identity(program, patch_identity);
+        if (frame.identify != 0) set_identity(program, patch_identity);
         draw_one(frame, pass, program, frame.plan.patch.world_from_patch(), quad, {});
         return std::monostate{};
     }
     for (std::size_t index = 0; index < frame.scene.objects.size(); ++index) {
         const SceneObject& object = frame.scene.objects[index];
-        if (frame.identify) {
+        if (frame.identify != 0) {
             set_identity(program, static_cast<int>(index + 1));
         } else if (pass.shading != Shading::flat) {
             set_vector(program.base_color, glm::vec4(linear_from_srgb(object.description.color), 1.0F));
@@ -239,7 +279,7 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
 }
 
 Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target,
-                                             bool clear_depth, bool identify) {
+                                             bool clear_depth, int identify) {
     const bool writes_depth = stores_fewer_bits(plan.depth_format) || plan.depth_mapping == DepthMapping::logarithmic;
     const FrameState frame{plan, scene, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
@@ -309,6 +349,21 @@ Status Renderer::Implementation::present_stencil(View& view) {
     return std::monostate{};
 }
 
+Status Renderer::Implementation::present_overdraw(View& view) {
+    Result<const ShowOverdrawProgram*> show = programs.show_overdraw();
+    if (!show) return Error{show.error()};
+    glBindFramebuffer(GL_FRAMEBUFFER, view.shown_.framebuffer());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, view.target_.color_texture());
+    glUseProgram((*show)->program.name());
+    glm::vec3 colors[overdraw_colors.size()];
+    std::ranges::transform(overdraw_colors, colors, srgb);
+    glUniform3fv((*show)->overdraw_colors, static_cast<GLsizei>(overdraw_colors.size()), glm::value_ptr(colors[0]));
+    draw_fullscreen((*show)->program);
+    restore_defaults(capabilities);
+    return std::monostate{};
+}
+
 Renderer::Renderer(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -326,11 +381,12 @@ const gl::Capabilities& Renderer::capabilities() const {
 }
 
 Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
-                                            bool identify) {
+                                            int identify) {
     const gl::TargetSpec spec{size_px, plan.samples, plan.depth_format == DepthFormat::d32f};
     const bool fresh = view.target_.spec() != spec;
     if (fresh) view.target_ = gl::Target(spec);
     meshes.drop_unused();
+    drawings.drop_unused();
 
     // A frame that does not clear depth starts from the one before; the first one has only itself.
     if (fresh && !plan.clear_depth)
@@ -339,11 +395,12 @@ Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& 
 }
 
 Status Renderer::draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
-    view.presents_ = plan.shows == Shows::depth || plan.shows == Shows::stencil;
+    view.presents_ = plan.shows == Shows::depth || plan.shows == Shows::stencil || plan.shows == Shows::overdraw;
     if (view.presents_ && view.shown_.size_px() != size_px) view.shown_ = gl::ColorTarget(size_px);
-    if (Status drawn = implementation_->draw_frame(plan, scene, size_px, view, false); !drawn) return drawn;
+    if (Status drawn = implementation_->draw_frame(plan, scene, size_px, view, 0); !drawn) return drawn;
     if (plan.shows == Shows::depth) return implementation_->present_depth(plan, view);
     if (plan.shows == Shows::stencil) return implementation_->present_stencil(view);
+    if (plan.shows == Shows::overdraw) return implementation_->present_overdraw(view);
     return std::monostate{};
 }
 
@@ -360,7 +417,25 @@ Status Renderer::draw_identities(const FramePlan& plan, const Scene& scene, glm:
         if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows are nobody
         pass.blend = Blend::none;
     }
-    return implementation_->draw_frame(plain, scene, size_px, view, true);
+    return implementation_->draw_frame(plain, scene, size_px, view, SurfaceKind::identity);
+}
+
+Result<IdImage> Renderer::read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
+    FramePlan plain = plan;
+    plain.samples = 0;
+    plain.shows = Shows::color;
+    std::erase_if(plain.passes,
+                  [](const Pass& pass) { return pass.is_mirror_image || pass.subject != Subject::ordered; });
+    if (Status drawn = implementation_->draw_frame(plain, scene, size_px, view, SurfaceKind::polygon_identity); !drawn)
+        return Error{drawn.error()};
+    const Image bytes = read(view);
+    IdImage image(bytes.width, bytes.height);
+    for (int y = 0; y < bytes.height; ++y)
+        for (int x = 0; x < bytes.width; ++x) {
+            const std::uint8_t* at = bytes.row(y) + 4 * static_cast<std::size_t>(x);
+            image.ids[image.index(x, y)] = at[0] + 256 * at[1] + 65536 * at[2] - 1;
+        }
+    return image;
 }
 
 }  // namespace viewing

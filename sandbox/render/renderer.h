@@ -50,6 +50,10 @@ public:
 
     static constexpr int patch_identity = 255 * 256;
 
+    /// The polygons that GL shows where the plan's hidden surfaces are drawn in order, by Polygon::source, and nothing
+    /// else of the scene. Below 2^24 polygons; depths are left as they are in an empty picture.
+    Result<IdImage> read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
+
 private:
     struct Implementation;
     explicit Renderer(std::unique_ptr<Implementation> implementation);

@@ -22,7 +22,8 @@ template <> std::span<const char* const> names_of<MirrorClip>() { static constex
 template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}; return names; }
 template <> std::span<const char* const> names_of<SortKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
 template <> std::span<const char* const> names_of<Splitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
-template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw"}; return names; }
+template <> std::span<const char* const> names_of<BspWalkOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }
+template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference"}; return names; }
 template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
@@ -490,13 +491,42 @@ const Field all_fields[] = {
      .label = "splitter",
      .help = "Which polygon becomes the root when a BSP tree is built: the first, a random one, the one that cuts the "
              "fewest others, or the one that divides them most evenly."},
+    {.path = "visibility.walk",
+     .in = IN(visibility.walk),
+     .label = "walk",
+     .help = "How a BSP tree is drawn: from back to front, each polygon over the ones before; or from front to back, "
+             "where a mask of the pixels already covered keeps what is there."},
+    {.path = "visibility.epsilon",
+     .in = IN(visibility.epsilon),
+     .label = "epsilon",
+     .unit = "of the scene's diagonal",
+     .min = 1e-12,
+     .max = 0.1,
+     .step = 1e-9,
+     .logarithmic = true,
+     .help = "How near to a plane a corner may be and still count as on it, when BSP and Newell cut polygons. Too "
+             "large, and what should be cut is not: seams are torn and orders wrong."},
+    {.path = "visibility.exact_curves",
+     .in = IN(visibility.exact_curves),
+     .label = "exact curves",
+     .help = "Rays meet spheres, cylinders, cones and tori by their equations, not their triangles: silhouettes are "
+             "round at any distance, which is what ray casting is praised for."},
+    {.path = "visibility.compare_with",
+     .in = IN(visibility.compare_with),
+     .label = "compare with",
+     .help = "The method that the difference view holds this one against: pixels where they see different polygons, "
+             "away from edges, are red."},
+    {.path = "visibility.numbers",
+     .in = IN(visibility.numbers),
+     .label = "numbers",
+     .help = "Writes on each polygon the place it has in the drawing order."},
 
     // view
     {.path = "view.shows",
      .in = IN(view.shows),
      .label = "shows",
      .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
-             "polygon faces the eye, or how often each pixel was drawn."},
+             "polygon faces the eye, how often each pixel was drawn, or where two hidden-surface methods differ."},
     {.path = "view.depth_scale",
      .in = IN(view.depth_scale),
      .label = "depth scale",

@@ -12,6 +12,7 @@
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 #include "state/scene_description.h"
+#include "state/visibility_params.h"
 
 namespace viewing {
 
@@ -24,10 +25,7 @@ enum class FrontFace { ccw, cw };
 enum class ShadowOffset { none, polygon_offset, lift, no_depth_test };
 enum class ShadowStyle { blend, missing_light };
 enum class MirrorClip { none, clip_distance, oblique };
-enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software_depth_buffer, ray_cast };
-enum class SortKey { nearest, farthest, centroid };
-enum class Splitter { first, random, fewest_splits, balanced };
-enum class Shows { color, depth, stencil, facing, overdraw };
+enum class Shows { color, depth, stencil, facing, overdraw, difference };
 enum class DepthScale { window, linear };
 enum class Theme { dark, light, projector };
 
@@ -123,14 +121,6 @@ struct Follow {
     std::string object;
     int vertex = 0;
     bool operator==(const Follow&) const = default;
-};
-
-struct VisibilityParams {
-    VisibilityMethod method = VisibilityMethod::depth_buffer;
-    int step = -1;  ///< −1: all steps
-    SortKey sort_key = SortKey::farthest;
-    Splitter splitter = Splitter::fewest_splits;
-    bool operator==(const VisibilityParams&) const = default;
 };
 
 struct ViewParams {

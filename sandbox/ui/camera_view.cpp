@@ -12,12 +12,14 @@ namespace {
 
 /// What the picture shows, and what belongs to that.
 void view_choices(Params& params, const Rect& rect) {
-    static constexpr const char* shows[] = {"colour", "depth", "stencil", "facing"};
+    static constexpr const char* shows[] = {"colour", "depth", "stencil", "facing", "overdraw", "difference"};
     static constexpr const char* show_explanations[] = {
         "The picture as it is meant to be seen.",
         "The depth buffer: black is near, white is far, tinted was never written.",
         "The stencil buffer: where the patch was marked, and where a shadow was counted on it.",
-        "Which side of each polygon is seen: front faces and back faces in two colours."};
+        "Which side of each polygon is seen: front faces and back faces in two colours.",
+        "How often each pixel was drawn.",
+        "Where the method and the one it is compared with see different polygons: red."};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
@@ -41,7 +43,12 @@ void view_choices(Params& params, const Rect& rect) {
     }
 }
 
-void camera_legend(const Overlay& overlay, const Params& params) {
+void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
+    if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
+        const std::string differ = grouped_number(hidden.answer->different_pixels) + " pixels differ, away from edges";
+        const LegendEntry entries[] = {{{235, 30, 40}, differ.c_str()}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    }
     if (params.view.shows == Shows::facing) {
         const LegendEntry entries[] = {{front_color, "front faces"}, {back_color, "back faces (striped)"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
@@ -49,6 +56,15 @@ void camera_legend(const Overlay& overlay, const Params& params) {
         const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
                                        {stencil_colors[1], "1: the patch"},
                                        {stencil_colors[2], "2: in shadow"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::overdraw) {
+        const LegendEntry entries[] = {{overdraw_colors[0], "0"},
+                                       {overdraw_colors[1], "1"},
+                                       {overdraw_colors[2], "2"},
+                                       {overdraw_colors[3], "3"},
+                                       {overdraw_colors[4], "4"},
+                                       {overdraw_colors[6], "6"},
+                                       {overdraw_colors[8], "8 or more times drawn"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
@@ -110,8 +126,10 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) / static_cast<double>(overlay.rect().height()) *
                       derived.facts.target_distance;
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
-        if (state.looking && state.dragged_px <= px(3.0F))
+        if (state.looking && state.dragged_px <= px(3.0F)) {
+            state.laboratory.next_link.selected_fragment = state.laboratory.link.hovered_fragment;
             if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos)) session.params.follow = follow;
+        }
         state.grip = {};
         state.looking = false;
     }
@@ -127,15 +145,15 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 
 }  // namespace
 
-void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect, ImTextureID picture,
-                      const FrameInput& input, MotionInput& motion) {
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                      const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
     const widgets::Group group("view");
     view_header(rect, rect.width() < px(300.0F) ? "" : "Camera view");
     Params& params = session.params;
     view_choices(params, rect);
 
-    picture_item("camera view", rect, picture);
+    picture_item("camera view", rect, pictures.camera);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (over) state.hovered = ViewName::camera;
@@ -148,7 +166,9 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, input, motion);
-    camera_legend(overlay, params);
+    camera_legend(overlay, params, pictures.hidden);
+    if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
+    draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
     if (!state.handles) return;
     draw_handles(overlay, places, params, derived, hovered);
     draw_followed(overlay, params, derived);

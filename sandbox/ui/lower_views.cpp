@@ -87,6 +87,15 @@ void passes_list(const FramePlan& plan, const Rect& rect) {
     ImGui::PopStyleColor();
 }
 
+/// Another method brings what is to be seen of it: the tree, the order, or the depth buffer again.
+void follow_method(ViewState& state, VisibilityMethod method) {
+    if (state.topic_for == method) return;
+    state.topic_for = method;
+    state.topic = method == VisibilityMethod::bsp ? LowerTopic::tree
+                  : is_drawn_by_gl_alone(method)  ? LowerTopic::depth
+                                                  : LowerTopic::order;
+}
+
 /// What black and white stand for in the depth picture beside the camera's.
 void draw_depth_legend(const Session& session, const Derived& derived, const Rect& rect) {
     const glm::dvec2 range = fitting_range(session.params, derived, session.scene());
@@ -100,12 +109,12 @@ void draw_depth_legend(const Session& session, const Derived& derived, const Rec
 }  // namespace
 
 void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        ImTextureID picture) {
+                        const Pictures& pictures) {
     if (rect.empty()) return;
     const widgets::Group group("observer");
     view_header(rect, "Observer");
     header_note("camera frustum, light, plane", rect.max.x);
-    picture_item("observer view", rect, picture);
+    picture_item("observer view", rect, pictures.observer);
     const bool over = ImGui::IsItemHovered();
     if (over) state.hovered = ViewName::observer;
 
@@ -124,15 +133,18 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
 
     patch_outline(overlay, derived);
     frustum_lines(overlay, session.params, derived);
+    draw_laboratory_observer(state.laboratory, pictures.hidden, overlay);
     draw_handles(overlay, places, session.params, derived, hovered);
     draw_followed(overlay, session.params, derived);
 }
 
 void draw_lower_right_view(ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                           const Rect& rect, ImTextureID picture) {
+                           const Rect& rect, const Pictures& pictures) {
     if (rect.empty()) return;
     const widgets::Group group("lower");
-    static constexpr const char* topics[] = {"Depth buffer", "Moving the world", "GL calls, pass by pass"};
+    follow_method(state, session.params.visibility.method);
+    static constexpr const char* topics[] = {"Depth buffer", "Moving the world", "GL calls, pass by pass",
+                                             "BSP tree",     "Drawing order",    "Costs as they grow"};
     ImGui::SetCursorScreenPos({rect.min.x, rect.min.y - px(25.0F)});
     int topic = static_cast<int>(state.topic);
     if (widgets::Choice("##topic", topic, topics, 0, std::min(px(190.0F), rect.width())))
@@ -140,16 +152,33 @@ void draw_lower_right_view(ViewState& state, Session& session, const Derived& de
     widgets::Tooltip(
         "What this view shows",
         "The camera's depth buffer; the world moving while the camera stays; or the passes of the frame with "
-        "what GL is told in each.");
+        "what GL is told in each. Of the hidden-surface methods: the tree, the order in which polygons are drawn, and "
+        "what each method costs as a scene grows.");
 
-    if (state.topic == LowerTopic::passes) {
-        passes_list(plan, rect);
-        return;
+    const bool over = ImGui::IsMouseHoveringRect(rect.min, rect.max);
+    switch (state.topic) {
+        case LowerTopic::passes:
+            return passes_list(plan, rect);
+        case LowerTopic::tree:
+            if (over) state.hovered = ViewName::lower_right;
+            return draw_tree_view(state.laboratory, pictures.hidden, rect);
+        case LowerTopic::order:
+            if (over) state.hovered = ViewName::lower_right;
+            return draw_order_view(state.laboratory, pictures.hidden, rect);
+        case LowerTopic::growth:
+            if (over) state.hovered = ViewName::lower_right;
+            return draw_growth_view(state.laboratory, session, pictures.hidden, rect);
+        case LowerTopic::depth:
+        case LowerTopic::moving_world:
+            break;
     }
-    picture_item("lower view", rect, picture);
+    picture_item("lower view", rect, pictures.lower_right);
     if (ImGui::IsItemHovered()) state.hovered = ViewName::lower_right;
     if (state.topic == LowerTopic::depth) {
         draw_depth_legend(session, derived, rect);
+        if (session.params.visibility.method != VisibilityMethod::depth_buffer)
+            widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)},
+                              palette().text, "This method draws with GL's depth test off: no depth is written.");
         return;
     }
     observer_mouse(state, session);

@@ -124,7 +124,8 @@ void projection_section(Session& session, const Derived& derived) {
     tell_problems(derived, "projection");
 }
 
-void hidden_surfaces_section(Session& session, const Derived& derived) {
+void hidden_surfaces_section(Session& session, const Derived& derived, LaboratoryState& laboratory,
+                             const HiddenStatus& hidden) {
     if (!widgets::Section("Hidden surfaces")) return;
     const widgets::Group group("depth");
     Params& params = session.params;
@@ -133,12 +134,14 @@ void hidden_surfaces_section(Session& session, const Derived& derived) {
     static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
     static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
     static constexpr float second = 118.0F;
+    ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer);  // the others have no use for it
     control(params, "depth.test", {.label = "Depth test"});
     beside(second);
     control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});
     control(params, "depth.write", {.label = "Depth mask"});
     beside(second);
     control(params, "depth.clear", {.label = "Clear depth"});
+    ImGui::EndDisabled();
     control(params, "cull.enabled", {.label = "Cull face"});
     beside(second);
     control(params, "cull.face", {.width = 150.0F, .names = faces, .label = "##face"});
@@ -146,13 +149,8 @@ void hidden_surfaces_section(Session& session, const Derived& derived) {
     ImGui::TextUnformatted("Front face");
     beside(second);
     control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
-    // Methods that are not drawn yet are offered only while a state names one.
-    static constexpr const char* methods[] = {"depth buffer", "none"};
-    const bool is_drawn = params.visibility.method <= VisibilityMethod::none;
-    control(params, "visibility.method",
-            {.width = 150.0F,
-             .names = is_drawn ? std::span<const char* const>(methods) : std::span<const char* const>(),
-             .label = "method"});
+    control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"});
+    draw_laboratory_panel(laboratory, session, hidden);
     if (details("Depth format and mapping")) {
         static constexpr const char* formats[] = {"4 bit",  "5 bit",  "6 bit",  "7 bit",  "8 bit",  "9 bit",
                                                   "10 bit", "11 bit", "12 bit", "16 bit", "24 bit", "32 bit float"};
@@ -259,11 +257,11 @@ void observer_section(Session& session) {
 
 }  // namespace
 
-void draw_panel(Session& session, const Derived& derived) {
+void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden) {
     ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
     camera_section(session, derived);
     projection_section(session, derived);
-    hidden_surfaces_section(session, derived);
+    hidden_surfaces_section(session, derived, laboratory, hidden);
     light_section(session, derived);
     plane_section(session, derived);
     shadow_and_reflection_section(session, derived);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "frame/derive.h"
+#include "ui/laboratory.h"
 #include "ui/session.h"
 
 namespace viewing {
 
 /// Draws the sections into the current ImGui window and edits the session's parameters.
-void draw_panel(Session& session, const Derived& derived);
+void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden);
 
 }  // namespace viewing

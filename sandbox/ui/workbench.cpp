@@ -69,11 +69,12 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, Requests&
     for (const std::filesystem::path& file : input.dropped_files) session.report(session.open(file.string()));
 }
 
-void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before, const Layout& layout) {
+void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
+                             const HiddenStatus& hidden, const Layout& layout) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
     if (!layout.panel.empty()) {
         begin_area("panel", layout.panel, 0);
-        draw_panel(session, derived);
+        draw_panel(session, derived, views.laboratory, hidden);
         ImGui::End();
     }
     if (!layout.matrices.empty()) {
@@ -93,9 +94,9 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
-    draw_camera_view(views, session, derived, layout.camera, pictures.camera, input, motion);
-    draw_observer_view(views, session, derived, layout.observer, pictures.observer);
-    draw_lower_right_view(views, session, derived, plan, layout.lower_right, pictures.lower_right);
+    draw_camera_view(views, session, derived, layout.camera, pictures, input, motion);
+    draw_observer_view(views, session, derived, layout.observer, pictures);
+    draw_lower_right_view(views, session, derived, plan, layout.lower_right, pictures);
     if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
     ImGui::End();
 }
@@ -161,9 +162,14 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
     if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
-    draw_columns(session, derived, before, now);
+    draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
+    LaboratoryState& laboratory = views.laboratory;
+    take_background_results(laboratory, session);
+    laboratory.link = laboratory.next_link;
+    laboratory.next_link.hovered_fragment = laboratory.next_link.hovered_node = -1;
+    requests.cancel_hidden = std::exchange(laboratory.cancel_method, false);
     draw_loading(session, now);
     draw_message(session, now);
     file_dialog_.draw(session);
@@ -171,7 +177,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
-    if (!ImGui::IsAnyItemActive() && !session.is_moving()) session.rest();
+    if (!ImGui::IsAnyItemActive() && !session.is_moving() && !laboratory.playing) session.rest();
     return requests;
 }
 

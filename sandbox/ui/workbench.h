@@ -24,6 +24,7 @@ struct StatusLine {
 struct Requests {
     bool snapshot = false;
     bool toggle_full_screen = false;
+    bool cancel_hidden = false;  ///< what the hidden-surface methods are working on
 };
 
 class Workbench {
@@ -48,7 +49,8 @@ private:
     void draw_file_menu(Session& session, Requests& requests);
     void draw_look_menu(Session& session, Requests& requests);
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
-    void draw_columns(Session& session, const Derived& derived, const Derived& before, const Layout& layout);
+    void draw_columns(Session& session, const Derived& derived, const Derived& before, const HiddenStatus& hidden,
+                      const Layout& layout);
     void draw_views(Session& session, const Derived& derived, const FramePlan& plan, const Pictures& pictures,
                     const Layout& layout, const FrameInput& input, MotionInput& motion);
     void draw_splitters(const Layout& layout, const Rect& between);

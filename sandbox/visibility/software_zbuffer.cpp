@@ -162,6 +162,8 @@ private:
         double* const depths = image.depths.data() + image.index(0, y);
         const double depth_of_row = depth_at_origin_ + depth_per_y_ * (y + 0.5);
         const int id = polygon_->source;
+        std::uint32_t* const counts =
+            result_.written_per_pixel.empty() ? nullptr : result_.written_per_pixel.data() + image.index(0, y);
         std::int64_t written = 0;
         for (int x = begin; x < end; ++x) {
             const double depth = std::min(std::max(depth_of_row + depth_per_x_ * (x + 0.5), nearest_), farthest_);
@@ -173,12 +175,10 @@ private:
             ids[x] = id;
             depths[x] = depth;
             ++written;
+            if (counts != nullptr) ++counts[x];
         }
         result_.counters.pixels_tested += end - begin;
         result_.counters.pixels_written += written;
-        if (!result_.tested_per_pixel.empty()) {
-            for (int x = begin; x < end; ++x) ++result_.tested_per_pixel[image.index(x, y)];
-        }
     }
 
     const glm::dmat4 clip_from_world_, clip_plane_from_world_;
@@ -201,7 +201,7 @@ RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> o
                        const RasterOptions& options, WorkProgress* progress) {
     RasterResult result;
     result.image = IdImage(options.width, options.height);
-    if (options.count_per_pixel) result.tested_per_pixel.assign(result.image.ids.size(), 0);
+    if (options.count_per_pixel) result.written_per_pixel.assign(result.image.ids.size(), 0);
     Rasteriser rasteriser(clip_from_world, options, result);
     for (std::size_t i = 0; i < order.size() && !rasteriser.stopped(); ++i) {
         if (i % polygons_between_reports == 0) {

@@ -23,7 +23,7 @@ struct RasterOptions {
     int width = 0, height = 0;
     std::int64_t stop_after = -1;  ///< replay: stop after so many fragments; −1: all
     int subpixel_bits = -1;  ///< round screen positions to 2^−bits of a pixel, as GL does (0 … 16); −1: do not
-    bool count_per_pixel = false;  ///< fill RasterResult::tested_per_pixel
+    bool count_per_pixel = false;  ///< fill RasterResult::written_per_pixel
 };
 
 /// One fragment: a polygon's point in a pixel, held against what the pixel had.
@@ -49,8 +49,8 @@ struct RasterCounters {
 struct RasterResult {
     IdImage image;
     RasterCounters counters;
-    RasterStep last;                              ///< the last fragment that was tested
-    std::vector<std::uint32_t> tested_per_pixel;  ///< overdraw view; empty unless asked for
+    RasterStep last;                               ///< the last fragment that was tested
+    std::vector<std::uint32_t> written_per_pixel;  ///< overdraw view; empty unless asked for
 };
 
 /// Draws `polygons` in `order` (indices into them, any number of them). A pixel belongs to a polygon that its centre

@@ -159,17 +159,30 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
     std::set<std::string> reached;
     for (const Control& control : controls) reached.insert(control.field);
     // Shown in other states or other places; each has a test of its own in this folder.
-    reached.insert({"scene", "camera.target", "projection.height", "depth.offset.factor", "depth.offset.units",
-                    "shadow.lift", "follow", "view.shows", "view.depth_scale", "view.samples", "ui.theme", "ui.scale",
-                    "overrides.shadow_from_world", "overrides.mirror_from_world"});
+    reached.insert({"scene",
+                    "camera.target",
+                    "projection.height",
+                    "depth.offset.factor",
+                    "depth.offset.units",
+                    "shadow.lift",
+                    "follow",
+                    "view.shows",
+                    "view.depth_scale",
+                    "view.samples",
+                    "ui.theme",
+                    "ui.scale",
+                    "overrides.shadow_from_world",
+                    "overrides.mirror_from_world",
+                    "visibility.step",
+                    "visibility.sort_key",
+                    "visibility.splitter",
+                    "visibility.walk",
+                    "visibility.epsilon",
+                    "visibility.exact_curves",
+                    "visibility.compare_with",
+                    "visibility.numbers"});
     // They take effect with later issues.
-    const std::set<std::string> later = {"version",
-                                         "lights",
-                                         "planes",
-                                         "reflection.bounces",
-                                         "visibility.step",
-                                         "visibility.sort_key",
-                                         "visibility.splitter"};
+    const std::set<std::string> later = {"version", "lights", "planes", "reflection.bounces"};
     for (const Field& field : fields()) {
         const std::string path(field.path);
         EXPECT_TRUE(reached.contains(path) != later.contains(path)) << path;

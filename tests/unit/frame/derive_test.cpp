@@ -296,17 +296,18 @@ TEST(DeriveProblems, WhatIsKeptButNotDrawnIsSaid) {
     struct Case {
         std::string setting, group;
     };
-    for (const Case& each : {Case{"visibility.method=bsp", "visibility"},
-                             {"lights=[{\"position\":[1,1,1,1]}]", "light"},
+    for (const Case& each : {Case{"lights=[{\"position\":[1,1,1,1]}]", "light"},
                              {"planes=[{\"equation\":[1,0,0,0]}]", "plane"},
-                             {"reflection.bounces=2", "reflection"},
-                             {"view.shows=overdraw", "view"}}) {
+                             {"reflection.bounces=2", "reflection"}}) {
         SCOPED_TRACE(each.setting);
         EXPECT_TRUE(says(derived_of(params_with({each.setting})), each.group, "yet"));
     }
     EXPECT_TRUE(says(derived_of(params_with({"reflection.clip=oblique", "depth.mapping=reversed"})), "reflection",
                      "oblique near plane"));
     EXPECT_TRUE(derived_of(params_with({"visibility.method=none", "reflection.clip=oblique"})).problems.empty());
+    for (const char* drawn : {"visibility.method=bsp", "visibility.method=ray_cast", "visibility.step=3",
+                              "view.shows=overdraw", "view.shows=difference"})
+        EXPECT_TRUE(derived_of(params_with({drawn})).problems.empty()) << drawn;
 }
 
 }  // namespace

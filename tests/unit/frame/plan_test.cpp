@@ -342,7 +342,9 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
             EXPECT_TRUE(!pass.depth.test || params.depth.test) << pass.name;
             EXPECT_TRUE(!pass.depth.write || params.depth.write) << pass.name;
         }
-        EXPECT_GE(patches, 1) << "the patch is always drawn";
+        if (params.view.shows != Shows::overdraw) {
+            EXPECT_GE(patches, 1) << "the patch is always drawn";
+        }
     }
 }
 

@@ -65,6 +65,11 @@ constexpr std::string_view contract_paths[] = {
     "visibility.step",
     "visibility.sort_key",
     "visibility.splitter",
+    "visibility.walk",
+    "visibility.epsilon",
+    "visibility.exact_curves",
+    "visibility.compare_with",
+    "visibility.numbers",
     "view.shows",
     "view.depth_scale",
     "view.samples",
@@ -113,7 +118,9 @@ TEST(Fields, EnumsHaveTheContractsNames) {
               (Names{"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}));
     EXPECT_EQ(names("visibility.sort_key"), (Names{"nearest", "farthest", "centroid"}));
     EXPECT_EQ(names("visibility.splitter"), (Names{"first", "random", "fewest_splits", "balanced"}));
-    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw"}));
+    EXPECT_EQ(names("visibility.walk"), (Names{"back_to_front", "front_to_back"}));
+    EXPECT_EQ(names("visibility.compare_with"), names("visibility.method"));
+    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw", "difference"}));
     EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
     EXPECT_EQ(names("ui.theme"), (Names{"dark", "light", "projector"}));
 }

@@ -138,7 +138,12 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "method": "depth_buffer",
     "step": -1,
     "sort_key": "farthest",
-    "splitter": "fewest_splits"
+    "splitter": "fewest_splits",
+    "walk": "back_to_front",
+    "epsilon": 1e-9,
+    "exact_curves": false,
+    "compare_with": "ray_cast",
+    "numbers": false
   },
   "view": {
     "shows": "color",

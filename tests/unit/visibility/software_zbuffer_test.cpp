@@ -49,7 +49,7 @@ TEST(Rasterise, TopLeftRuleOnEdgesThroughPixelCentres) {
               "........\n"
               "........\n"
               "........\n");
-    EXPECT_EQ(*std::max_element(result.tested_per_pixel.begin(), result.tested_per_pixel.end()), 1U);
+    EXPECT_EQ(*std::max_element(result.written_per_pixel.begin(), result.written_per_pixel.end()), 1U);
     EXPECT_EQ(result.counters.pixels_tested, 24);
     EXPECT_EQ(result.counters.pixels_written, 24);
     EXPECT_EQ(result.counters.pixels_covered, 24);
@@ -111,7 +111,7 @@ TEST(Rasterise, MeshesAreWatertight) {
         const RasterResult result =
             rasterise(polygons, viewpoint.clip_from_world(),
                       {.rule = PaintRule::overwrite, .width = 200, .height = 150, .count_per_pixel = true});
-        for (const std::uint32_t count : result.tested_per_pixel) EXPECT_TRUE(count == 0 || count == 2);
+        for (const std::uint32_t count : result.written_per_pixel) EXPECT_TRUE(count == 0 || count == 2);
         EXPECT_EQ(result.counters.pixels_tested, 2 * result.counters.pixels_covered);
         EXPECT_GT(result.counters.pixels_covered, 1000);
     }

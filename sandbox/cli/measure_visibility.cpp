@@ -1,0 +1,164 @@
+#include "cli/measure_visibility.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/hidden_answers.h"
+#include "cli/as_json.h"
+#include "gl/gl.h"
+#include "state/fields.h"
+#include "visibility/culling.h"
+#include "visibility/difference.h"
+
+namespace viewing {
+namespace {
+
+/// GL draws the objects of the camera view and nothing else, once to warm up and once by the clock.
+double time_of_gl_ms(Headless& headless, const Params& params, const Derived& derived, const Scene& scene,
+                     glm::ivec2 size_px) {
+    FramePlan frame = plan(params, derived);
+    frame.samples = 0;
+    std::erase_if(frame.passes, [](const Pass& pass) {
+        return pass.is_mirror_image || pass.subject != Subject::objects || pass.shading == Shading::flat;
+    });
+    View view;
+    const auto draw = [&] {
+        headless.drawn(headless.renderer().draw(frame, scene, size_px, view));
+        glFinish();
+    };
+    draw();
+    const auto started = std::chrono::steady_clock::now();
+    draw();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started).count();
+}
+
+Json counter_as_json(std::int64_t counter) {
+    return counter >= 0 ? Json(counter) : Json();
+}
+
+Json counters_as_json(const HiddenCounters& counters) {
+    return {{"comparisons", counter_as_json(counters.comparisons)},
+            {"swaps", counter_as_json(counters.swaps)},
+            {"splits", counter_as_json(counters.splits)},
+            {"fragments", counter_as_json(counters.fragments)},
+            {"tree_depth", counter_as_json(counters.tree_depth)},
+            {"pixels_tested", counter_as_json(counters.pixels_tested)},
+            {"pixels_written", counter_as_json(counters.pixels_written)},
+            {"overdraw", counters.pixels_tested >= 0 ? Json(counters.overdraw()) : Json()},
+            {"rays", counter_as_json(counters.rays)},
+            {"intersection_tests", counter_as_json(counters.intersection_tests)}};
+}
+
+bool has_build(VisibilityMethod method) {
+    return method == VisibilityMethod::bsp || method == VisibilityMethod::ray_cast;
+}
+
+Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std::vector<Polygon>& polygons) {
+    const auto front = static_cast<FrontWinding>(params.cull.front_face);
+    const CullCounts counts = count_facing(polygons, viewpoint, front);
+    const std::size_t left = culled(polygons, viewpoint, static_cast<CulledFaces>(params.cull.face), front).size();
+    return {{"enabled", params.cull.enabled},
+            {"face", name_of(params.cull.face)},
+            {"front_face", name_of(params.cull.front_face)},
+            {"by_plane", {{"front", counts.facing_towards}, {"back", counts.facing_away}, {"edge_on", counts.edge_on}}},
+            {"by_winding", {{"front", counts.gl_front}, {"back", counts.gl_back}, {"not_drawn", counts.gl_none}}},
+            {"disagree", counts.disagree},
+            {"before", counts.input},
+            {"after", left}};
+}
+
+/// One state, measured by method after method.
+class Measurement {
+public:
+    Measurement(Headless& headless, const Params& params, const Scene& scene, glm::ivec2 size_px)
+        : headless_(headless),
+          params_(params),
+          scene_(scene),
+          derived_(derive(params, scene, Viewport{size_px, headless.renderer().capabilities().clip_control})),
+          request_(hidden_request(params, derived_, size_px)),
+          solver_(scene),
+          objects_(solver_.surface()->object_of_source()) {
+        request_.visibility.step = -1;
+        request_.visibility.method = VisibilityMethod::ray_cast;
+        HiddenRequest triangles = request_;
+        triangles.visibility.exact_curves = false;
+        reference_ = solver_.solve(triangles)->image;
+    }
+
+    Json all() {
+        const auto& polygons = solver_.surface()->polygons;
+        Json methods = Json::object();
+        const std::span<const char* const> names = names_of<VisibilityMethod>();
+        for (std::size_t index = 0; index < names.size(); ++index)
+            methods[names[index]] = of_method(static_cast<VisibilityMethod>(index));
+        return {{"scene", scene_name(params_)},
+                {"size", as_json(request_.size_px)},
+                {"polygons", polygons.size()},
+                {"dropped", solver_.surface()->dropped},
+                {"methods", std::move(methods)},
+                {"painter_keys", painter_keys()},
+                {"culling", culling_as_json(params_, request_.viewpoint, polygons)}};
+    }
+
+private:
+    Json of_method(VisibilityMethod method) {
+        request_.visibility.method = method;
+        const auto result = solver_.solve(request_);
+        double time_ms = result->time_ms;
+        if (is_drawn_by_gl_alone(method)) {
+            Params params = params_;
+            params.visibility = request_.visibility;
+            time_ms = time_of_gl_ms(headless_, params, derived_, scene_, request_.size_px);
+        }
+        Json row{{"time_ms", time_ms}, {"build_ms", has_build(method) ? Json(result->build_ms) : Json()}};
+        row.update(counters_as_json(result->counters));
+        row["wrong_pixels"] = wrong_pixels(*result);
+        row["problem"] = result->problem.empty() ? Json() : Json(result->problem);
+        return row;
+    }
+
+    Json painter_keys() {
+        request_.visibility.method = VisibilityMethod::painter;
+        Json wrong = Json::object();
+        const std::span<const char* const> names = names_of<SortKey>();
+        for (std::size_t index = 0; index < names.size(); ++index) {
+            request_.visibility.sort_key = static_cast<SortKey>(index);
+            wrong[names[index]] = wrong_pixels(*solver_.solve(request_));
+        }
+        return wrong;
+    }
+
+    /// Exact curves have numbers of their own, so there objects are compared, not polygons.
+    std::int64_t wrong_pixels(const HiddenResult& result) {
+        const VisibilityParams& visibility = result.request.visibility;
+        const IdImage image =
+            is_drawn_by_gl_alone(visibility.method)
+                ? headless_.drawn(polygon_ids_by_gl(headless_.renderer(), params_, derived_, scene_, result))
+                : result.image;
+        const bool by_object = visibility.method == VisibilityMethod::ray_cast && visibility.exact_curves;
+        if (!by_object) return difference(reference_, image).different;
+        return difference(with_ids(reference_, objects_), with_ids(image, objects_)).different;
+    }
+
+    Headless& headless_;
+    const Params& params_;
+    const Scene& scene_;
+    const Derived derived_;
+    HiddenRequest request_;  ///< of the method that is measured
+    HiddenSurfaceSolver solver_;
+    const std::vector<int> objects_;
+    IdImage reference_;
+};
+
+}  // namespace
+
+std::string scene_name(const Params& params) {
+    const auto* name = std::get_if<std::string>(&params.scene);
+    return name != nullptr ? *name : "inline";
+}
+
+Json visibility_as_json(Headless& headless, const LoadedState& state, const Scene& scene, glm::ivec2 size_px) {
+    return Measurement(headless, state.params, scene, size_px).all();
+}
+
+}  // namespace viewing

@@ -1,0 +1,78 @@
+// Hidden-surface methods as passes. The plane's patch is none of their polygons, so it divides the scene as the root of
+// a BSP tree would: what lies beyond its plane first, the patch, then what lies before it. Read gl_text.cpp next.
+#include "frame/plan.h"
+
+namespace viewing {
+namespace {
+
+bool shows_the_scene(const Pass& pass) {
+    return pass.subject != Subject::patch && pass.subject != Subject::difference && pass.shading != Shading::flat;
+}
+
+/// Whether some corner of the bounds lies on the negative side of the plane.
+bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
+    if (bounds.empty()) return false;
+    const glm::dvec3 nearest_to_back(plane.x > 0.0 ? bounds.min.x : bounds.max.x,
+                                     plane.y > 0.0 ? bounds.min.y : bounds.max.y,
+                                     plane.z > 0.0 ? bounds.min.z : bounds.max.z);
+    return glm::dot(plane, glm::dvec4(nearest_to_back, 1.0)) < 0.0;
+}
+
+const char* reason_of(Subject subject) {
+    return subject == Subject::pixels ? "shades the surface that the method found for each pixel"
+                                      : "draws the polygons one over the other, in the order that the method found";
+}
+
+void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
+    const glm::dvec4 towards_eye = derived.unit_plane * (derived.eye_side < 0.0 ? -1.0 : 1.0);
+    Pass beyond = passes.back();
+    beyond.name = "Objects beyond the plane";
+    beyond.clip_planes = {-towards_eye};
+    passes.back().name = "Objects before the plane";
+    passes.back().clip_planes = {towards_eye};
+    passes.insert(passes.begin(), beyond);
+}
+
+}  // namespace
+
+void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden) {
+    frame.hidden = hidden;
+    const auto subject_of = [](const HiddenDrawing& drawing) {
+        return drawing.pixels.empty() ? Subject::ordered : Subject::pixels;
+    };
+    for (Pass& pass : frame.passes) {
+        const auto& drawing = pass.is_mirror_image ? hidden.mirrored : hidden.camera;
+        if (!drawing || !shows_the_scene(pass)) continue;
+        pass.subject = subject_of(*drawing);
+        pass.reason = reason_of(pass.subject);
+    }
+    const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);
+    const glm::dvec4 towards_eye = derived.unit_plane * derived.eye_side;
+    if (sorts_itself && derived.eye_side != 0.0 && reaches_beyond(hidden.bounds_world, towards_eye))
+        divide_by_the_patch(frame.passes, derived);
+
+    if (params.view.shows != Shows::difference || !hidden.difference) return;
+    Pass pass;
+    pass.name = "Difference";
+    pass.reason = "red where the two methods see different polygons, a veil elsewhere";
+    pass.subject = Subject::difference;
+    pass.shading = Shading::flat;
+    pass.depth = {false, CompareFunc::always, false};
+    pass.blend = Blend::alpha;
+    frame.passes.push_back(pass);
+}
+
+void count_overdraw(FramePlan& frame) {
+    frame.samples = 0;
+    for (Pass& pass : frame.passes) {
+        if (pass.is_mirror_image || !shows_the_scene(pass)) {
+            pass.color_write = false;
+            continue;
+        }
+        pass.shading = Shading::flat;
+        pass.color = {1.0 / 255.0, 0.0, 0.0, 0.0};
+        pass.blend = Blend::add;
+    }
+}
+
+}  // namespace viewing

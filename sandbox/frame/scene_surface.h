@@ -1,0 +1,36 @@
+// A scene as the hidden-surface methods take it: polygons and exact curved shapes in world space, and what it takes to
+// shade a point of them. Made once per scene. Read hidden_surfaces.h next.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "state/scene.h"
+#include "visibility/ray_cast.h"
+
+namespace viewing {
+
+struct SceneSurface {
+    Scene scene;                                ///< shares the meshes
+    std::vector<Polygon> polygons;              ///< every triangle; `source` counts them over all objects, from 0
+    int dropped = 0;                            ///< triangles without area
+    std::vector<int> first_source;              ///< of each object
+    std::vector<CurvedShape> curved;            ///< objects with an exact shape; their sources follow the triangles'
+    double diagonal = 1.0;                      ///< of the bounds, world units; 1 for an empty scene
+    std::vector<glm::dmat3> world_from_normal;  ///< of each object: normal_matrix() of its place
+
+    int source_count() const { return first_curved_source + static_cast<int>(curved.size()); }
+    int object_of(int source) const;  ///< −1 for the background
+    const CurvedShape* curved_of(int source) const;
+    std::vector<int> object_of_source() const;
+
+    int first_curved_source = 0;
+};
+
+SceneSurface surface_of(const Scene& scene);
+
+/// The normal that GL interpolates there, not unit: from the corners of the triangle `source`, or of the curved shape.
+/// A point outside the triangle is carried on; a triangle without area has the normal of its first corner.
+glm::dvec3 normal_at(const SceneSurface& surface, int source, const glm::dvec3& point_world);
+
+}  // namespace viewing

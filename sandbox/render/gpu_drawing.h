@@ -1,0 +1,44 @@
+// What hidden-surface methods found, on the GPU: uploaded once and kept as long as some frame holds it.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <unordered_map>
+
+#include "frame/hidden_drawing.h"
+#include "gl/objects.h"
+
+namespace viewing {
+
+struct GpuDrawing {
+    gl::VertexArray vertex_array;
+    gl::Buffer vertices;
+    GLsizei vertex_count = 0;
+    std::array<gl::Texture, 4> surface;  ///< positions, normals, colours, counts
+
+    void draw() const;           ///< the triangles
+    void bind_textures() const;  ///< to units 0 … 3
+};
+
+class GpuDrawings {
+public:
+    const GpuDrawing& of(const std::shared_ptr<const HiddenDrawing>& drawing);
+    GLuint texture_of(const std::shared_ptr<const DifferenceDrawing>& drawing);
+
+    /// Frees what no frame holds any more.
+    void drop_unused();
+
+private:
+    struct Drawing {
+        std::weak_ptr<const HiddenDrawing> source;
+        GpuDrawing uploaded;
+    };
+    struct Difference {
+        std::weak_ptr<const DifferenceDrawing> source;
+        gl::Texture texture;
+    };
+    std::unordered_map<const HiddenDrawing*, Drawing> drawings_;
+    std::unordered_map<const DifferenceDrawing*, Difference> differences_;
+};
+
+}  // namespace viewing

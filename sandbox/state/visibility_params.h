@@ -1,0 +1,29 @@
+// The part of the parameters that says which hidden-surface method draws, and how. Read params.h for the rest.
+#pragma once
+
+namespace viewing {
+
+enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software_depth_buffer, ray_cast };
+enum class SortKey { nearest, farthest, centroid };
+enum class Splitter { first, random, fewest_splits, balanced };
+enum class BspWalkOrder { back_to_front, front_to_back };
+
+struct VisibilityParams {
+    VisibilityMethod method = VisibilityMethod::depth_buffer;
+    int step = -1;  ///< −1: all steps
+    SortKey sort_key = SortKey::farthest;
+    Splitter splitter = Splitter::fewest_splits;
+    BspWalkOrder walk = BspWalkOrder::back_to_front;
+    double epsilon = 1e-9;      ///< how near to a plane counts as on it, as a share of the scene's diagonal
+    bool exact_curves = false;  ///< rays meet spheres, cylinders, cones and tori themselves, not their triangles
+    VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other one of the difference view
+    bool numbers = false;                                        ///< drawing order, written on the polygons
+    bool operator==(const VisibilityParams&) const = default;
+};
+
+/// Methods whose picture GL draws without help; the others sort, cut or cast first.
+inline bool is_drawn_by_gl_alone(VisibilityMethod method) {
+    return method == VisibilityMethod::depth_buffer || method == VisibilityMethod::none;
+}
+
+}  // namespace viewing

@@ -1,0 +1,82 @@
+// The hidden-surface laboratory's part of the interface: what is remembered between frames, and its pieces in the
+// panel, over the camera view and below it. Read laboratory_panel.cpp, then laboratory_views.cpp.
+#pragma once
+
+#include <vector>
+
+#include "frame/hidden_views.h"
+#include "ui/background.h"
+#include "ui/layout.h"
+#include "ui/overlay.h"
+#include "ui/session.h"
+#include "visibility/failure_search.h"
+#include "visibility/growth.h"
+#include "widgets/diagrams.h"
+
+namespace viewing {
+
+/// What hidden-surface methods have found for the camera view, and whether they are still at it.
+struct HiddenStatus {
+    std::shared_ptr<const HiddenAnswer> answer;  ///< the newest, maybe of an earlier camera; null: none
+    std::optional<float> fraction;               ///< 0 … 1 while a method works on a newer one
+    bool shows_time = false;                     ///< false in pictures that have to repeat
+};
+
+/// Linked between tree, list, camera view and observer: a polygon of the result's `fragments`, and a node of its tree.
+/// −1: none. Hovered ones are set by whoever has the pointer and hold for one frame.
+struct PolygonLink {
+    int hovered_fragment = -1, selected_fragment = -1;
+    int hovered_node = -1, selected_node = -1;
+
+    int shown_fragment() const { return hovered_fragment >= 0 ? hovered_fragment : selected_fragment; }
+    int shown_node() const { return hovered_node >= 0 ? hovered_node : selected_node; }
+};
+
+/// Short names for choices and sentences, in the order of VisibilityMethod.
+inline constexpr const char* method_names[] = {"GL depth buffer", "none",           "painter",    "Newell",
+                                               "BSP tree",        "soft. z-buffer", "ray casting"};
+
+struct LaboratoryState {
+    PolygonLink link;       ///< of this frame
+    PolygonLink next_link;  ///< gathered while it is drawn; takes over at its end
+
+    bool cancel_method = false;  ///< asked for: the work on the current question shall be given up
+    bool playing = false;
+    float steps_per_s = 4.0F;
+    double carry_steps = 0.0;
+
+    widgets::TreeDiagramState tree;
+    std::shared_ptr<const BspTree> tree_shown;  ///< the one that `tree` was laid out for
+    std::uint64_t tree_revision = 0;
+
+    BackgroundTask<FailureView> failure_search;
+    BackgroundTask<std::vector<GrowthRow>> growth;
+    std::vector<GrowthRow> growth_rows;
+    int growth_scene = 0;  ///< a GrowthScene
+
+    /// Whether something here wants frames although no input comes.
+    bool is_busy() const { return playing || failure_search.is_running() || growth.is_running(); }
+};
+
+/// The method's options, steps and counters: the laboratory's part of the panel's section on hidden surfaces.
+void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden);
+
+/// What was found takes effect: a view where the sort key fails.
+void take_background_results(LaboratoryState& state, Session& session);
+
+/// Over the camera's picture: polygon numbers, the linked polygon, the pair, pixel or ray of the step.
+void draw_laboratory_overlay(const LaboratoryState& state, const Session& session, const HiddenStatus& hidden,
+                             Overlay& overlay);
+
+/// The polygon of `fragments` that is seen at a pixel of the camera's picture; −1: none, or not known.
+int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 pixel);
+
+/// Over the observer's picture: the linked polygon, its node's plane and half-spaces, the ray of the step.
+void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& hidden, Overlay& overlay);
+
+/// The lower right view's topics: the tree, the order, and the costs as they grow.
+void draw_tree_view(LaboratoryState& state, const HiddenStatus& hidden, const Rect& rect);
+void draw_order_view(LaboratoryState& state, const HiddenStatus& hidden, const Rect& rect);
+void draw_growth_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect);
+
+}  // namespace viewing

@@ -1,0 +1,38 @@
+// Internal to growth.cpp: one run of one method on the polygons of one count. Read growth_report.cpp next.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "visibility/bsp.h"
+#include "visibility/growth.h"
+#include "visibility/software_zbuffer.h"
+
+namespace viewing {
+
+class GrowthBench {
+public:
+    /// The request outlives it.
+    GrowthBench(const GrowthRequest& request, int count);
+
+    /// bsp_walk goes over the tree that bsp_build has left.
+    GrowthRow run(GrowthMethod method, WorkProgress* progress);
+
+private:
+    void run_painter(GrowthRow& row, WorkProgress* progress) const;
+    void run_newell(GrowthRow& row, WorkProgress* progress) const;
+    void run_bsp_build(GrowthRow& row, WorkProgress* progress);
+    void run_bsp_walk(GrowthRow& row, WorkProgress* progress) const;
+    void run_z_buffer(GrowthRow& row, WorkProgress* progress) const;
+    void run_ray_casting(GrowthRow& row, WorkProgress* progress) const;
+    void paint(std::span<const Polygon> drawn, std::span<const int> order, GrowthRow& row,
+               WorkProgress* progress) const;
+
+    const GrowthRequest& request_;
+    const int width_, height_;
+    const std::vector<Polygon> polygons_;
+    const Viewpoint viewpoint_;
+    BspTree tree_;
+};
+
+}  // namespace viewing

@@ -1,0 +1,170 @@
+// The curves as words and as a table. Read growth.h for what a row is.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "visibility/growth.h"
+
+namespace viewing {
+namespace {
+
+constexpr double clearly_slower = 1.25;
+
+/// The shortest digits that read back as the same number; the same in every locale.
+std::string digits(double number) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+    return {text.data(), end};
+}
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+bool is_always_right(GrowthMethod method) {
+    return method == GrowthMethod::newell || method == GrowthMethod::bsp_walk || method == GrowthMethod::z_buffer ||
+           method == GrowthMethod::ray_casting;
+}
+
+const GrowthRow* sound_row(std::span<const GrowthRow> rows, GrowthMethod method, int polygons) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const GrowthRow& candidate) {
+        return candidate.method == method && candidate.polygons == polygons && candidate.problem.empty();
+    });
+    return row != rows.end() ? &*row : nullptr;
+}
+
+/// Neighbouring counts with the same winner.
+struct Reign {
+    GrowthMethod method;
+    int first, last;  ///< polygons
+};
+
+/// A winner keeps its place while no other is clearly faster: measured times tremble.
+bool keeps_place(std::span<const GrowthRow> rows, GrowthMethod reigning, GrowthMethod winner, int polygons) {
+    const GrowthRow* mine = sound_row(rows, reigning, polygons);
+    return mine != nullptr && mine->time_ms <= clearly_slower * sound_row(rows, winner, polygons)->time_ms;
+}
+
+std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
+    std::vector<int> counts;
+    for (const GrowthRow& row : rows) counts.push_back(row.polygons);
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    std::vector<Reign> reigns;
+    for (const int count : counts) {
+        const auto winner = growth_winner(rows, count);
+        if (!winner) continue;
+        if (!reigns.empty() && keeps_place(rows, reigns.back().method, *winner, count)) {
+            reigns.back().last = count;
+        } else {
+            reigns.push_back({*winner, count, count});
+        }
+    }
+    return reigns;
+}
+
+/// Where it wins, as to the whole list: "up to 30 polygons".
+std::string range_of(const Reign& reign, std::span<const Reign> all) {
+    const std::string first = grouped_number(reign.first), last = grouped_number(reign.last);
+    const std::string polygons = reign.last == 1 ? " polygon" : " polygons";
+    if (all.size() > 1 && &reign == &all.front()) return "up to " + last + polygons;
+    if (all.size() > 1 && &reign == &all.back()) return "from " + first + " on";
+    if (reign.first == reign.last) return "with " + last + polygons;
+    return "from " + first + " to " + last + polygons;
+}
+
+/// How many times as long ten times as many polygons take, by the method's last two sound rows.
+std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMethod method) {
+    const GrowthRow *last = nullptr, *before = nullptr;
+    for (const GrowthRow& row : rows) {
+        if (row.method != method || !row.problem.empty()) continue;
+        before = std::exchange(last, &row);
+    }
+    if (before == nullptr || !(before->time_ms > 0.0) || !(last->time_ms > 0.0)) return std::nullopt;
+    const double decades = std::log10(static_cast<double>(last->polygons) / before->polygons);
+    return std::pow(last->time_ms / before->time_ms, 1.0 / decades);
+}
+
+std::string growth_of_times(std::span<const GrowthRow> rows) {
+    std::string text;
+    for (std::size_t i = 0; i < growth_method_count; ++i) {
+        const auto method = static_cast<GrowthMethod>(i);
+        const auto factor = tenfold_factor(rows, method);
+        if (!factor) continue;
+        const std::string times = grouped_number(std::llround(*factor));
+        text += text.empty()
+                    ? " At the end of the curves ten times as many polygons take " + times + " times as long for "
+                    : ", " + times + " times for ";
+        text += growth_method_name(method);
+    }
+    return text.empty() ? text : text + '.';
+}
+
+}  // namespace
+
+std::string_view growth_method_name(GrowthMethod method) {
+    constexpr std::array<std::string_view, growth_method_count> names{"the painter's algorithm", "Newell's sort",
+                                                                      "building the BSP tree",   "walking the BSP tree",
+                                                                      "the software z-buffer",   "ray casting"};
+    return names[static_cast<std::size_t>(method)];
+}
+
+std::string_view growth_operation_name(GrowthMethod method) {
+    constexpr std::array<std::string_view, growth_method_count> names{
+        "comparisons", "pair tests", "plane tests", "nodes visited", "pixels tested", "box and triangle tests"};
+    return names[static_cast<std::size_t>(method)];
+}
+
+std::string growth_csv(std::span<const GrowthRow> rows) {
+    std::string text = "method,polygons,time_ms,operation,operations,painting_ms,build_ms,problem\r\n";
+    for (const GrowthRow& row : rows) {
+        text += csv_field(growth_method_name(row.method)) + ',' + std::to_string(row.polygons) + ',' +
+                digits(row.time_ms) + ',' + csv_field(row.operation_name) + ',' + std::to_string(row.operations) + ',' +
+                digits(row.painting_ms) + ',' + digits(row.build_ms) + ',' + csv_field(row.problem) + "\r\n";
+    }
+    return text;
+}
+
+std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int polygons) {
+    const GrowthRow* fastest = nullptr;
+    for (const GrowthRow& row : rows) {
+        if (row.polygons != polygons || !row.problem.empty() || !is_always_right(row.method)) continue;
+        if (fastest == nullptr || row.time_ms < fastest->time_ms) fastest = &row;
+    }
+    return fastest != nullptr ? std::optional(fastest->method) : std::nullopt;
+}
+
+std::string growth_summary(std::span<const GrowthRow> rows) {
+    const std::vector<Reign> reigns = reigns_of(rows);
+    if (reigns.empty()) return {};
+    std::string text = "Fastest of the methods that are always right: ";
+    for (const Reign& reign : reigns) {
+        if (&reign != &reigns.front()) text += ", ";
+        text += std::string(growth_method_name(reign.method)) + ' ' + range_of(reign, reigns);
+    }
+    text += '.';
+    const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
+                                       [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
+    if (walk_wins) text += " The tree is built beforehand, once for every eye.";
+    return text + growth_of_times(rows);
+}
+
+std::string grouped_number(std::int64_t number) {
+    std::string text = std::to_string(number);
+    const std::size_t first_digit = number < 0 ? 1 : 0;
+    for (std::size_t place = text.size(); place > first_digit + 3;) {
+        place -= 3;
+        text.insert(place, 1, ',');
+    }
+    return text;
+}
+
+}  // namespace viewing

@@ -1,0 +1,557 @@
+// The methods as the frame uses them: what an order, a step and a counter mean, what is kept between requests, and
+// input that is nearly nothing. That the methods are right is tested in unit/visibility. Read plan_hidden_test.cpp
+// next.
+#include <algorithm>
+#include <functional>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <numeric>
+#include <set>
+
+#include "geometry/normals.h"
+#include "unit/frame/hidden_scenes.h"
+#include "visibility/difference.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::params_with;
+using testing::random_scene;
+using testing::random_view;
+using testing::request_of;
+using testing::scene_of;
+
+constexpr glm::ivec2 size_px(48, 36);
+constexpr std::array software_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
+                                      VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
+
+HiddenRequest with_method(HiddenRequest request, VisibilityMethod method, int step = -1) {
+    request.visibility.method = method;
+    request.visibility.step = step;
+    return request;
+}
+
+/// What is the same when two results are, but for times.
+void expect_same(const HiddenResult& a, const HiddenResult& b) {
+    EXPECT_EQ(a.order, b.order);
+    EXPECT_EQ(a.drawn, b.drawn);
+    EXPECT_EQ(a.step, b.step);
+    EXPECT_EQ(a.step_count, b.step_count);
+    EXPECT_EQ(a.built_nodes, b.built_nodes);
+    EXPECT_EQ(a.visited_nodes, b.visited_nodes);
+    EXPECT_EQ(a.fragments->size(), b.fragments->size());
+    EXPECT_EQ(a.image.ids, b.image.ids);
+    EXPECT_EQ(a.image.depths, b.image.depths);
+    EXPECT_EQ(a.written_per_pixel, b.written_per_pixel);
+    EXPECT_EQ(a.problem, b.problem);
+    EXPECT_EQ(a.compare.has_value(), b.compare.has_value());
+    ASSERT_EQ(a.traced.has_value(), b.traced.has_value());
+    if (a.traced) {
+        EXPECT_EQ(a.traced->pixel, b.traced->pixel);
+        EXPECT_EQ(a.traced->hits.size(), b.traced->hits.size());
+    }
+    const auto counters = [](const HiddenCounters& c) {
+        return std::array{c.polygons,       c.culled,         c.comparisons, c.swaps,
+                          c.splits,         c.fragments,      c.tree_depth,  c.pixels_tested,
+                          c.pixels_written, c.pixels_covered, c.rays,        c.intersection_tests};
+    };
+    EXPECT_EQ(counters(a.counters), counters(b.counters));
+}
+
+/// Every index of a list once.
+void expect_permutation(std::vector<int> order, std::size_t count) {
+    std::sort(order.begin(), order.end());
+    std::vector<int> all(count);
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_EQ(order, all);
+}
+
+double area_of_order(const HiddenResult& result) {
+    double sum = 0.0;
+    for (const int index : result.order) sum += area((*result.fragments)[static_cast<std::size_t>(index)]);
+    return sum;
+}
+
+TEST(HiddenOrders, DrawEveryPolygonOrFragmentOnce) {
+    for (unsigned run = 0; run < 40; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(seed + run));
+        Random random(seed + run);
+        const Scene scene = random_scene(random);
+        HiddenSurfaceSolver solver(scene);
+        const std::size_t polygons = solver.surface()->polygons.size();
+        const double whole = total_area(solver.surface()->polygons);
+        const HiddenRequest request = request_of(random_view(random), scene, size_px);
+        for (const VisibilityMethod method : {VisibilityMethod::depth_buffer, VisibilityMethod::none,
+                                              VisibilityMethod::painter, VisibilityMethod::software_depth_buffer}) {
+            const auto result = solver.solve(with_method(request, method));
+            expect_permutation(result->order, polygons);
+            EXPECT_EQ(result->counters.polygons, static_cast<std::int64_t>(polygons));
+            EXPECT_EQ(result->drawn, static_cast<int>(polygons));
+        }
+        const auto newell = solver.solve(with_method(request, VisibilityMethod::newell));
+        EXPECT_EQ(std::set<int>(newell->order.begin(), newell->order.end()).size(), newell->order.size());
+        EXPECT_NEAR(area_of_order(*newell) + newell->newell->clipped_area, whole, 1e-9 * whole);
+        EXPECT_EQ(newell->counters.fragments, static_cast<std::int64_t>(newell->order.size()));
+
+        const auto bsp = solver.solve(with_method(request, VisibilityMethod::bsp));
+        expect_permutation(bsp->order, bsp->fragments->size());
+        EXPECT_NEAR(area_of_order(*bsp), whole, 1e-9 * whole);
+        EXPECT_EQ(bsp->counters.tree_depth, bsp->tree->counters.depth);
+    }
+}
+
+TEST(HiddenOrders, ReachTheSamePictureAsRayCasting) {
+    for (unsigned run = 0; run < 40; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(seed + run));
+        Random random(seed + run);
+        const Scene scene = random_scene(random);
+        HiddenSurfaceSolver solver(scene);
+        const HiddenRequest request = request_of(random_view(random), scene, size_px);
+        const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
+        for (const VisibilityMethod method :
+             {VisibilityMethod::newell, VisibilityMethod::bsp, VisibilityMethod::software_depth_buffer}) {
+            EXPECT_EQ(difference(rays->image, solver.solve(with_method(request, method))->image).different, 0);
+        }
+        HiddenRequest masked = with_method(request, VisibilityMethod::bsp);
+        masked.visibility.walk = BspWalkOrder::front_to_back;
+        EXPECT_EQ(difference(rays->image, solver.solve(masked)->image).different, 0);
+    }
+}
+
+/// A scene and a view in which every method has something to do.
+class HiddenSteps : public ::testing::Test {
+protected:
+    HiddenSteps() {
+        Random random(seed + 7);
+        scene = random_scene(random);
+        Params params;
+        params.camera.position = {1.0, 2.0, 7.0};
+        const Angles angles = angles_looking_at(params.camera.position, {0, 0, 0});
+        params.camera.yaw = angles.yaw_deg;
+        params.camera.pitch = angles.pitch_deg;
+        request = request_of(params, scene, size_px);
+    }
+
+    std::shared_ptr<const HiddenResult> at(VisibilityMethod method, int step) {
+        return solver().solve(with_method(request, method, step));
+    }
+    HiddenSurfaceSolver& solver() {
+        if (!solver_) solver_.emplace(scene);
+        return *solver_;
+    }
+
+    Scene scene;
+    HiddenRequest request;
+
+private:
+    std::optional<HiddenSurfaceSolver> solver_;
+};
+
+TEST_F(HiddenSteps, OfThePainterDrawOnePolygonEach) {
+    const auto whole = at(VisibilityMethod::painter, -1);
+    const int count = static_cast<int>(solver().surface()->polygons.size());
+    EXPECT_EQ(whole->step_count, count);
+    for (int step = 0; step < count; ++step) {
+        const auto result = at(VisibilityMethod::painter, step);
+        EXPECT_EQ(result->step, step);
+        EXPECT_EQ(result->drawn, step);
+        EXPECT_EQ(result->order, whole->order);
+        const RasterResult painted =
+            rasterise(*whole->fragments, std::span(whole->order.data(), static_cast<std::size_t>(step)),
+                      request.viewpoint.clip_from_world(),
+                      {.rule = PaintRule::overwrite, .width = size_px.x, .height = size_px.y});
+        EXPECT_EQ(result->image.ids, painted.image.ids);
+        EXPECT_EQ(result->counters.pixels_written, painted.counters.pixels_written);
+    }
+    for (const int step : {count, count + 1, 1'000'000}) {
+        EXPECT_EQ(at(VisibilityMethod::painter, step)->step, -1);
+        EXPECT_EQ(at(VisibilityMethod::painter, step)->image.ids, whole->image.ids);
+    }
+}
+
+TEST_F(HiddenSteps, OfNewellAreRungsOfTheLadder) {
+    const auto whole = at(VisibilityMethod::newell, -1);
+    ASSERT_EQ(whole->newell->steps_left_out, 0);
+    EXPECT_EQ(whole->step_count, static_cast<int>(whole->newell->steps.size()));
+    EXPECT_GT(whole->counters.splits, 0) << "or the scene is too easy";
+    int drawn = 0;
+    for (int step = 0; step < whole->step_count; ++step) {
+        const auto result = at(VisibilityMethod::newell, step);
+        EXPECT_EQ(result->newell, whole->newell) << "the order is found once for all steps";
+        EXPECT_EQ(result->drawn, drawn);
+        const NewellAction action = whole->newell->steps[static_cast<std::size_t>(step)].action;
+        drawn += action == NewellAction::draws || action == NewellAction::forces;
+    }
+    EXPECT_EQ(drawn, static_cast<int>(whole->order.size()));
+    EXPECT_EQ(whole->drawn, drawn);
+}
+
+TEST_F(HiddenSteps, OfTheTreeBuildItAndThenWalkIt) {
+    for (const bool culls : {false, true}) {
+        request.cull.enabled = culls;
+        const auto whole = at(VisibilityMethod::bsp, -1);
+        const int nodes = static_cast<int>(whole->tree->nodes.size());
+        EXPECT_EQ(whole->step_count, 2 * nodes);
+        EXPECT_EQ(whole->counters.culled > 0, culls);
+        for (int step = 0; step < whole->step_count; ++step) {
+            const auto result = at(VisibilityMethod::bsp, step);
+            EXPECT_EQ(result->built_nodes, std::min(step, nodes));
+            EXPECT_EQ(result->visited_nodes, std::max(0, step - nodes));
+            std::set<int> reached;
+            for (int visit = 0; visit < result->visited_nodes; ++visit) {
+                const BspNode& node =
+                    whole->tree
+                        ->nodes[static_cast<std::size_t>(whole->walk->visits[static_cast<std::size_t>(visit)].node)];
+                for (int i = 0; i < node.fragment_count; ++i) reached.insert(node.first_fragment + i);
+            }
+            ASSERT_LE(result->drawn, static_cast<int>(result->order.size()));
+            for (int place = 0; place < result->drawn; ++place)
+                EXPECT_TRUE(reached.contains(result->order[static_cast<std::size_t>(place)]));
+            if (result->drawn < static_cast<int>(result->order.size())) {
+                EXPECT_FALSE(reached.contains(result->order[static_cast<std::size_t>(result->drawn)]));
+            }
+        }
+    }
+}
+
+TEST_F(HiddenSteps, OfTheTreeShareOneTreeForEveryEye) {
+    const auto here = at(VisibilityMethod::bsp, -1);
+    request.viewpoint.view_from_world[3].x += 2.0;
+    request.viewpoint.view_from_world[3].z += 4.0;
+    const auto there = at(VisibilityMethod::bsp, -1);
+    EXPECT_EQ(here->tree, there->tree);
+    EXPECT_NE(here->walk, there->walk);
+    for (const auto& result : {here, there}) {
+        std::set<int> nodes;
+        for (const BspVisit& visit : result->walk->visits) nodes.insert(visit.node);
+        EXPECT_EQ(nodes.size(), result->tree->nodes.size());
+        EXPECT_EQ(nodes.size(), result->walk->visits.size());
+    }
+    request.visibility.splitter = Splitter::first;
+    EXPECT_NE(at(VisibilityMethod::bsp, -1)->tree, here->tree);
+}
+
+TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
+    const auto whole = at(VisibilityMethod::software_depth_buffer, -1);
+    const auto& polygons = *whole->fragments;
+    std::vector<IdImage> alone;  // what each polygon covers, by itself
+    std::vector<int> tested{0};  // before each polygon
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        alone.push_back(rasterise(std::span(&polygons[i], 1), request.viewpoint.clip_from_world(),
+                                  {.width = size_px.x, .height = size_px.y})
+                            .image);
+        const auto covered = std::ranges::count_if(alone.back().ids, [](int id) { return id >= 0; });
+        tested.push_back(tested.back() + static_cast<int>(covered));
+    }
+    ASSERT_EQ(whole->step_count, tested.back());
+    for (int step = 1; step < whole->step_count; step += 13) {
+        const auto result = at(VisibilityMethod::software_depth_buffer, step);
+        const auto current = static_cast<std::size_t>(std::ranges::lower_bound(tested, step) - tested.begin()) - 1;
+        ASSERT_TRUE(result->compare);
+        EXPECT_EQ(result->counters.pixels_tested, step);
+        EXPECT_EQ(result->compare->polygon, static_cast<int>(current));
+        const std::size_t pixel = result->image.index(result->compare->x, result->compare->y);
+        const double depth = alone[current].depths[pixel];
+        EXPECT_EQ(result->compare->depth, depth);
+        double stored = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < current; ++i) stored = std::min(stored, alone[i].depths[pixel]);
+        if (std::isfinite(stored)) {
+            EXPECT_NEAR(result->compare->stored_depth, stored, 1e-12);
+        } else {
+            EXPECT_EQ(result->compare->stored_depth, stored);
+        }
+        if (std::abs(depth - stored) > 1e-11) {
+            EXPECT_EQ(result->compare->written, depth < stored);
+        }
+        EXPECT_EQ(result->image.ids[pixel] == polygons[current].source, result->compare->written);
+    }
+}
+
+/// The polygons that a ray meets, by its plane and the side of every edge; false where that is a matter of rounding.
+bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it) {
+    const double slope = glm::dot(glm::dvec3(polygon.plane), ray.direction);
+    if (std::abs(slope) < 1e-9) return false;
+    const double t = -glm::dot(polygon.plane, glm::dvec4(ray.origin, 1.0)) / slope;
+    if (std::abs(t) < 1e-9 || std::abs(t - max_t) < 1e-9) return false;
+    const glm::dvec3 point = ray.origin + t * ray.direction;
+    meets_it = t > 0.0 && t < max_t;
+    for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+        const glm::dvec3& from = polygon.vertices[i];
+        const glm::dvec3& to = polygon.vertices[(i + 1) % polygon.vertices.size()];
+        const double side = glm::dot(glm::cross(to - from, point - from), glm::dvec3(polygon.plane));
+        if (std::abs(side) < 1e-9) return false;
+        meets_it &= side > 0.0;
+    }
+    return true;
+}
+
+TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllThatItMeets) {
+    const auto whole = at(VisibilityMethod::ray_cast, -1);
+    EXPECT_EQ(whole->step_count, size_px.x * size_px.y);
+    EXPECT_FALSE(whole->traced);
+    int hits = 0, sure = 0;
+    for (int step = 1; step < whole->step_count; step += 7) {
+        const auto result = at(VisibilityMethod::ray_cast, step);
+        EXPECT_EQ(result->counters.rays, step);
+        ASSERT_TRUE(result->traced);
+        const TracedRay& traced = *result->traced;
+        EXPECT_EQ(traced.pixel, glm::ivec2((step - 1) % size_px.x, (step - 1) / size_px.x));
+        for (int pixel = 0; pixel < whole->step_count; ++pixel) {
+            const auto at_pixel = static_cast<std::size_t>(pixel);
+            EXPECT_EQ(result->image.ids[at_pixel], pixel < step ? whole->image.ids[at_pixel] : IdImage::background);
+        }
+        const int seen = result->image.id(traced.pixel.x, traced.pixel.y);
+        EXPECT_EQ(traced.hits.empty() ? IdImage::background : traced.hits.front().source, seen);
+        EXPECT_TRUE(std::ranges::is_sorted(traced.hits, {}, &RayCastHit::t));
+
+        const double max_t = PixelRays(request.viewpoint.clip_from_world(), size_px.x, size_px.y)
+                                 .through(traced.pixel.x, traced.pixel.y)
+                                 .max_t;
+        std::size_t expected = 0;
+        bool all_sure = true;
+        for (const Polygon& polygon : *result->fragments) {
+            bool is_hit = false;
+            all_sure &= meets(polygon, traced.ray, max_t, is_hit);
+            expected += is_hit;
+        }
+        if (all_sure) {
+            EXPECT_EQ(traced.hits.size(), expected);
+            hits += static_cast<int>(expected);
+            ++sure;
+        }
+    }
+    EXPECT_GT(hits, 50);
+    EXPECT_GT(sure, 200);
+}
+
+/// As OpenGL 3.3, 3.6.1 has it: the area's sign on the screen, for triangles before the near plane.
+bool is_culled_by_area(const Polygon& polygon, const HiddenRequest& request) {
+    std::array<glm::dvec2, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::dvec4 clip = request.viewpoint.clip_from_world() * glm::dvec4(polygon.vertices[i], 1.0);
+        corners[i] = glm::dvec2(clip) / clip.w;
+    }
+    const glm::dvec2 ab = corners[1] - corners[0], ac = corners[2] - corners[0];
+    const bool is_front = (ab.x * ac.y - ab.y * ac.x > 0.0) == (request.cull.front_face == FrontFace::ccw);
+    switch (request.cull.face) {
+        case CullFace::front:
+            return is_front;
+        case CullFace::back:
+            return !is_front;
+        default:
+            return true;
+    }
+}
+
+TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
+    int culled = 0, kept = 0;
+    for (unsigned run = 0; run < 60; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(seed + run));
+        Random random(seed + run);
+        const Scene scene = random_scene(random);
+        Params params = random_view(random);
+        params.camera.position *= 6.0 / glm::length(params.camera.position);  // all of it before the near plane
+        params.cull = {true, static_cast<CullFace>(run % 3), static_cast<FrontFace>(run / 3 % 2)};
+        params.reflection.flip_winding = run % 5 != 0;
+        params.plane.equation = glm::dvec4(random.direction(), 2.6);
+        const Derived derived = derive(params, scene, Viewport{size_px});
+        HiddenSurfaceSolver solver(scene);
+        for (const HiddenRequest& asked :
+             {hidden_request(params, derived, size_px), mirrored_request(params, derived, size_px)}) {
+            const auto result = solver.solve(with_method(asked, VisibilityMethod::painter));
+            std::set<int> left;
+            for (const Polygon& polygon : *result->fragments) left.insert(polygon.source);
+            bool all_before_near_plane = true;
+            for (const Polygon& polygon : solver.surface()->polygons)
+                for (const glm::dvec3& vertex : polygon.vertices)
+                    all_before_near_plane &= asked.viewpoint.distance(vertex) > params.projection.near;
+            if (!all_before_near_plane) continue;  // half of the mirrored eyes
+            for (const Polygon& polygon : solver.surface()->polygons) {
+                EXPECT_EQ(!left.contains(polygon.source), is_culled_by_area(polygon, asked));
+                ++(left.contains(polygon.source) ? kept : culled);
+            }
+            EXPECT_EQ(result->counters.culled + result->counters.polygons,
+                      static_cast<std::int64_t>(solver.surface()->polygons.size()));
+        }
+    }
+    EXPECT_GT(culled, 300);
+    EXPECT_GT(kept, 300);
+}
+
+TEST(HiddenSolver, GivesWhatAFreshOneGives) {
+    Random random(seed + 3);
+    const Scene scene = random_scene(random);
+    const std::array views{random_view(random), random_view(random)};
+    HiddenSurfaceSolver kept(scene);
+    for (int asked = 0; asked < 400; ++asked) {
+        SCOPED_TRACE("request " + std::to_string(asked));
+        HiddenRequest request =
+            request_of(views[static_cast<std::size_t>(whole_number(random, 0, 1))], scene, {24, 18});
+        VisibilityParams& visibility = request.visibility;
+        visibility.method = static_cast<VisibilityMethod>(whole_number(random, 0, 6));
+        visibility.step = whole_number(random, 0, 2) == 0 ? -1 : whole_number(random, 0, 60);
+        visibility.sort_key = static_cast<SortKey>(whole_number(random, 0, 2));
+        visibility.splitter = static_cast<Splitter>(whole_number(random, 0, 3));
+        visibility.walk = static_cast<BspWalkOrder>(whole_number(random, 0, 1));
+        visibility.epsilon = whole_number(random, 0, 3) == 0 ? 1e-3 : 1e-9;
+        visibility.exact_curves = whole_number(random, 0, 1) == 1;
+        request.cull.enabled = whole_number(random, 0, 2) == 0;
+        expect_same(*kept.solve(request), *HiddenSurfaceSolver(scene).solve(request));
+    }
+}
+
+TEST(HiddenSolver, SaysThatItWasCancelledAndForgetsIt) {
+    Random random(seed + 4);
+    const Scene scene = random_scene(random);
+    const HiddenRequest request = request_of(random_view(random), scene, size_px);
+    HiddenSurfaceSolver solver(scene);
+    for (const VisibilityMethod method : software_methods) {
+        WorkProgress progress;
+        progress.cancelled = true;
+        const auto cancelled = solver.solve(with_method(request, method), &progress);
+        EXPECT_TRUE(cancelled->problem.ends_with(".")) << cancelled->problem;
+        expect_same(*solver.solve(with_method(request, method)),
+                    *HiddenSurfaceSolver(scene).solve(with_method(request, method)));
+        EXPECT_EQ(solver.solve(with_method(request, method))->problem, "");
+    }
+}
+
+TEST(HiddenSurface, NormalsAreThoseThatGlInterpolates) {
+    for (unsigned run = 0; run < 200; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(seed + run));
+        Random random(seed + run);
+        Mesh mesh;
+        for (int corner = 0; corner < 6; ++corner) {
+            mesh.positions.emplace_back(random.vec3(2.0));
+            mesh.normals.emplace_back(random.direction());
+            mesh.indices.push_back(static_cast<std::uint32_t>(corner));
+        }
+        SceneObject placed = object("placed", mesh, {});
+        placed.world_from_model =
+            world_from_model(random.vec3(3.0), random.angles(), random.vec3(0.4) + glm::dvec3(run % 2 ? 1.0 : -1.0));
+        const SceneSurface surface = surface_of(scene_of({object("other", box_mesh(), {}), placed}));
+        const int source = surface.first_source[1] + whole_number(random, 0, 1);
+        const auto first = static_cast<std::size_t>(3 * (source - surface.first_source[1]));
+        const double a = random.number(0.1, 0.5), b = random.number(0.1, 0.4), c = 1.0 - a - b;
+        const glm::dvec3 point = a * glm::dvec3(mesh.positions[first]) + b * glm::dvec3(mesh.positions[first + 1]) +
+                                 c * glm::dvec3(mesh.positions[first + 2]);
+        const glm::dvec3 normal = a * glm::dvec3(mesh.normals[first]) + b * glm::dvec3(mesh.normals[first + 1]) +
+                                  c * glm::dvec3(mesh.normals[first + 2]);
+        const glm::dvec3 expected = glm::normalize(glm::inverseTranspose(glm::dmat3(placed.world_from_model)) * normal);
+        const glm::dvec3 found =
+            glm::normalize(normal_at(surface, source, glm::dvec3(placed.world_from_model * glm::dvec4(point, 1.0))));
+        EXPECT_NEAR(std::abs(glm::dot(found, expected)), 1.0, 1e-9);  // the shader turns it towards the eye
+    }
+}
+
+TEST(HiddenDegenerate, AnEmptySceneHasEmptyPictures) {
+    const Scene empty = scene_of({});
+    HiddenSurfaceSolver solver(empty);
+    for (int step = -1; step < 3; ++step)
+        for (int method = 0; method <= static_cast<int>(VisibilityMethod::ray_cast); ++method) {
+            const auto result = solver.solve(
+                with_method(request_of(Params{}, empty, size_px), static_cast<VisibilityMethod>(method), step));
+            EXPECT_TRUE(result->order.empty());
+            EXPECT_EQ(result->problem, "");
+            EXPECT_EQ(result->drawn, 0);
+            EXPECT_TRUE(std::ranges::all_of(result->image.ids, [](int id) { return id == IdImage::background; }));
+            EXPECT_TRUE(hidden_drawing(*result).triangles.empty());
+        }
+}
+
+TEST(HiddenDegenerate, TrianglesWithoutAreaAreLeftOutAndKeepTheirNumbers) {
+    Mesh mesh = box_mesh();
+    mesh.indices.insert(mesh.indices.begin(), {0, 0, 1, 2, 2, 2});
+    const Scene scene = scene_of({object("box", mesh, {0, 1, 0})});
+    HiddenSurfaceSolver solver(scene);
+    EXPECT_EQ(solver.surface()->dropped, 2);
+    EXPECT_EQ(solver.surface()->source_count(), 14);
+    const HiddenRequest request = request_of(Params{}, scene, size_px);
+    const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
+    EXPECT_TRUE(std::ranges::any_of(rays->image.ids, [](int id) { return id >= 0; }));
+    for (const VisibilityMethod method : software_methods) {
+        const auto result = solver.solve(with_method(request, method));
+        EXPECT_EQ(result->counters.polygons, 12);
+        EXPECT_TRUE(std::ranges::none_of(result->image.ids, [](int id) { return id == 0 || id == 1; }));
+        hidden_drawing(*result);
+    }
+}
+
+TEST(HiddenDegenerate, AnObjectTurnedInsideOutIsDrawnByEveryMethod) {
+    const Scene scene = scene_of({object("mirrored", box_mesh(), {0, 1, 0}, {-1.0, 0.8, 1.2}),
+                                  object("plain", box_mesh(), {1.2, 0.7, 0.4}, {0.7, 0.7, 0.7})});
+    HiddenSurfaceSolver solver(scene);
+    for (const bool culls : {false, true}) {
+        HiddenRequest request = request_of(Params{}, scene, size_px);
+        request.cull.enabled = culls;
+        const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
+        for (const VisibilityMethod method : software_methods) {
+            if (method == VisibilityMethod::painter) continue;
+            EXPECT_EQ(difference(rays->image, solver.solve(with_method(request, method))->image).different, 0);
+        }
+    }
+}
+
+TEST(HiddenDegenerate, AMirrorMadeByHandNeverCrashes) {
+    const Scene scene = testing::box_scene();
+    for (const char* matrix : {"[[0,0,0,0],[0,0,0,0],[0,0,0,0],[0,0,0,0]]", "[[1,2,3,4],[0,1,0,0],[2,4,6,8],[0,0,0,1]]",
+                               "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[1,1,1,0]]"}) {
+        const Params params = params_with({std::string("overrides.mirror_from_world=") + matrix});
+        const Derived derived = derive(params, scene, Viewport{size_px});
+        HiddenSurfaceSolver solver(scene);
+        for (const VisibilityMethod method : software_methods)
+            hidden_drawing(*solver.solve(with_method(mirrored_request(params, derived, size_px), method)));
+    }
+}
+
+TEST(HiddenRays, MeetExactCurvesUnlessASideIsLeftOut) {
+    SceneObject ball = object("ball", sphere_mesh(8, 4), {0, 1, 0});
+    ball.description.shape = ShapeKind::sphere;
+    const Scene scene = scene_of({ball, object("box", box_mesh(), {1.5, 0.6, 0}, glm::dvec3(0.6))});
+    HiddenSurfaceSolver solver(scene);
+    const int triangles = static_cast<int>(ball.mesh->triangle_count()) + 12;
+    EXPECT_EQ(solver.surface()->source_count(), triangles + 1);
+    HiddenRequest request = with_method(request_of(Params{}, scene, size_px), VisibilityMethod::ray_cast);
+    request.visibility.exact_curves = true;
+    const auto exact = solver.solve(request);
+    const std::vector<int> object_of = solver.surface()->object_of_source();
+    EXPECT_EQ(exact->counters.polygons, 12 + 1);
+    int curved = 0;
+    for (const int id : exact->image.ids) {
+        curved += id == triangles;
+        if (id >= 0) {
+            EXPECT_EQ(object_of[static_cast<std::size_t>(id)], id == triangles ? 0 : 1);
+        }
+    }
+    EXPECT_GT(curved, 100);
+    for (const bool is_exact : {false, true}) {
+        request.visibility.exact_curves = is_exact;
+        request.cull.enabled = is_exact;
+        EXPECT_TRUE(std::ranges::none_of(solver.solve(request)->image.ids, [&](int id) { return id >= triangles; }));
+    }
+}
+
+/// Large triangles that all run through one another: cutting explodes.
+Scene explosive_scene(int count) {
+    Random random(seed);
+    std::vector<Polygon> polygons;
+    for (int i = 0; i < count; ++i) add(polygons, {random.vec3(1.5), random.vec3(1.5), random.vec3(1.5)});
+    return scene_of({object("triangles", testing::mesh_of(polygons), {})});
+}
+
+TEST(HiddenBudgetSlowTest, EndsWithASentenceAndAWholePicture) {
+    const Scene scene = explosive_scene(1000);
+    HiddenSurfaceSolver solver(scene);
+    const double whole = total_area(solver.surface()->polygons);
+    for (const VisibilityMethod method : {VisibilityMethod::newell, VisibilityMethod::bsp}) {
+        HiddenRequest request = with_method(request_of(Params{}, scene, {16, 12}), method);
+        request.visibility.splitter = Splitter::first;
+        const auto result = solver.solve(request);
+        EXPECT_TRUE(result->problem.ends_with(".")) << result->problem;
+        const double clipped = result->newell ? result->newell->clipped_area : 0.0;
+        EXPECT_NEAR(area_of_order(*result) + clipped, whole, 1e-9 * whole) << "nothing is lost";
+    }
+}
+
+}  // namespace
+}  // namespace viewing

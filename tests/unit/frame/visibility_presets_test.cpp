@@ -1,0 +1,190 @@
+// What the hidden-surface presets promise in their sentences, computed: which method or sort key fails from the
+// preset's camera and which does not, against ray casting.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "state/presets.h"
+#include "state/scene.h"
+#include "visibility/bsp.h"
+#include "visibility/difference.h"
+#include "visibility/newell.h"
+#include "visibility/painter.h"
+#include "visibility/ray_cast.h"
+#include "visibility/software_zbuffer.h"
+
+namespace viewing {
+namespace {
+
+constexpr int width = 640, height = 360;
+
+/// A preset, its scene as polygons, its camera, and what ray casting sees.
+class Stage {
+public:
+    explicit Stage(const std::string& preset) {
+        const Result<LoadedState> loaded = load_state(preset);
+        EXPECT_TRUE(loaded) << preset << ": " << loaded.error();
+        if (!loaded) return;
+        params = loaded->params;
+        const Result<Scene> scene = load_scene(params.scene, loaded->base);
+        EXPECT_TRUE(scene) << preset << ": " << scene.error();
+        if (!scene) return;
+        std::vector<MeshInstance> instances;
+        for (const SceneObject& object : scene->objects) {
+            instances.push_back({object.mesh.get(), object.world_from_model});
+        }
+        polygons = polygons_of(instances).polygons;
+        viewpoint = {view_from_world(world_from_view(params.camera.position, params.camera.angles())),
+                     clip_from_view(params.projection.lens(), static_cast<double>(width) / height)};
+        reference =
+            cast_rays(RayScene(polygons), viewpoint.clip_from_world(), {.width = width, .height = height}).image;
+    }
+
+    IdImage draw(std::span<const Polygon> drawn, std::span<const int> order, int subpixel_bits = -1) const {
+        return rasterise(
+                   drawn, order, viewpoint.clip_from_world(),
+                   {.rule = PaintRule::overwrite, .width = width, .height = height, .subpixel_bits = subpixel_bits})
+            .image;
+    }
+
+    std::int64_t wrong(const IdImage& image) const { return difference(reference, image).different; }
+
+    /// Counts only where another object is seen, which has another colour.
+    std::int64_t objects_wrong(const IdImage& image) const {
+        int last = 0;
+        for (const Polygon& polygon : polygons) last = std::max(last, polygon.source);
+        std::vector<int> object_of(static_cast<std::size_t>(last) + 1);
+        for (const Polygon& polygon : polygons) object_of[polygon.source] = polygon.object;
+        return difference(with_ids(reference, object_of), with_ids(image, object_of)).different;
+    }
+
+    IdImage painted(PainterKey key) const { return draw(polygons, painter_order(polygons, viewpoint, key).order); }
+    BspTree tree() const {
+        return build_bsp(polygons, {.splitter = static_cast<BspSplitter>(params.visibility.splitter),
+                                    .epsilon = params.visibility.epsilon * glm::length(bounds_of(polygons).size())});
+    }
+    IdImage walked(const BspTree& built, int subpixel_bits = -1) const {
+        const BspWalk walk = walk_bsp(built, viewpoint.eye_world(), BspOrder::back_to_front);
+        return draw(built.fragments, walk.fragments, subpixel_bits);
+    }
+
+    Params params;
+    std::vector<Polygon> polygons;
+    Viewpoint viewpoint;
+    IdImage reference;
+};
+
+/// Enough pixels of another colour that nobody overlooks them: a hundredth of the picture.
+constexpr std::int64_t many = width * height / 100;
+constexpr std::array keys{PainterKey::nearest, PainterKey::farthest, PainterKey::centroid};
+
+TEST(VisibilityPresets, AskForTheMethodThatTheirNameSays) {
+    const std::vector<std::pair<std::string, VisibilityMethod>> methods{
+        {"painter-nearest-fails", VisibilityMethod::painter},
+        {"painter-farthest-fails", VisibilityMethod::painter},
+        {"painter-centroid-fails", VisibilityMethod::painter},
+        {"painter-interpenetration", VisibilityMethod::painter},
+        {"painter-cycle", VisibilityMethod::painter},
+        {"newell-cycle", VisibilityMethod::newell},
+        {"newell-interpenetration", VisibilityMethod::newell},
+        {"bsp-walk", VisibilityMethod::bsp},
+        {"bsp-many-splits", VisibilityMethod::bsp},
+        {"bsp-cracks", VisibilityMethod::bsp},
+        {"z-buffer", VisibilityMethod::software_depth_buffer},
+        {"ray-cast-curved", VisibilityMethod::ray_cast}};
+    for (const auto& [preset, method] : methods) {
+        SCOPED_TRACE(preset);
+        const Stage stage(preset);
+        EXPECT_EQ(stage.params.visibility.method, method);
+        EXPECT_FALSE(stage.params.shadow.enabled);
+        EXPECT_FALSE(stage.params.reflection.enabled);
+        // Nothing reaches below the ground, so that it hides nothing.
+        EXPECT_GE(bounds_of(stage.polygons).min.y, -1e-6);
+        EXPECT_GT(stage.viewpoint.eye_world().y, 0.0);
+        EXPECT_GT(std::count_if(stage.reference.ids.begin(), stage.reference.ids.end(), [](int id) { return id >= 0; }),
+                  5 * many)
+            << "the scene fills a fair part of the picture";
+    }
+}
+
+TEST(VisibilityPresets, JustTheNamedSortKeyFails) {
+    for (const auto& [preset, fails] : {std::pair{"painter-nearest-fails", PainterKey::nearest},
+                                        {"painter-farthest-fails", PainterKey::farthest},
+                                        {"painter-centroid-fails", PainterKey::centroid}}) {
+        SCOPED_TRACE(preset);
+        const Stage stage(preset);
+        EXPECT_EQ(static_cast<int>(stage.params.visibility.sort_key), static_cast<int>(fails));
+        for (const PainterKey key : keys) {
+            const IdImage image = stage.painted(key);
+            if (key == fails) {
+                EXPECT_GT(stage.objects_wrong(image), many);
+            } else {
+                EXPECT_EQ(stage.wrong(image), 0) << "sort key " << static_cast<int>(key);
+            }
+        }
+    }
+}
+
+TEST(VisibilityPresets, NoSortKeyDrawsInterpenetrationOrACycle) {
+    for (const char* preset : {"painter-interpenetration", "painter-cycle"}) {
+        SCOPED_TRACE(preset);
+        const Stage stage(preset);
+        for (const PainterKey key : keys) EXPECT_GT(stage.objects_wrong(stage.painted(key)), many / 3);
+    }
+}
+
+TEST(VisibilityPresets, NewellCutsAndIsRight) {
+    for (const char* preset : {"newell-cycle", "newell-interpenetration"}) {
+        SCOPED_TRACE(preset);
+        const Stage stage(preset);
+        const NewellOrder newell = newell_order(stage.polygons, stage.viewpoint);
+        EXPECT_GT(newell.counters.splits, 0);
+        EXPECT_EQ(newell.problem, "");
+        EXPECT_EQ(stage.wrong(stage.draw(newell.fragments, newell.order)), 0);
+    }
+}
+
+TEST(VisibilityPresets, TheTreeToWalkIsSmallAndTheOneOfManySplitsLarge) {
+    const Stage small("bsp-walk");
+    const BspTree small_tree = small.tree();
+    EXPECT_LT(small_tree.nodes.size(), 25U);
+    EXPECT_EQ(small.wrong(small.walked(small_tree)), 0);
+
+    const Stage large("bsp-many-splits");
+    const BspTree large_tree = large.tree();
+    EXPECT_EQ(large.polygons.size(), 144U);
+    EXPECT_GT(large_tree.fragments.size(), 2000U);
+    EXPECT_EQ(large_tree.problem, "");
+    EXPECT_EQ(large.wrong(large.walked(large_tree)), 0);
+    const NewellOrder newell = newell_order(large.polygons, large.viewpoint);
+    EXPECT_GT(newell.counters.splits, 1000);
+    EXPECT_EQ(newell.problem, "");
+    EXPECT_EQ(large.wrong(large.draw(newell.fragments, newell.order)), 0);
+}
+
+TEST(VisibilityPresets, CracksOpenWithTheEpsilonGivenAndCloseWithTheDefault) {
+    Stage stage("bsp-cracks");
+    const std::int64_t torn = stage.objects_wrong(stage.walked(stage.tree()));
+    RecordProperty("torn", static_cast<int>(torn));
+    EXPECT_GT(torn, 100);
+    EXPECT_LT(torn, many);
+    stage.params.visibility.epsilon = VisibilityParams{}.epsilon;
+    const BspTree tree = stage.tree();
+    EXPECT_EQ(stage.wrong(stage.walked(tree)), 0);
+    const std::int64_t cracks = stage.wrong(stage.walked(tree, 4));
+    RecordProperty("cracks", static_cast<int>(cracks));
+    EXPECT_GT(cracks, 5) << "corners rounded to a grid of 1/16 pixel";
+    EXPECT_LT(cracks, 200) << "single pixels";
+}
+
+TEST(VisibilityPresets, TheZBufferIsRightAndTheCurvedSceneIsExact) {
+    const Stage z_buffer("z-buffer");
+    EXPECT_EQ(z_buffer.wrong(
+                  rasterise(z_buffer.polygons, z_buffer.viewpoint.clip_from_world(), {.width = width, .height = height})
+                      .image),
+              0);
+    EXPECT_TRUE(Stage("ray-cast-curved").params.visibility.exact_curves);
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,238 @@
+// The step bar by real input: its buttons, track, number, and playing over frames of uneven length.
+#include <cmath>
+#include <random>
+
+#include "widget_test.h"
+#include "widgets/diagrams.h"
+
+namespace widgets::test {
+namespace {
+
+class StepBarTest : public WidgetTest {
+protected:
+    int step = -1, count = 12;
+    bool playing = false;
+    float steps_per_s = 10.0F;
+    double dt_s = 0.0, carry = 0.0;
+
+    void start_bar() {
+        start([this] { return StepBar("steps", step, count, playing, steps_per_s, dt_s, carry); });
+    }
+    void wheel(float notches) {
+        ImGui::GetIO().MouseWheel = notches;
+        ui.frame();
+        ui.frame();
+    }
+};
+
+TEST_F(StepBarTest, Buttons) {
+    start_bar();
+    EXPECT_EQ(ui.text_of("steps/text"), "all 12 steps");
+    EXPECT_FALSE(ui.find("steps/All").enabled);
+    EXPECT_FALSE(ui.find("steps/Forward").enabled);
+    ui.click("steps/Back");
+    EXPECT_EQ(step, 11);
+    EXPECT_EQ(ui.text_of("steps/text"), "step 11 of 12");
+    ui.click("steps/Forward");
+    EXPECT_EQ(step, 12);
+    ui.click("steps/First");
+    EXPECT_EQ(step, 0);
+    EXPECT_FALSE(ui.find("steps/Back").enabled);
+    ui.click("steps/Forward");
+    EXPECT_EQ(step, 1);
+    ui.click("steps/All");
+    EXPECT_EQ(step, -1);
+    EXPECT_EQ(changes, 5);
+    ui.frames(10);
+    EXPECT_EQ(changes, 5);
+}
+
+TEST_F(StepBarTest, HeldButtonsGoOn) {
+    count = 1000;
+    step = 0;
+    start_bar();
+    ui.hover("steps/Forward");
+    ui.press();
+    for (int i = 0; i < 120; ++i) ui.frame();
+    ui.release();
+    EXPECT_GT(step, 10);
+    const int reached = step;
+    ui.frames(30);
+    EXPECT_EQ(step, reached);
+}
+
+TEST_F(StepBarTest, TheTrackIsLinearAndPrecise) {
+    start_bar();
+    for (int wanted = 0; wanted <= count; ++wanted) {
+        const RecordedItem track = ui.find("steps/track");
+        const float begin = track.min.x + 8.0F, end = track.max.x - 8.0F;
+        ui.frame(1.0F);
+        ui.move_to(ImVec2(begin + (end - begin) * static_cast<float>(wanted) / static_cast<float>(count),
+                          0.5F * (track.min.y + track.max.y)));
+        ui.press();
+        ui.release();
+        EXPECT_EQ(step < 0 ? count : step, wanted);
+    }
+    ui.drag("steps/track", -5000);
+    EXPECT_EQ(step, 0);
+    count = 100'000;
+    ui.drag("steps/track", 5000);
+    EXPECT_EQ(step, 100'000);
+}
+
+TEST_F(StepBarTest, TheWheelStepsWithoutScrolling) {
+    step = 5;
+    float scrolled = 0.0F;
+    start([&] {
+        ImGui::BeginChild("panel", ImVec2(580, 200));
+        const bool changed = StepBar("steps", step, count, playing, steps_per_s, 0.0, carry);
+        ImGui::Dummy(ImVec2(10, 2000));
+        scrolled = ImGui::GetScrollY();
+        ImGui::EndChild();
+        return changed;
+    });
+    ui.hover("steps/track");
+    wheel(1.0F);
+    EXPECT_EQ(step, 6);
+    wheel(-1.0F);
+    wheel(-1.0F);
+    EXPECT_EQ(step, 4);
+    for (int i = 0; i < 9; ++i) wheel(-1.0F);
+    EXPECT_EQ(step, 0);
+    EXPECT_EQ(scrolled, 0.0F);
+}
+
+TEST_F(StepBarTest, TypesInTheNumberAndByCtrlClickOnTheTrack) {
+    count = 340;
+    start_bar();
+    ui.double_click("steps/step");
+    ui.type("17");
+    ui.key(ImGuiKey_Enter);
+    EXPECT_EQ(step, 17);
+    EXPECT_EQ(ui.text_of("steps/text"), "step 17 of 340");
+    ui.ctrl_click("steps/track");
+    EXPECT_EQ(step, 17) << "a Ctrl-click does not jump";
+    ui.type("9999");
+    ui.key(ImGuiKey_Enter);
+    EXPECT_EQ(step, 340);
+    EXPECT_EQ(changes, 2);
+}
+
+TEST_F(StepBarTest, PlaysExactlyItsStepsOverUnevenFrames) {
+    std::mt19937 random(4);
+    std::uniform_real_distribution<double> frame_s(0.0, 0.05);
+    count = 1000;
+    step = 0;
+    start_bar();
+    steps_per_s = 37.5F;
+    playing = true;
+    double played_s = 0.0;
+    while (playing && played_s < 100.0) {
+        dt_s = frame_s(random);
+        played_s += dt_s;
+        ui.frame();
+        const double due = std::min(played_s * 37.5, 1000.0);
+        ASSERT_NEAR(step + (playing ? carry : 0.0), due, 1e-6);
+        ASSERT_LE(step, due + 1e-6);
+    }
+    EXPECT_EQ(step, 1000);
+    EXPECT_FALSE(playing) << "stops at the end";
+    EXPECT_NEAR(played_s, 1000.0 / 37.5, 0.05);
+    dt_s = 1.0;
+    ui.frames(5);
+    EXPECT_EQ(step, 1000);
+}
+
+TEST_F(StepBarTest, FramesThatAddUpToWholeStepsMakeThem) {
+    count = 100;
+    step = 0;
+    start_bar();
+    playing = true;
+    dt_s = 0.01;  // ten of these make a step of 0.1 s, though 0.1 has no exact binary form
+    ui.frames(300);
+    EXPECT_EQ(step, 30);
+}
+
+TEST_F(StepBarTest, PlayStartsAgainFromTheEndAndAnyHandStopsIt) {
+    start_bar();
+    ui.click("steps/Play");
+    EXPECT_TRUE(playing);
+    EXPECT_EQ(step, 0);
+    dt_s = 0.35;
+    ui.frame();
+    EXPECT_EQ(step, 3);
+    dt_s = 0.0;
+    ui.click("steps/Pause");
+    EXPECT_FALSE(playing);
+    EXPECT_EQ(step, 3);
+    ui.click("steps/Play");
+    ui.click("steps/Back");
+    EXPECT_FALSE(playing);
+    EXPECT_EQ(step, 2);
+    step = -1;
+    playing = true;  // as a key would
+    ui.frame();
+    EXPECT_EQ(step, 0);
+    dt_s = 1e9;
+    ui.frame();
+    EXPECT_EQ(step, 12);
+    EXPECT_FALSE(playing);
+}
+
+TEST_F(StepBarTest, AsksForTheFrameOfTheNextStep) {
+    step = 0;
+    start_bar();
+    EXPECT_LT(RedrawIn(context), 0.0F) << "at rest nothing is due";
+    playing = true;
+    ui.frame();
+    EXPECT_NEAR(RedrawIn(context), 0.1F, 1e-4F);
+}
+
+TEST_F(StepBarTest, WithoutStepsItIsDisabledAndSaysWhy) {
+    for (const int none : {0, -5}) {
+        count = none;
+        step = -1;
+        playing = true;
+        dt_s = 1.0;
+        start_bar();
+        EXPECT_FALSE(playing);
+        EXPECT_EQ(step, -1);
+        for (const char* name : {"First", "Back", "Play", "Forward", "All", "track"}) {
+            EXPECT_FALSE(ui.find("steps/" + std::string(name)).enabled) << name;
+            ui.click("steps/" + std::string(name));
+        }
+        EXPECT_EQ(step, -1);
+        ui.hover("steps/Play");
+        ui.frames(60);
+        EXPECT_EQ(ui.text_of("steps/tooltip"), "\nThere are no steps to go through.");
+    }
+    EXPECT_EQ(changes, 0);
+}
+
+TEST_F(StepBarTest, AStepBeyondTheEndIsShownAsTheEndAndKept) {
+    step = 50;
+    start_bar();
+    EXPECT_EQ(ui.text_of("steps/text"), "step 12 of 12");
+    EXPECT_EQ(step, 50);
+    steps_per_s = NAN;
+    playing = true;
+    dt_s = 1.0;
+    ui.frames(3);
+    EXPECT_TRUE(std::isfinite(carry));
+    EXPECT_GE(step, 0);
+    EXPECT_LE(step, 12);
+}
+
+TEST_F(StepBarTest, TheSpeedIsALogarithmicSlider) {
+    start_bar();
+    ui.double_click("steps/speed");
+    ui.type("250");
+    ui.key(ImGuiKey_Enter);
+    EXPECT_EQ(steps_per_s, 250.0F);
+    EXPECT_EQ(changes, 0) << "no step changed";
+    ui.drag("steps/speed", 500);
+    EXPECT_EQ(steps_per_s, 5000.0F);
+}
+
+}  // namespace
+}  // namespace widgets::test
