@@ -17,7 +17,7 @@ bool is_same_work(const HiddenQuestion& a, const HiddenQuestion& b) {
 HiddenWorker::HiddenWorker() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 HiddenWorker::~HiddenWorker() {
-    progress_.cancelled = true;
+    cancel();
     thread_.request_stop();
 }
 

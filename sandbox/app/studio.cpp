@@ -120,6 +120,9 @@ Status Studio::draw_lower_right_view(const Layout& layout) {
             return renderer_.draw(plan_observer(params, derived_, beside), scene, size, lower_right_);
         }
         case LowerTopic::passes:
+        case LowerTopic::tree:
+        case LowerTopic::order:
+        case LowerTopic::growth:
             break;
     }
     return std::monostate{};

@@ -194,6 +194,16 @@ void write_snapshot(const Renderer& renderer, Studio& studio) {
         written ? Message{"snapshot of the camera view written to " + name, false} : Message{written.error(), true};
 }
 
+/// A part of the window as it was just drawn.
+void write_view_picture(Studio& studio, const ViewPicture& wanted) {
+    const Rect& rect = wanted.rect;
+    const Image part = cropped(studio.read(), static_cast<int>(rect.min.x), static_cast<int>(rect.min.y),
+                               static_cast<int>(rect.max.x), static_cast<int>(rect.max.y));
+    const Status written = write_png(wanted.file, part);
+    studio.session.message =
+        written ? Message{"picture written to " + wanted.file.string(), false} : Message{written.error(), true};
+}
+
 void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, studio.framebuffer());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
@@ -270,6 +280,10 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         events.input.dropped_files.clear();
         if (requests.snapshot) {
             write_snapshot(renderer, studio);
+            events.any = true;
+        }
+        if (requests.view_picture) {
+            write_view_picture(studio, *requests.view_picture);
             events.any = true;
         }
         if (requests.toggle_full_screen) full_screen.toggle(window);

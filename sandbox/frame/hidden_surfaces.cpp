@@ -139,6 +139,12 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     HiddenRequest request = hidden_request(params, derived, size_px);
     request.viewpoint.view_from_world = derived.view_from_world * derived.mirror_from_world;
     request.visibility.step = -1;
+    if (params.reflection.clip != MirrorClip::none && params.visibility.method != VisibilityMethod::ray_cast) {
+        // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
+        const glm::dvec4 towards_eye = derived.unit_plane * (derived.eye_side < 0.0 ? -1.0 : 1.0);
+        request.viewpoint.clip_from_view = with_oblique_near_plane(
+            request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));
+    }
     if (params.reflection.flip_winding)
         request.cull.front_face = request.cull.front_face == FrontFace::ccw ? FrontFace::cw : FrontFace::ccw;
     return request;
@@ -167,7 +173,8 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     if (!trees_.tree || trees_.splitter != visibility.splitter || trees_.epsilon != visibility.epsilon) {
         const Stopwatch watch;
         const BspOptions options{.splitter = static_cast<BspSplitter>(visibility.splitter),
-                                 .epsilon = visibility.epsilon * surface_->diagonal};
+                                 .epsilon = visibility.epsilon * surface_->diagonal,
+                                 .max_fragments = 1'000'000 + 2 * static_cast<int>(surface_->polygons.size())};
         auto tree = std::make_shared<const BspTree>(build_bsp(surface_->polygons, options, progress));
         trees_ = {tree, visibility.splitter, visibility.epsilon, watch.ms()};
     }

@@ -1,6 +1,7 @@
 // A picture in memory: what a readback gives, what is written as PNG and compared.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,5 +19,19 @@ struct Image {
     std::uint8_t* row(int y) { return rgba.data() + row_bytes() * static_cast<std::size_t>(y); }
     bool operator==(const Image&) const = default;
 };
+
+/// The pixels from (left, top) up to, not including, (right, bottom), moved into the image; at least one of them.
+/// The image is not empty.
+inline Image cropped(const Image& image, int left, int top, int right, int bottom) {
+    left = std::clamp(left, 0, image.width - 1);
+    top = std::clamp(top, 0, image.height - 1);
+    Image part{std::clamp(right, left + 1, image.width) - left, std::clamp(bottom, top + 1, image.height) - top, {}};
+    part.rgba.reserve(part.row_bytes() * static_cast<std::size_t>(part.height));
+    for (int y = top; y < top + part.height; ++y) {
+        const std::uint8_t* first = image.row(y) + static_cast<std::size_t>(left) * 4;
+        part.rgba.insert(part.rgba.end(), first, first + part.row_bytes());
+    }
+    return part;
+}
 
 }  // namespace viewing

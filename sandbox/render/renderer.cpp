@@ -230,6 +230,7 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
     const glm::dmat3 scene(pass.world_from_scene);
     const glm::mat3 world_from_normal(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
     glUniformMatrix3fv(program.world_from_normal, 1, GL_FALSE, glm::value_ptr(world_from_normal));
+    glDisable(GL_CULL_FACE);  // the method has culled already; this triangle only brings its pixels
     draw_fullscreen(program.program);
 }
 

@@ -2,13 +2,18 @@
 // panel, over the camera view and below it. Read laboratory_panel.cpp, then laboratory_views.cpp.
 #pragma once
 
+#include <array>
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "frame/hidden_views.h"
 #include "ui/background.h"
+#include "ui/growth_log.h"
 #include "ui/layout.h"
 #include "ui/overlay.h"
 #include "ui/session.h"
+#include "ui/tree_index.h"
 #include "visibility/failure_search.h"
 #include "visibility/growth.h"
 #include "widgets/diagrams.h"
@@ -36,6 +41,12 @@ struct PolygonLink {
 inline constexpr const char* method_names[] = {"GL depth buffer", "none",           "painter",    "Newell",
                                                "BSP tree",        "soft. z-buffer", "ray casting"};
 
+/// A part of the window that shall be written as a picture.
+struct ViewPicture {
+    Rect rect;  ///< pixels of the window
+    std::filesystem::path file;
+};
+
 struct LaboratoryState {
     PolygonLink link;       ///< of this frame
     PolygonLink next_link;  ///< gathered while it is drawn; takes over at its end
@@ -46,13 +57,21 @@ struct LaboratoryState {
     double carry_steps = 0.0;
 
     widgets::TreeDiagramState tree;
-    std::shared_ptr<const BspTree> tree_shown;  ///< the one that `tree` was laid out for
-    std::uint64_t tree_revision = 0;
+    TreeIndex tree_index;             ///< of the latest result with a tree
+    std::uint64_t tree_revision = 0;  ///< counts the trees that `tree` was laid out for
+    int tree_revealed = -1;           ///< the node that `tree` was last moved to
+    int order_revealed = -1;          ///< the fragment that the order list was last scrolled to
+    int order_current = -1;           ///< the place in the order that it was last scrolled to
 
     BackgroundTask<FailureView> failure_search;
     BackgroundTask<std::vector<GrowthRow>> growth;
-    std::vector<GrowthRow> growth_rows;
-    int growth_scene = 0;  ///< a GrowthScene
+    std::shared_ptr<GrowthLog> growth_log;              ///< filled while it is measured
+    std::array<std::vector<GrowthRow>, 3> growth_rows;  ///< of each GrowthScene
+    int growth_scene = 0;                               ///< the one that is shown, and measured
+    int growth_of_version = -1;                         ///< the session's scene that its rows are of
+    bool growth_shows_operations = false;
+    bool growth_wants_picture = false;          ///< of the chart, as the next frame shows it
+    std::optional<ViewPicture> wanted_picture;  ///< asked for in this frame
 
     /// Whether something here wants frames although no input comes.
     bool is_busy() const { return playing || failure_search.is_running() || growth.is_running(); }
@@ -75,8 +94,11 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 p
 void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& hidden, Overlay& overlay);
 
 /// The lower right view's topics: the tree, the order, and the costs as they grow.
-void draw_tree_view(LaboratoryState& state, const HiddenStatus& hidden, const Rect& rect);
-void draw_order_view(LaboratoryState& state, const HiddenStatus& hidden, const Rect& rect);
-void draw_growth_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect);
+void draw_tree_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect);
+void draw_order_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect);
+void draw_growth_view(LaboratoryState& state, Session& session, const Rect& rect);
+
+/// The rows that have been measured so far become `growth_rows`; once a frame, whichever view is shown.
+void take_growth_rows(LaboratoryState& state);
 
 }  // namespace viewing

@@ -141,14 +141,15 @@ void take_background_results(LaboratoryState& state, Session& session) {
 void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden) {
     Params& params = session.params;
     const VisibilityMethod method = params.visibility.method;
-    options_of(method, params);
     const bool is_open = !is_drawn_by_gl_alone(method) || params.view.shows == Shows::difference ||
                          params.visibility.step >= 0 || params.visibility.numbers;
     if (!is_open) {
-        if (widgets::SmallButton("Step by step")) params.visibility.step = 0;
-        widgets::Tooltip("Step by step", "Draws the scene polygon by polygon, in the order in which GL gets them.");
+        ImGui::SameLine();
+        if (widgets::SmallButton("Steps")) params.visibility.step = 0;
+        widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order in which GL gets them.");
         return;
     }
+    options_of(method, params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
     work_in_progress(state, hidden);
     if (result && method == VisibilityMethod::painter) failure_search(state, params, *result);

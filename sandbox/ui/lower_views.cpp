@@ -161,13 +161,13 @@ void draw_lower_right_view(ViewState& state, Session& session, const Derived& de
             return passes_list(plan, rect);
         case LowerTopic::tree:
             if (over) state.hovered = ViewName::lower_right;
-            return draw_tree_view(state.laboratory, pictures.hidden, rect);
+            return draw_tree_view(state.laboratory, session, pictures.hidden, rect);
         case LowerTopic::order:
             if (over) state.hovered = ViewName::lower_right;
-            return draw_order_view(state.laboratory, pictures.hidden, rect);
+            return draw_order_view(state.laboratory, session, pictures.hidden, rect);
         case LowerTopic::growth:
             if (over) state.hovered = ViewName::lower_right;
-            return draw_growth_view(state.laboratory, session, pictures.hidden, rect);
+            return draw_growth_view(state.laboratory, session, rect);
         case LowerTopic::depth:
         case LowerTopic::moving_world:
             break;

@@ -25,7 +25,7 @@ public:
     OrderRows(const HiddenResult& result, const TreeIndex& index);
 
     int count() const { return static_cast<int>(result_.order.size()); }
-    OrderRow row(int place) const;        ///< `place` counts from 0
+    OrderRow row(int place) const;            ///< `place` counts from 0
     int current() const { return current_; }  ///< the place that the step is at; −1: none
     /// What `detail` is: a column's title; empty where the method has none.
     const char* detail_title() const;

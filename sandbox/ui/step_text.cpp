@@ -97,10 +97,10 @@ std::optional<Ladder> newell_ladder(const HiddenResult& result) {
                   .action = action_sentence(result, step)};
     const auto decided = static_cast<std::size_t>(step.decided_by);
     for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
-        ladder.rungs[rung] = step.q < 0          ? RungState::untried
-                             : rung < decided    ? RungState::failed
-                             : rung == decided   ? RungState::decided
-                                                 : RungState::untried;
+        ladder.rungs[rung] = step.q < 0        ? RungState::untried
+                             : rung < decided  ? RungState::failed
+                             : rung == decided ? RungState::decided
+                                               : RungState::untried;
     return ladder;
 }
 

@@ -15,9 +15,9 @@ enum class RungState { failed, decided, untried };
 
 /// Newell's tests for the pair of the step, in their order.
 struct Ladder {
-    std::string p, q;                                   ///< the polygons' names; q is empty when there is none
+    std::string p, q;                                      ///< the polygons' names; q is empty when there is none
     std::array<RungState, newell_test_count - 1> rungs{};  ///< all untried when there is no Q
-    std::string action;                                 ///< a sentence
+    std::string action;                                    ///< a sentence
 };
 
 /// The sentence that a test claims, of P and Q.

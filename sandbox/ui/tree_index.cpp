@@ -82,8 +82,8 @@ std::string tree_sentence(const HiddenResult& result) {
     const auto nodes = static_cast<int>(tree.nodes.size());
     std::string text = counted(nodes, "node", "nodes") + ", " + grouped_number(tree.counters.depth) + " deep, " +
                        counted(static_cast<std::int64_t>(tree.fragments.size()), "fragment", "fragments") + ", " +
-                       counted(tree.counters.splits, "split", "splits") + "; splitter: " +
-                       splitters[static_cast<std::size_t>(result.request.visibility.splitter)];
+                       counted(tree.counters.splits, "split", "splits") +
+                       "; splitter: " + splitters[static_cast<std::size_t>(result.request.visibility.splitter)];
     if (result.step < 0) return text;
     if (result.built_nodes < nodes) return text + "; " + grouped_number(result.built_nodes) + " built so far";
     return text + "; " + grouped_number(result.visited_nodes) + " visited so far";
@@ -100,7 +100,8 @@ std::string node_sentence(const HiddenResult& result, int node, const TreeIndex&
     } else {
         text += counted(told.fragment_count, "polygon", "polygons") + " left unsorted by the budget";
     }
-    const bool is_visited = is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
+    const bool is_visited =
+        is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
     if (!is_visited || !told.sorted) return text;
     const int side = index.eye_side_of(node);
     if (side == 0) return text + "; the eye lies in the plane: neither side hides the other";

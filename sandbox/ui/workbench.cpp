@@ -167,9 +167,11 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
     LaboratoryState& laboratory = views.laboratory;
     take_background_results(laboratory, session);
+    take_growth_rows(laboratory);
     laboratory.link = laboratory.next_link;
     laboratory.next_link.hovered_fragment = laboratory.next_link.hovered_node = -1;
     requests.cancel_hidden = std::exchange(laboratory.cancel_method, false);
+    requests.view_picture = std::exchange(laboratory.wanted_picture, std::nullopt);
     draw_loading(session, now);
     draw_message(session, now);
     file_dialog_.draw(session);

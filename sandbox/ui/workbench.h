@@ -25,6 +25,7 @@ struct Requests {
     bool snapshot = false;
     bool toggle_full_screen = false;
     bool cancel_hidden = false;  ///< what the hidden-surface methods are working on
+    std::optional<ViewPicture> view_picture;
 };
 
 class Workbench {

@@ -105,9 +105,20 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
-TEST_F(Usage, MeasureSaysThatItComesLater) {
+TEST_F(Usage, MeasureSaysWhatItTakesAndWhatComesLater) {
     refused({"measure", "--what", "fighting"}, {"fighting", "later"});
-    refused({"measure", "--what", "luck"}, {"fighting, visibility"});
+    refused({"measure", "--what", "luck"}, {"visibility, growth, fighting"});
+    refused({"measure", "--what", "visibilty"}, {"did you mean visibility?"});
+    refused({"measure", "--what", "visibility", "--format", "csv"}, {"--format needs --what growth"});
+    refused({"measure", "--what", "visibility", "--max", "10"}, {"--max needs --what growth"});
+    refused({"measure", "--what", "visibility", "--polygons", "large"}, {"--polygons needs --what growth"});
+    refused({"measure", "--what", "visibility", "--size", "0x9"}, {"--size"});
+    refused({"measure", "--what", "visibility", "--timeout", "-1"}, {"--timeout"});
+    refused({"measure", "--what", "growth", "--device", "auto"}, {"--device needs --what visibility"});
+    refused({"measure", "--what", "growth", "--max", "0"}, {"--max", "1"});
+    refused({"measure", "--what", "growth", "--max", "1000001"}, {"--max", "1000000"});
+    refused({"measure", "--what", "growth", "--polygons", "huge"}, {"--polygons", "small, large, scene"});
+    refused({"measure", "--what", "growth", "--format", "xml"}, {"--format", "json, csv"});
 }
 
 }  // namespace

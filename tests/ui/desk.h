@@ -225,11 +225,29 @@ private:
         const Derived before = derive(session.before_latest_edit(), session.scene(), viewport);
         frame_plan = plan(session.params, derived);
         input.dt_s = ImGui::GetIO().DeltaTime;
-        requests = workbench.draw(session, derived, before, frame_plan, {}, {"OpenGL 3.3 core · none", "–", {}}, input);
+        Pictures pictures;
+        pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
+        requests =
+            workbench.draw(session, derived, before, frame_plan, pictures, {"OpenGL 3.3 core · none", "–", {}}, input);
         input.pressed.clear();
         input.dropped_files.clear();
         measure_areas();
     }
+
+    /// What hidden-surface methods find for the camera view, at once.
+    std::shared_ptr<const HiddenAnswer> hidden_answer(glm::ivec2 size_px) {
+        const std::optional<HiddenQuestion> question = hidden_question(session.params, derived, size_px);
+        if (!question) return nullptr;
+        if (solver_version_ != session.scene_version())
+            solver_ = std::make_unique<HiddenSurfaceSolver>(session.scene());
+        if (!answer_ || answer_->question != *question || solver_version_ != session.scene_version())
+            answer_ = std::make_shared<const HiddenAnswer>(answer_hidden_question(*solver_, *question));
+        solver_version_ = session.scene_version();
+        return answer_;
+    }
+    std::unique_ptr<HiddenSurfaceSolver> solver_;
+    int solver_version_ = -1;
+    std::shared_ptr<const HiddenAnswer> answer_;
 
     /// Appending to a window that was drawn tells how much of its content is beyond its edge.
     void measure_areas() {
@@ -248,6 +266,7 @@ private:
 
 public:
     Requests requests;
+    const std::shared_ptr<const HiddenAnswer>& answer() const { return answer_; }
 };
 
 /// The paths of the fields in which two states differ.

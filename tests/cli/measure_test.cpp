@@ -1,0 +1,144 @@
+// measure: what the hidden-surface methods do, as a script reads it.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+using Json = nlohmann::json;
+
+class Measure : public Program {
+protected:
+    Json visibility(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "measure");
+        arguments.insert(arguments.end(), {"--what", "visibility"});
+        return expect(0, arguments).json();
+    }
+};
+
+const std::vector<std::string> methods{"depth_buffer",          "none",    "painter", "newell", "bsp",
+                                       "software_depth_buffer", "ray_cast"};
+const std::vector<std::string> counters{
+    "comparisons",   "swaps",          "splits",   "fragments", "tree_depth",
+    "pixels_tested", "pixels_written", "overdraw", "rays",      "intersection_tests"};
+
+TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
+    const Json measured = visibility({"--size", "160x90"});
+    EXPECT_EQ(measured["scene"], "torus-and-boxes");
+    EXPECT_EQ(measured["size"], Json({160, 90}));
+    EXPECT_EQ(measured["polygons"], 4120) << "a torus of 64 · 32 · 2 triangles and two boxes of 12";
+    ASSERT_EQ(measured["methods"].size(), methods.size());
+    const std::map<std::string, std::set<std::string>> has{
+        {"depth_buffer", {}},
+        {"none", {}},
+        {"painter", {"comparisons", "swaps", "pixels_tested", "pixels_written", "overdraw"}},
+        {"newell", {"comparisons", "swaps", "splits", "fragments", "pixels_tested", "pixels_written", "overdraw"}},
+        {"bsp", {"comparisons", "splits", "fragments", "tree_depth", "pixels_tested", "pixels_written", "overdraw"}},
+        {"software_depth_buffer", {"pixels_tested", "pixels_written", "overdraw"}},
+        {"ray_cast", {"pixels_tested", "pixels_written", "overdraw", "rays", "intersection_tests"}}};
+    for (const std::string& name : methods) {
+        SCOPED_TRACE(name);
+        const Json& method = measured["methods"][name];
+        EXPECT_GT(method["time_ms"].get<double>(), 0.0);
+        EXPECT_EQ(method["build_ms"].is_number(), name == "bsp" || name == "ray_cast");
+        for (const std::string& counter : counters) {
+            ASSERT_TRUE(method.contains(counter)) << counter;
+            EXPECT_EQ(method[counter].is_number(), has.at(name).contains(counter)) << counter;
+        }
+        EXPECT_TRUE(method["problem"].is_null());
+        EXPECT_GE(method["wrong_pixels"].get<int>(), 0);
+    }
+    EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
+    EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
+    EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0);
+    EXPECT_EQ(measured["methods"]["bsp"]["wrong_pixels"], 0);
+    EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
+    EXPECT_LE(measured["methods"]["depth_buffer"]["wrong_pixels"], 2);
+    EXPECT_GT(measured["methods"]["none"]["wrong_pixels"], 100);
+    const Json& culling = measured["culling"];
+    EXPECT_EQ(culling["before"], 4120);
+    EXPECT_EQ(culling["by_plane"]["front"].get<int>() + culling["by_plane"]["back"].get<int>() +
+                  culling["by_plane"]["edge_on"].get<int>(),
+              4120);
+    EXPECT_EQ(culling["by_plane"]["front"], culling["by_winding"]["front"]);
+    EXPECT_EQ(culling["disagree"], 0);
+    EXPECT_EQ(culling["after"], culling["by_plane"]["front"]);
+}
+
+TEST_F(Measure, VisibilityOfACycleIsTheLectures) {
+    const Json measured = visibility({"painter-cycle", "--size", "160x90"});
+    for (const char* key : {"nearest", "farthest", "centroid"}) EXPECT_GT(measured["painter_keys"][key], 20) << key;
+    EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0);
+    EXPECT_GT(measured["methods"]["newell"]["splits"], 0);
+}
+
+TEST_F(Measure, PainterUsesTheStatesKey) {
+    for (const char* key : {"nearest", "farthest", "centroid"}) {
+        const Json measured = visibility({"--size", "160x90", "--set", std::string("visibility.sort_key=") + key,
+                                          "--set", "visibility.step=2", "--set", "visibility.method=newell"});
+        EXPECT_EQ(measured["methods"]["painter"]["wrong_pixels"], measured["painter_keys"][key]) << key;
+        EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0) << "all steps, whatever the state's step is";
+    }
+}
+
+TEST_F(Measure, ExactCurvesAreComparedByObject) {
+    const Json measured = visibility({"curved", "--size", "160x90", "--set", "visibility.exact_curves=true"});
+    EXPECT_LT(measured["methods"]["ray_cast"]["wrong_pixels"], 100) << "not every pixel of a curved shape";
+    EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
+}
+
+TEST_F(Measure, VisibilityOfNothingAndOfAnInlineScene) {
+    const Json empty = visibility({"--size", "16x9", "--set", R"(scene={"objects":[]})"});
+    EXPECT_EQ(empty["scene"], "inline");
+    EXPECT_EQ(empty["polygons"], 0);
+    for (const std::string& name : methods) EXPECT_EQ(empty["methods"][name]["wrong_pixels"], 0) << name;
+}
+
+TEST_F(Measure, GrowthHasARowForEveryMethodAndCount) {
+    const Json measured = expect(0, {"measure", "--what", "growth", "--max", "50", "--size", "32x24"}).json();
+    EXPECT_EQ(measured["polygons"], "small");
+    EXPECT_TRUE(measured["scene"].is_null());
+    EXPECT_EQ(measured["size"], Json({32, 24}));
+    std::set<int> counts;
+    for (const Json& row : measured["rows"]) {
+        counts.insert(row["polygons"].get<int>());
+        EXPECT_GT(row["time_ms"].get<double>(), 0.0);
+        EXPECT_TRUE(row["problem"].is_null());
+    }
+    EXPECT_EQ(counts, (std::set<int>{10, 30, 50}));
+    EXPECT_EQ(measured["rows"].size(), 3U * 6U);
+    EXPECT_TRUE(measured["summary"].get<std::string>().starts_with("Fastest")) << measured["summary"];
+}
+
+TEST_F(Measure, GrowthAsCsvHasALineForEveryRow) {
+    const Ended ended = expect(0, {"measure", "--what", "growth", "--max", "10", "--size", "32x24", "--format", "csv"});
+    std::istringstream lines(ended.out);
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(line, "method,polygons,time_ms,operation,operations,painting_ms,build_ms,problem\r");
+    int rows = 0;
+    while (std::getline(lines, line)) ++rows;
+    EXPECT_EQ(rows, 6);
+}
+
+TEST_F(Measure, GrowthTakesTheScenesPolygons) {
+    const Json measured = expect(0, {"measure", "cyclic-overlap", "--what", "growth", "--polygons", "scene", "--max",
+                                     "1000", "--size", "32x24"})
+                              .json();
+    EXPECT_EQ(measured["polygons"], "scene");
+    EXPECT_EQ(measured["scene"], "cyclic-overlap");
+    for (const Json& row : measured["rows"]) EXPECT_LE(row["polygons"], 100) << "no more than there are";
+}
+
+TEST_F(Measure, EndsInTime) {
+    const Ended ended = expect(8, {"measure", "--what", "growth", "--max", "1000000", "--timeout", "0.05"});
+    EXPECT_NE(ended.err.find("--timeout"), std::string::npos);
+    EXPECT_EQ(ended.out, "");
+}
+
+}  // namespace
+}  // namespace cli_tests

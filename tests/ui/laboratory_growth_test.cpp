@@ -1,0 +1,132 @@
+// Costs as they grow: measured beside the window, watched, cancelled, told and written to files.
+#include <chrono>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "laboratory_desk.h"
+
+namespace viewing::test {
+namespace {
+
+class GrowthView : public LaboratoryViews {
+protected:
+    GrowthView() { show(LowerTopic::growth, VisibilityMethod::depth_buffer); }
+
+    std::vector<GrowthRow>& rows() {
+        return laboratory().growth_rows[static_cast<std::size_t>(laboratory().growth_scene)];
+    }
+    void wait_until_measured() {
+        for (int i = 0; i < 6000 && laboratory().growth.is_running(); ++i) {
+            ui.frame();
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+        ASSERT_FALSE(laboratory().growth.is_running());
+        ui.frames(2);
+    }
+    void measure_current_scene() {
+        laboratory().growth_scene = static_cast<int>(GrowthScene::own_polygons);
+        ui.frames(2);
+        ui.click("lower/Measure");
+        wait_until_measured();
+    }
+    static std::string content(const std::filesystem::path& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+};
+
+TEST_F(GrowthView, EveryMethodIsMeasuredAndTold) {
+    EXPECT_TRUE(says("Every method is measured"));
+    EXPECT_FALSE(ui.find("lower/Save CSV").enabled);
+    measure_current_scene();
+    std::set<GrowthMethod> methods;
+    for (const GrowthRow& row : rows()) methods.insert(row.method);
+    EXPECT_EQ(methods.size(), growth_method_count);
+    EXPECT_TRUE(says(growth_summary(rows())));
+    EXPECT_TRUE(ui.has("lower/chart/marker"));
+    EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
+    ui.click("lower/operations");
+    EXPECT_TRUE(laboratory().growth_shows_operations);
+
+    // Each kind of scene keeps its own rows; those of the current scene go with it.
+    laboratory().growth_scene = static_cast<int>(GrowthScene::small_triangles);
+    ui.frames(2);
+    EXPECT_TRUE(says("Every method is measured"));
+    laboratory().growth_scene = static_cast<int>(GrowthScene::own_polygons);
+    params.scene = session_of("opening").params.scene;
+    desk.settle();
+    EXPECT_TRUE(rows().empty());
+}
+
+TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
+    ui.click("lower/Measure");
+    EXPECT_TRUE(laboratory().growth.is_running());
+    EXPECT_TRUE(laboratory().is_busy());
+    EXPECT_TRUE(ui.has("lower/progress"));
+    for (int i = 0; i < 2000 && rows().empty(); ++i) {
+        ui.frame();
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    EXPECT_FALSE(rows().empty()) << "rows are shown while it is measured";
+    // Its rows are taken whichever view is shown.
+    ui.click("lower/Cancel");
+    desk.workbench.views.topic = LowerTopic::depth;
+    wait_until_measured();
+    EXPECT_FALSE(laboratory().is_busy());
+    EXPECT_FALSE(rows().empty());
+    EXPECT_LT(rows().back().polygons, 100'000);
+}
+
+TEST_F(GrowthView, TheRowsAreWrittenToANameThatNoFileHas) {
+    const TemporaryFolder folder;
+    measure_current_scene();
+    ui.click("lower/Save CSV");
+    EXPECT_EQ(content("viewing-growth.csv"), growth_csv(rows()));
+    EXPECT_NE(desk.session.message.text.find((folder.path / "viewing-growth.csv").string()), std::string::npos);
+    EXPECT_FALSE(desk.session.message.is_error);
+    std::ofstream("viewing-growth.csv") << "mine";
+    ui.click("lower/Save CSV");
+    EXPECT_EQ(content("viewing-growth.csv"), "mine");
+    EXPECT_EQ(content("viewing-growth-2.csv"), growth_csv(rows()));
+}
+
+TEST_F(GrowthView, AFileThatCannotBeWrittenIsToldAsAnError) {
+    const TemporaryFolder folder;
+    measure_current_scene();
+    std::filesystem::create_directory("gone");
+    std::filesystem::current_path("gone");
+    std::filesystem::remove(folder.path / "gone");
+    ui.click("lower/Save CSV");
+    EXPECT_TRUE(desk.session.message.is_error) << desk.session.message.text;
+    std::filesystem::current_path(folder.path);
+}
+
+TEST_F(GrowthView, ThePictureOfTheChartIsAskedForOnce) {
+    const TemporaryFolder folder;
+    measure_current_scene();
+    const Rect scrolled = desk.layout().lower_right;
+    ui.move_to({scrolled.min.x + 60.0F, scrolled.max.y - 20.0F});
+    ImGui::GetIO().MouseWheel = -1.0F;
+    ui.frame();
+    ImGui::GetIO().MouseWheel = 0.0F;
+    ui.hover("lower/Save PNG");
+    ui.press();
+    ui.release();
+    ui.frame();
+    ASSERT_TRUE(desk.requests.view_picture);
+    EXPECT_EQ(desk.requests.view_picture->file, folder.path / "viewing-growth.png");
+    const Rect picture = desk.requests.view_picture->rect, view = desk.layout().lower_right;
+    EXPECT_GE(picture.min.x, view.min.x);
+    EXPECT_GE(picture.min.y, view.min.y);
+    EXPECT_LE(picture.max.x, view.max.x);
+    EXPECT_LE(picture.max.y, view.max.y);
+    EXPECT_GT(picture.height(), 80.0F);
+    const RecordedItem marker = ui.find("lower/chart/marker");
+    EXPECT_TRUE(picture.contains(marker.min));
+    ui.frame();
+    EXPECT_FALSE(desk.requests.view_picture);
+}
+
+}  // namespace
+}  // namespace viewing::test

@@ -1,0 +1,151 @@
+// The laboratory's part of the panel and of the pictures: choosing methods, going through steps, searching, picking.
+#include <chrono>
+#include <thread>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class LaboratoryTest : public UiTest {
+protected:
+    LaboratoryTest() : LaboratoryTest("cyclic-overlap") {}
+    explicit LaboratoryTest(const std::string& scene) {
+        params.scene = scene;
+        desk.settle();
+    }
+    void choose(const char* method) {
+        desk.choose("depth/method", std::string("depth/method/") + method);
+        desk.settle();
+    }
+    const HiddenResult& result() { return *desk.answer()->camera; }
+};
+
+TEST_F(LaboratoryTest, EveryMethodIsChosenByNameAndBringsItsOptions) {
+    struct Case {
+        const char* name;
+        VisibilityMethod method;
+        std::vector<const char*> options;
+    };
+    const Case cases[] = {
+        {"painter", VisibilityMethod::painter, {"depth/sort key"}},
+        {"Newell", VisibilityMethod::newell, {"depth/epsilon"}},
+        {"BSP tree", VisibilityMethod::bsp, {"depth/splitter", "depth/walk", "depth/epsilon"}},
+        {"soft. z-buffer", VisibilityMethod::software_depth_buffer, {}},
+        {"ray casting", VisibilityMethod::ray_cast, {"depth/Exact curves"}},
+    };
+    for (const Case& each : cases) {
+        choose(each.name);
+        EXPECT_EQ(params.visibility.method, each.method);
+        for (const char* option : each.options) EXPECT_TRUE(ui.has(option)) << each.name << ": " << option;
+        EXPECT_FALSE(ui.find("depth/Depth test").enabled) << each.name;
+        EXPECT_GT(result().step_count, 0) << each.name;
+    }
+    choose("GL depth buffer");
+    EXPECT_TRUE(ui.find("depth/Depth test").enabled);
+}
+
+TEST_F(LaboratoryTest, OptionsWriteTheirFields) {
+    choose("painter");
+    desk.choose("depth/sort key", "depth/sort key/centroid");
+    EXPECT_EQ(params.visibility.sort_key, SortKey::centroid);
+    desk.click("depth/Numbers");
+    EXPECT_TRUE(params.visibility.numbers);
+    choose("BSP tree");
+    desk.choose("depth/splitter", "depth/splitter/balanced");
+    EXPECT_EQ(params.visibility.splitter, Splitter::balanced);
+    desk.choose("depth/walk", "depth/walk/front to back");
+    EXPECT_EQ(params.visibility.walk, BspWalkOrder::front_to_back);
+    desk.enter("depth/epsilon", "0.001");
+    EXPECT_EQ(params.visibility.epsilon, 0.001);
+    choose("ray casting");
+    desk.click("depth/Exact curves");
+    EXPECT_TRUE(params.visibility.exact_curves);
+    params.view.shows = Shows::difference;
+    desk.settle();
+    desk.choose("depth/compare", "depth/compare/painter");
+    EXPECT_EQ(params.visibility.compare_with, VisibilityMethod::painter);
+    ASSERT_TRUE(desk.answer()->other);
+    EXPECT_GT(desk.answer()->different_pixels, 0);
+}
+
+TEST_F(LaboratoryTest, TheDepthBufferGoesStepByStepToo) {
+    desk.click("depth/Steps");
+    desk.settle();
+    EXPECT_EQ(params.visibility.step, 0);
+    EXPECT_EQ(result().drawn, 0);
+    EXPECT_EQ(result().step_count, 36);
+    params.visibility.step = 7;
+    desk.settle();
+    EXPECT_EQ(result().drawn, 7);
+}
+
+TEST_F(LaboratoryTest, TheViewBelowFollowsTheMethod) {
+    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::depth);
+    choose("BSP tree");
+    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::tree);
+    choose("Newell");
+    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::order);
+    choose("none");
+    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::depth);
+}
+
+TEST_F(LaboratoryTest, AClickPicksThePolygonThatIsSeen) {
+    choose("Newell");
+    // The middle of each polygon in turn, where the picture says that it is seen.
+    int picked = 0;
+    for (const int index : result().order) {
+        const Polygon polygon = (*result().fragments)[static_cast<std::size_t>(index)];
+        const ImVec2 middle = desk.in_camera_view(centroid(polygon));
+        const Rect view = desk.layout().camera;
+        const int x = static_cast<int>(middle.x - view.min.x), y = static_cast<int>(middle.y - view.min.y);
+        const IdImage& image = result().image;
+        if (x < 0 || y < 0 || x >= image.width || y >= image.height || image.id(x, y) != polygon.source) continue;
+        desk.click_at(middle);
+        const int selected = desk.workbench.views.laboratory.link.selected_fragment;
+        ASSERT_GE(selected, 0);
+        EXPECT_EQ((*result().fragments)[static_cast<std::size_t>(selected)].source, polygon.source);
+        ++picked;
+    }
+    EXPECT_GT(picked, 5);
+}
+
+TEST_F(LaboratoryTest, PlayingGoesThroughTheStepsAndIsOneUndoStep) {
+    choose("painter");
+    const Params before = params;
+    params.visibility.step = 0;
+    LaboratoryState& laboratory = desk.workbench.views.laboratory;
+    laboratory.playing = true;
+    laboratory.steps_per_s = 1000.0F;
+    for (int frame = 0; frame < 100 && laboratory.playing; ++frame) ui.frames(1);
+    EXPECT_FALSE(laboratory.playing);
+    desk.settle();
+    EXPECT_EQ(result().drawn, static_cast<int>(result().order.size()));
+    desk.undo();
+    EXPECT_EQ(params.visibility, before.visibility);
+}
+
+class FailureSearchTest : public LaboratoryTest {
+protected:
+    FailureSearchTest() : LaboratoryTest("sort-key-farthest") {}
+};
+
+TEST_F(FailureSearchTest, MovesTheCameraToAViewWhereTheKeyFails) {
+    choose("painter");
+    const glm::dvec3 before = params.camera.position;
+    desk.click("depth/Find a view where this key fails");
+    for (int frame = 0; frame < 3000 && desk.workbench.views.laboratory.failure_search.is_running(); ++frame) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ui.frames(1);
+    }
+    desk.settle();
+    EXPECT_NE(params.camera.position, before);
+    EXPECT_FALSE(desk.session.message.text.empty());
+    params.view.shows = Shows::difference;
+    desk.settle();
+    EXPECT_GT(desk.answer()->different_pixels, 100);
+    desk.undo();
+}
+
+}  // namespace
+}  // namespace viewing::test
