@@ -10,7 +10,7 @@ namespace widgets::inner {
 namespace {
 
 constexpr double smallest_zoom = 0.02, largest_zoom = 3.0;
-constexpr double margin = 34.0;  ///< around a fitted tree, from its outer nodes' centres, in design pixels
+constexpr double margin = 26.0;  ///< around a fitted tree, from its outer nodes' centres, in design pixels
 
 glm::dvec2 ViewSize(const TreeCamera& camera) {
     return glm::dvec2(camera.max.x - camera.min.x, camera.max.y - camera.min.y) / camera.unit;

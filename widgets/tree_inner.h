@@ -7,7 +7,7 @@ namespace widgets::inner {
 
 /// From a layout's places to the screen. Lengths are in pixels.
 struct TreeCamera {
-    static constexpr double pitch = 48.0, row = 58.0;  ///< between nodes and between levels, in design pixels at zoom 1
+    static constexpr double pitch = 48.0, row = 42.0;  ///< between nodes and between levels, in design pixels at zoom 1
     static constexpr double readable_zoom = 0.75;      ///< from here on a node has room for its label
 
     ImVec2 min, max;  ///< the view

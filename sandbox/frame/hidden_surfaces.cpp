@@ -139,7 +139,7 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     HiddenRequest request = hidden_request(params, derived, size_px);
     request.viewpoint.view_from_world = derived.view_from_world * derived.mirror_from_world;
     request.visibility.step = -1;
-    if (params.reflection.clip != MirrorClip::none && params.visibility.method != VisibilityMethod::ray_cast) {
+    if (params.reflection.clip != MirrorClip::none) {
         // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
         const glm::dvec4 towards_eye = derived.unit_plane * (derived.eye_side < 0.0 ? -1.0 : 1.0);
         request.viewpoint.clip_from_view = with_oblique_near_plane(

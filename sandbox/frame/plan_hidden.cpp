@@ -30,7 +30,10 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     beyond.clip_planes = {-towards_eye};
     passes.back().name = "Objects before the plane";
     passes.back().clip_planes = {towards_eye};
-    passes.insert(passes.begin(), beyond);
+    // A mirror lets its image through, and must not let through what stands behind it: there the mask keeps it out.
+    const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
+    if (has_mask) beyond.stencil = {true, CompareFunc::notequal, passes.front().stencil.reference, StencilOp::keep};
+    passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
 }
 
 }  // namespace
@@ -72,6 +75,7 @@ void count_overdraw(FramePlan& frame) {
         pass.shading = Shading::flat;
         pass.color = {1.0 / 255.0, 0.0, 0.0, 0.0};
         pass.blend = Blend::add;
+        pass.stencil = {};
     }
 }
 

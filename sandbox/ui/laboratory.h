@@ -51,6 +51,8 @@ struct LaboratoryState {
     PolygonLink link;       ///< of this frame
     PolygonLink next_link;  ///< gathered while it is drawn; takes over at its end
 
+    std::shared_ptr<const std::vector<Polygon>> linked_fragments;  ///< the ones that the links are indices into
+
     bool cancel_method = false;  ///< asked for: the work on the current question shall be given up
     bool playing = false;
     float steps_per_s = 4.0F;
@@ -59,7 +61,8 @@ struct LaboratoryState {
     widgets::TreeDiagramState tree;
     TreeIndex tree_index;             ///< of the latest result with a tree
     std::uint64_t tree_revision = 0;  ///< counts the trees that `tree` was laid out for
-    int tree_revealed = -1;           ///< the node that `tree` was last moved to
+    int tree_revealed = -1;           ///< the node that `tree` was last moved to, as it was selected
+    int tree_current = -1;            ///< and as the step reached it
     int order_revealed = -1;          ///< the fragment that the order list was last scrolled to
     int order_current = -1;           ///< the place in the order that it was last scrolled to
 
@@ -82,6 +85,10 @@ void draw_laboratory_panel(LaboratoryState& state, Session& session, const Hidde
 
 /// What was found takes effect: a view where the sort key fails.
 void take_background_results(LaboratoryState& state, Session& session);
+
+/// When other fragments take over: what is selected becomes a piece of the same triangle, if there is one, and nodes
+/// and hovered polygons are let go.
+void keep_selection(LaboratoryState& state, const HiddenStatus& hidden);
 
 /// Over the camera's picture: polygon numbers, the linked polygon, the pair, pixel or ray of the step.
 void draw_laboratory_overlay(const LaboratoryState& state, const Session& session, const HiddenStatus& hidden,

@@ -93,7 +93,10 @@ private:
 void counters(const HiddenResult& result, bool shows_time) {
     const HiddenCounters& counted = result.counters;
     CounterTable table;
-    const auto time = [&](double ms) { return shows_time ? widgets::NumberText(ms, 2) + " ms" : std::string("–"); };
+    const auto time = [&](double ms) {
+        if (!shows_time) return std::string("–");
+        return ms < 0.1 ? widgets::NumberText(ms * 1e3, 1) + " µs" : widgets::NumberText(ms, 2) + " ms";
+    };
     table.number("polygons", counted.polygons);
     table.number("culled", counted.culled > 0 ? counted.culled : -1);
     table.number(result.tree ? "plane tests" : "comparisons", counted.comparisons);
@@ -125,18 +128,6 @@ void culling_counts(const HiddenResult& result) {
 }
 
 }  // namespace
-
-void take_background_results(LaboratoryState& state, Session& session) {
-    const std::optional<FailureView> found = state.failure_search.take();
-    if (!found) return;
-    session.message = {found->sentence, false};
-    if (!found->found) return;
-    CameraParams& camera = session.params.camera;
-    camera.position = found->position_world;
-    camera.yaw = found->view.yaw_deg;
-    camera.pitch = found->view.pitch_deg;
-    camera.roll = 0.0;
-}
 
 void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden) {
     Params& params = session.params;

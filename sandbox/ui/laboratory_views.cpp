@@ -44,9 +44,12 @@ void draw_diagram(LaboratoryState& state, const HiddenResult& result, float heig
     if (selected >= static_cast<int>(state.tree_index.nodes().size())) selected = -1;
     if (selected != state.tree_revealed && selected < result.built_nodes) diagram.reveal_next = selected;
     state.tree_revealed = selected;
+    const int current = current_node(result);
+    if (current >= 0 && current != state.tree_current) diagram.reveal_next = current;
+    state.tree_current = current;
     const int hovered = state.tree_index.node_of(state.link.hovered_fragment);
     const widgets::TreeDiagramStyle style{.shown_count = result.built_nodes,
-                                          .current = current_node(result),
+                                          .current = current,
                                           .lit = hovered >= 0 ? hovered : state.link.hovered_node,
                                           .size = {0.0F, height}};
     if (widgets::TreeDiagram("tree", state.tree_index.nodes(), state.tree_revision, diagram, selected, style)) {

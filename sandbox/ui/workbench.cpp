@@ -161,6 +161,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     const bool keys_move =
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    keep_selection(views.laboratory, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
     draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);

@@ -2,6 +2,7 @@
 #include "visibility/ray_cast.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace viewing {
@@ -66,6 +67,9 @@ PixelRays::PixelRay PixelRays::through(int x, int y) const {
     // Not the difference of the divided points: w on the far plane is next to 0 when far is far away.
     const glm::dvec3 along = glm::dvec3(on_far) * on_near.w - glm::dvec3(on_near) * on_far.w;
     const double length = glm::length(along);
+    // Behind an oblique near plane a ray may never reach that plane, or never leave through the far plane.
+    if (!(on_near.w > 0.0)) return {{origin, along / length}, -1.0};
+    if (!(on_far.w > 0.0)) return {{origin, along / length}, std::numeric_limits<double>::max()};
     return {{origin, along / length}, length / (on_near.w * on_far.w)};
 }
 

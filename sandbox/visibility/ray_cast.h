@@ -65,7 +65,8 @@ public:
 
     struct PixelRay {
         Ray ray;       ///< unit direction
-        double max_t;  ///< where the far plane is
+        double max_t;  ///< where the far plane is; with an oblique near plane: −1 for a ray that never reaches it, and
+                       ///< very large where the far plane is never reached
     };
     PixelRay through(int x, int y) const;
 
