@@ -1,6 +1,6 @@
 // Linked into every test program: where the assets, the program and the tests lie, unless the environment says so
-// already. A test program needs no other set-up, whether ctest starts it or a person. Shaders are compiled anew in every
-// test: what an earlier run left in Mesa's cache decides nothing.
+// already. A test program needs no other set-up, whether ctest starts it or a person. Shaders are compiled anew in
+// every test: what an earlier run left in Mesa's cache decides nothing.
 #include <cstdlib>
 
 namespace {
