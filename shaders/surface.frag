@@ -4,10 +4,10 @@
 // FROM_PICTURE: the surface point comes from textures, one for each pixel, as a method in software found it.
 #ifdef FROM_PICTURE
 in vec2 position_texture;
-uniform sampler2D surface_positions;  // xyz world; w 2 where nothing is seen
-uniform sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
-uniform sampler2D surface_colors;     // linear; w the object's number from 1 on
-uniform sampler2D surface_counts;     // how often the pixel was drawn
+uniform highp sampler2D surface_positions;  // xyz world; w 2 where nothing is seen
+uniform highp sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
+uniform highp sampler2D surface_colors;     // linear; w the object's number from 1 on
+uniform highp sampler2D surface_counts;     // how often the pixel was drawn
 uniform mat4 world_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[2];
@@ -116,7 +116,7 @@ vec3 lit_color(vec3 surface_albedo) {
 #endif
 
 #ifdef FROM_PICTURE
-ivec2 texel_of(sampler2D picture) {  // whose first row is the top one
+ivec2 texel_of(highp sampler2D picture) {  // whose first row is the top one
     ivec2 size = textureSize(picture, 0);
     return min(ivec2(vec2(position_texture.x, 1.0 - position_texture.y) * vec2(size)), size - 1);
 }

@@ -241,6 +241,7 @@ void ShowWidgetsDemo(DemoLook& look) {
     ImGui::SameLine();
     begin_column("diagrams", 1.4F);
     ShowDiagramsDemo();
+    ShowDepthDemo();
     end_column();
     ImGui::End();
 }

@@ -15,5 +15,7 @@ struct DemoLook {
 void ShowWidgetsDemo(DemoLook& look);
 /// The part of it with the diagrams: a tree, its steps, costs.
 void ShowDiagramsDemo();
+/// The part of it about the depth buffer: precision, codes, counts, pixels one by one, two pictures in one area.
+void ShowDepthDemo();
 
 }  // namespace widgets

@@ -215,7 +215,7 @@ struct StepText {
 
     explicit StepText(int count) {
         const inner::Face face = inner::FaceOf(nullptr), digits = inner::FaceOf(CurrentContext().fonts.number);
-        std::snprintf(of, sizeof of, "of %d", count);
+        std::snprintf(of, sizeof of, count < 10'000 ? "of %d" : "/ %d", count);
         word = std::ceil(std::max(face.Measure("step").x, face.Measure("all").x));
         box = std::ceil(digits.Measure(std::to_string(std::max(count, 100))).x + Px(14));
         rest = std::ceil(std::max(face.Measure(of).x, face.Measure("steps").x));

@@ -17,18 +17,17 @@ bool is_same_work(const HiddenQuestion& a, const HiddenQuestion& b) {
 HiddenWorker::HiddenWorker() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
 HiddenWorker::~HiddenWorker() {
-    cancel();
+    forget();
     thread_.request_stop();
 }
 
 void HiddenWorker::ask(const HiddenQuestion& question, const Scene& scene, int scene_version) {
     const std::scoped_lock lock(mutex_);
-    const bool works_on_it = current_ && *current_ == question && current_version_ == scene_version;
+    const bool works_on_it = current_ && !is_dropped_ && *current_ == question && current_version_ == scene_version;
     const bool is_answered = !current_ && answer_ && answer_->question == question && answer_version_ == scene_version;
     const bool waits = waiting_ && waiting_->question == question && waiting_->scene_version == scene_version;
     if (works_on_it || is_answered || waits) return;
-    if (current_ && (current_version_ != scene_version || !is_same_work(*current_, question)))
-        progress_.cancelled = true;
+    if (current_ && (current_version_ != scene_version || !is_same_work(*current_, question))) drop_current();
     waiting_ = Job{question, scene, scene_version};
     changed_.notify_all();
 }
@@ -59,6 +58,19 @@ void HiddenWorker::cancel() {
     if (current_) progress_.cancelled = true;
 }
 
+void HiddenWorker::forget() {
+    const std::scoped_lock lock(mutex_);
+    waiting_.reset();
+    answer_.reset();
+    drop_current();
+}
+
+void HiddenWorker::drop_current() {
+    if (!current_) return;
+    is_dropped_ = true;
+    progress_.cancelled = true;
+}
+
 void HiddenWorker::work(const std::stop_token& stop) {
     std::unique_ptr<HiddenSurfaceSolver> solver;
     int solver_version = -1;
@@ -67,15 +79,14 @@ void HiddenWorker::work(const std::stop_token& stop) {
         const Job job = *std::exchange(waiting_, std::nullopt);
         current_ = job.question;
         current_version_ = job.scene_version;
-        progress_.cancelled = false;
+        progress_.cancelled = is_dropped_ = false;
         progress_.fraction = 0.0F;
         lock.unlock();
         if (solver_version != job.scene_version) solver = std::make_unique<HiddenSurfaceSolver>(job.scene);
         solver_version = job.scene_version;
         auto made = std::make_shared<const HiddenAnswer>(answer_hidden_question(*solver, job.question, &progress_));
         lock.lock();
-        // What was given up for another question is not shown; what a person cancelled is.
-        if (!progress_.cancelled || !waiting_) {
+        if (!is_dropped_) {
             answer_ = std::move(made);
             answer_version_ = job.scene_version;
         }

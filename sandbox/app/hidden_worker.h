@@ -32,8 +32,12 @@ public:
     /// 0 … 1 while it works.
     std::optional<float> fraction() const;
 
-    /// Gives up what is worked on; its unfinished answer is shown. The same question is not asked again.
+    /// A person's wish: gives up what is worked on. Its unfinished answer is the answer, and the same question is not
+    /// worked on again.
     void cancel();
+
+    /// Nobody wants an answer any more: what is worked on is given up and leaves nothing behind, nor does the last one.
+    void forget();
 
 private:
     struct Job {
@@ -42,12 +46,14 @@ private:
         int scene_version = -1;
     };
     void work(const std::stop_token& stop);
+    void drop_current();  ///< under the lock
 
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::optional<Job> waiting_;
     std::optional<HiddenQuestion> current_;  ///< worked on
     int current_version_ = -1;
+    bool is_dropped_ = false;  ///< the current one's answer is not wanted
     std::shared_ptr<const HiddenAnswer> answer_;
     int answer_version_ = -1;
     WorkProgress progress_;

@@ -111,7 +111,8 @@ Status Studio::draw_lower_right_view(const Layout& layout) {
             params.view.depth_scale = DepthScale::linear;
             const Viewport viewport{size, renderer_.capabilities().clip_control};
             const Derived derived = derive(params, scene, viewport);
-            FramePlan fitted = plan(params, derived);
+            const bool has_steps = hidden_ && is_drawn_by_gl_alone(params.visibility.method);
+            FramePlan fitted = plan(params, derived, has_steps ? hidden_->pictures : HiddenPictures{});
             fitted.shown_range = fitting_range(params, derived, scene);
             return renderer_.draw(fitted, scene, size, lower_right_);
         }
@@ -146,7 +147,11 @@ std::vector<std::string> Studio::pixel_parts() {
     if (!pixel || session.is_moving() || ImGui::IsAnyItemActive()) return {};
     if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.x || pixel->y >= size.y) return {};
     if (!probe_is_fresh_) {
-        if (Status done = probe_.prepare(renderer_, plan_, session.scene(), derived_, size); !done) return {};
+        Params params = session.params;
+        if (params.view.shows == Shows::overdraw || params.view.shows == Shows::difference)
+            params.view.shows = Shows::color;
+        const FramePlan probed = plan(params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
+        if (Status done = probe_.prepare(renderer_, probed, session.scene(), derived_, size); !done) return {};
         probe_is_fresh_ = true;
     }
     return describe(probe_.at(*pixel, session.scene()));
@@ -155,21 +160,27 @@ std::vector<std::string> Studio::pixel_parts() {
 Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
     const std::optional<HiddenQuestion> question = hidden_question(session.params, derived_, camera_px);
     if (!question) {
-        hidden_worker_.cancel();
+        hidden_worker_.forget();
         hidden_.reset();
         hidden_is_behind_ = false;
         return std::monostate{};
     }
-    constexpr double a_moment_s = 0.025;
+    constexpr double a_moment_s =
+        0.025;  // quick methods keep up with the camera; slow ones must not hold the window up
     hidden_worker_.ask(*question, session.scene(), session.scene_version());
-    hidden_worker_.wait(is_interactive ? a_moment_s : -1.0);
+    hidden_worker_.wait(!is_interactive ? -1.0 : hidden_is_behind_ ? 0.0 : a_moment_s);
     const std::shared_ptr<const HiddenAnswer> answer = hidden_worker_.answer(session.scene_version());
     hidden_is_behind_ = !answer || answer->question != *question;
     if (!answer) hidden_.reset();  // it was of another scene
-    if (!answer || (hidden_ && answer->camera == hidden_->camera && answer->question == hidden_->question))
-        return std::monostate{};
+    // GL's part of a difference depends on the depth buffer too, and is made for the camera that is asked for.
+    const bool is_shown =
+        answer && hidden_ && answer->camera == hidden_->camera && answer->question == hidden_->question;
+    if (!answer || (is_shown && hidden_depth_ == session.params.depth)) return std::monostate{};
     auto completed = std::make_shared<HiddenAnswer>(*answer);
-    Status done = complete_difference(renderer_, session.params, derived_, session.scene(), *completed);
+    Status done = std::monostate{};
+    if (!hidden_is_behind_)
+        done = complete_difference(renderer_, session.params, derived_, session.scene(), *completed);
+    hidden_depth_ = session.params.depth;
     hidden_ = std::move(completed);
     return done;
 }
@@ -221,6 +232,10 @@ Requests Studio::frame(const Surroundings& surroundings) {
     ImGui::NewFrame();
     const Requests requests = workbench.draw(session, derived_, before_, plan_, pictures, status, surroundings.input);
     if (requests.cancel_hidden) hidden_worker_.cancel();
+    if (requests.restart_hidden) {
+        hidden_worker_.forget();
+        hidden_is_behind_ = true;
+    }
     ImGui::Render();
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
     glViewport(0, 0, surroundings.size_px.x, surroundings.size_px.y);

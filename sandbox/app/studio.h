@@ -58,6 +58,7 @@ private:
     gl::ColorTarget window_;
     HiddenWorker hidden_worker_;
     std::shared_ptr<const HiddenAnswer> hidden_;  ///< what the camera view shows
+    DepthParams hidden_depth_;                    ///< that its difference was made with
     bool hidden_is_behind_ = false;               ///< a newer answer is awaited
     PixelProbe probe_;
     bool probe_is_fresh_ = false;

@@ -1,4 +1,4 @@
-// inspect: what is at one pixel, read back from the buffers.
+// inspect: what is at one pixel, read back from the buffers, and every surface that was sent there.
 #include "app/hidden_answers.h"
 #include "cli/as_json.h"
 #include "cli/commands.h"
@@ -7,6 +7,7 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/fragments.h"
 #include "render/probe.h"
 
 namespace viewing {
@@ -29,6 +30,20 @@ Json report_as_json(const PixelReport& report) {
             {"object", of_surface(report.object)},
             {"facing", of_surface(report.front_facing ? "front" : "back")},
             {"world", of_depth(as_json(report.world))}};
+}
+
+/// In drawing order; "culled" and "tie" stand only where they are true.
+Json as_json(const std::vector<Fragment>& fragments) {
+    Json list = Json::array();
+    for (const Fragment& fragment : fragments) {
+        Json entry = {{"object", fragment.object}, {"eye_z", fragment.eye_z},
+                      {"stored", fragment.stored}, {"facing", fragment.front_facing ? "front" : "back"},
+                      {"passes", fragment.passes}, {"drawn", fragment.drawn}};
+        if (fragment.culled) entry["culled"] = true;
+        if (fragment.tie) entry["tie"] = true;
+        list.push_back(std::move(entry));
+    }
+    return list;
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
@@ -55,7 +70,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     headless.drawn(probe.prepare(headless.renderer(), *frame, scene, derived, size_px));
     const PixelReport report = probe.at(pixel, scene);
     headless.require_no_errors();
-    print(print_document(report_as_json(report)) + "\n");
+    Json json = report_as_json(report);
+    json["fragments"] = as_json(FragmentFinder(scene).at(*frame, pixel, size_px));
+    print(print_document(json) + "\n");
     return ExitStatus::done;
 }
 
@@ -64,13 +81,19 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 constinit const Command inspect_command{
     "inspect",
     "[STATE] [--set PATH=VALUE]… --pixel X,Y [--size WxH] [--device N|auto]",
-    "colour, depth, stencil and object at one pixel, as JSON",
+    "colour, depth, stencil, object and all fragments at one pixel, as JSON",
     "Draws the camera view without multisampling and reads one pixel back: its "
     "colour, the depth as stored and as it is in "
     "the eye's space, the width of one stored code there (step), the stencil "
     "value, and whose surface it is. \"object\" is "
     "null for the background and \"plane\" for the plane's patch; eye_z, step and world "
-    "are null where no depth was written.",
+    "are null where no depth was written. "
+    "\"fragments\" are all surfaces on the pixel's ray in drawing order, computed: "
+    "the code that each stores, whether it "
+    "passes the tests at its turn and whether its colour is drawn; the last one "
+    "drawn is what is seen. \"culled\" and \"tie\" "
+    "(the same code as the one it is compared with) stand only where they are true. "
+    "Mirror image and shadows are left out.",
     "inspect --pixel 640,360\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
     "02349",

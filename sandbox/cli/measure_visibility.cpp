@@ -14,8 +14,9 @@ namespace viewing {
 namespace {
 
 /// GL draws the objects of the camera view and nothing else, once to warm up and once by the clock.
-double time_of_gl_ms(Headless& headless, const Params& params, const Derived& derived, const Scene& scene,
+double time_of_gl_ms(Headless& headless, Params params, const Derived& derived, const Scene& scene,
                      glm::ivec2 size_px) {
+    params.view.shows = Shows::color;
     FramePlan frame = plan(params, derived);
     frame.samples = 0;
     std::erase_if(frame.passes, [](const Pass& pass) {
@@ -135,8 +136,7 @@ private:
             is_drawn_by_gl_alone(visibility.method)
                 ? headless_.drawn(polygon_ids_by_gl(headless_.renderer(), params_, derived_, scene_, result))
                 : result.image;
-        const bool by_object = visibility.method == VisibilityMethod::ray_cast && visibility.exact_curves;
-        if (!by_object) return difference(reference_, image).different;
+        if (!uses_exact_curves(result.request)) return difference(reference_, image).different;
         return difference(with_ids(reference_, objects_), with_ids(image, objects_)).different;
     }
 

@@ -17,6 +17,9 @@ Ground ground_of(Theme theme);
 /// Blue and ochre differ for every kind of colour vision, and back faces are striped besides.
 inline constexpr Color front_color{0x70, 0x9e, 0xd9}, back_color{0xcc, 0x7d, 0x21};
 
+/// Pixels where two hidden-surface methods differ.
+inline constexpr Color difference_color{235, 30, 40};
+
 /// The stencil values 0, 1, 2 and 3.
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};

@@ -9,23 +9,25 @@
 namespace viewing {
 namespace {
 
-std::vector<OrderedVertex> ordered_triangles(const HiddenResult& result) {
+void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result) {
     const SceneSurface& surface = *result.surface;
-    std::vector<OrderedVertex> vertices;
+    std::vector<OrderedVertex>& vertices = drawing.triangles;
     vertices.reserve(static_cast<std::size_t>(result.drawn) * 3);
     for (int place = 0; place < result.drawn; ++place) {
         const Polygon& polygon =
             (*result.fragments)[static_cast<std::size_t>(result.order[static_cast<std::size_t>(place)])];
-        const Color& color = surface.scene.objects[static_cast<std::size_t>(polygon.object)].description.color;
+        const ObjectDescription& object = surface.scene.objects[static_cast<std::size_t>(polygon.object)].description;
+        if (drawing.runs.empty() || drawing.runs.back().is_decal != object.decal)
+            drawing.runs.push_back({static_cast<int>(vertices.size()), 0, object.decal});
+        drawing.runs.back().vertex_count += static_cast<int>(3 * (polygon.vertices.size() - 2));
         const auto vertex = [&](std::size_t corner) {
             const glm::dvec3& point = polygon.vertices[corner];
-            return OrderedVertex{point, normal_at(surface, polygon.source, point), linear_from_srgb(color),
+            return OrderedVertex{point, normal_at(surface, polygon.source, point), linear_from_srgb(object.color),
                                  static_cast<float>(polygon.object + 1), static_cast<float>(polygon.source + 1)};
         };
         for (std::size_t corner = 2; corner < polygon.vertices.size(); ++corner)
             for (const std::size_t at : {std::size_t{0}, corner - 1, corner}) vertices.push_back(vertex(at));
     }
-    return vertices;
 }
 
 /// What turns a pixel and its depth into a point, and a point into what is shaded.
@@ -89,7 +91,7 @@ glm::vec3 linear_from_srgb(const Color& color) {
 HiddenDrawing hidden_drawing(const HiddenResult& result) {
     HiddenDrawing made;
     if (!draws_pixels(result.request.visibility)) {
-        made.triangles = ordered_triangles(result);
+        add_ordered_triangles(made, result);
         return made;
     }
     made.size_px = {result.image.width, result.image.height};
@@ -102,7 +104,7 @@ HiddenDrawing hidden_drawing(const HiddenResult& result) {
 }
 
 DifferenceDrawing difference_drawing(const IdImage& reference, const IdImage& image) {
-    constexpr glm::u8vec4 differs(235, 30, 40, 255), veil(0, 0, 0, 110);
+    constexpr glm::u8vec4 differs(difference_color.r, difference_color.g, difference_color.b, 255), veil(0, 0, 0, 110);
     const IdDifference found = difference(reference, image);
     DifferenceDrawing made{{image.width, image.height}, {}, found.compared, found.different};
     made.pixels.reserve(found.differs.size());

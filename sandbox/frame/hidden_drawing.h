@@ -28,7 +28,14 @@ struct SurfacePixel {
 
 /// One of the two is filled. Immutable once made: the renderer uploads it once.
 struct HiddenDrawing {
+    /// Triangles one after the other that are decals, or are not: decals have a depth offset of their own.
+    struct Run {
+        int first_vertex, vertex_count;
+        bool is_decal;
+    };
+
     std::vector<OrderedVertex> triangles;  ///< three a triangle, in drawing order
+    std::vector<Run> runs;                 ///< all of them
     glm::ivec2 size_px{0};
     std::vector<SurfacePixel> pixels;     ///< rows from the top
     std::vector<std::uint32_t> overdraw;  ///< of each pixel; with `pixels`

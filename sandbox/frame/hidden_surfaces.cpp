@@ -36,12 +36,6 @@ CulledFaces culled_faces(const HiddenRequest& request) {
     return faces[static_cast<std::size_t>(request.cull.face)];
 }
 
-/// Exact curves hide their triangles only while no side of them is left out.
-bool uses_exact_curves(const HiddenRequest& request) {
-    return request.visibility.method == VisibilityMethod::ray_cast && request.visibility.exact_curves &&
-           !request.cull.enabled;
-}
-
 std::vector<int> counted(std::size_t count) {
     std::vector<int> order(count);
     std::iota(order.begin(), order.end(), 0);
@@ -74,6 +68,27 @@ int drawn_by_visits(const HiddenResult& result) {
         if (result.order[static_cast<std::size_t>(drawn)] == result.walk->fragments[static_cast<std::size_t>(place)])
             ++drawn;
     return drawn;
+}
+
+/// What Newell's ladder and the tree's build have done by the step; the other numbers are those of all steps.
+void count_to_step(HiddenResult& result) {
+    HiddenCounters& counters = result.counters;
+    if (result.newell) {
+        const NewellOrder& newell = *result.newell;
+        counters.comparisons = newell.counters.pairs;
+        counters.swaps = newell.counters.swaps;
+        counters.splits = newell.counters.splits;
+        if (result.step < 0) return;
+        const std::span<const NewellStep> done(newell.steps.data(), static_cast<std::size_t>(result.step));
+        const auto count = [&](NewellAction action) { return std::ranges::count(done, action, &NewellStep::action); };
+        counters.comparisons = std::ranges::count_if(done, [](const NewellStep& step) { return step.q >= 0; });
+        counters.swaps = count(NewellAction::swaps);
+        counters.splits = count(NewellAction::splits);
+    } else if (result.tree) {
+        counters.splits = 0;
+        for (const BspNode& node : std::span(result.tree->nodes).first(static_cast<std::size_t>(result.built_nodes)))
+            counters.splits += node.split_count;
+    }
 }
 
 /// Counts steps and says how far the wanted one reaches into the order.
@@ -148,6 +163,11 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     if (params.reflection.flip_winding)
         request.cull.front_face = request.cull.front_face == FrontFace::ccw ? FrontFace::cw : FrontFace::ccw;
     return request;
+}
+
+bool uses_exact_curves(const HiddenRequest& request) {
+    return request.visibility.method == VisibilityMethod::ray_cast && request.visibility.exact_curves &&
+           !request.cull.enabled;
 }
 
 bool draws_pixels(const VisibilityParams& visibility) {
@@ -284,9 +304,6 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
         result.order = newell->order;
         result.fragments = std::shared_ptr<const std::vector<Polygon>>(newell, &newell->fragments);
         result.problem = newell->problem;
-        counters.comparisons = newell->counters.pairs;
-        counters.swaps = newell->counters.swaps;
-        counters.splits = newell->counters.splits;
         counters.fragments = static_cast<std::int64_t>(newell->order.size());
         result.newell = std::move(newell);
     } else {
@@ -302,16 +319,16 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     auto result = std::make_shared<HiddenResult>();
     const bool is_pixel_method = request.visibility.method == VisibilityMethod::software_depth_buffer ||
                                  request.visibility.method == VisibilityMethod::ray_cast;
-    const auto same_order = std::ranges::find_if(latest_, [&](const auto& kept) {
-        return differ_in_step_alone(kept->request, request) && !is_pixel_method && kept->problem.empty();
-    });
+    const auto same_order = std::ranges::find_if(
+        latest_, [&](const auto& kept) { return differ_in_step_alone(kept->request, request) && !is_pixel_method; });
     if (same_order != latest_.end()) *result = **same_order;
     result->request = request;
     result->surface = surface_;
     result->compare.reset();
     result->traced.reset();
 
-    result->facing = count_facing(surface_->polygons, request.viewpoint, front_winding(request));
+    if (same_order == latest_.end())
+        result->facing = count_facing(surface_->polygons, request.viewpoint, front_winding(request));
     const Stopwatch watch;
     if (request.visibility.method == VisibilityMethod::ray_cast) {
         cast(*result, progress);
@@ -325,10 +342,12 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
             if (result->step >= 0) paint(*result, result->step, progress);
         } else {
             find_step(*result);
+            count_to_step(*result);
             if (!is_drawn_by_gl_alone(request.visibility.method)) paint(*result, -1, progress);
         }
     }
-    if (is_cancelled(progress)) {
+    result->is_cancelled = is_cancelled(progress);
+    if (result->is_cancelled) {
         if (result->problem.empty()) result->problem = "The method was cancelled: the picture is not finished.";
         return result;
     }

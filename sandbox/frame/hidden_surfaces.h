@@ -77,7 +77,11 @@ struct HiddenResult {
     double time_ms = 0.0;                          ///< of the method alone, all steps, without drawing
     double build_ms = 0.0;                         ///< of what is made once for all cameras: tree, hierarchy
     std::string problem;                           ///< a sentence when it stopped at a budget or was cancelled
+    bool is_cancelled = false;
 };
+
+/// Whether rays meet curved shapes themselves; their triangles are taken while culling tells sides apart.
+bool uses_exact_curves(const HiddenRequest& request);
 
 /// Whether the picture is made of pixels that were found in software, not of polygons that GL draws in order.
 bool draws_pixels(const VisibilityParams& visibility);
@@ -114,7 +118,7 @@ private:
     std::shared_ptr<const SceneSurface> surface_;
     Trees trees_;
     Rays rays_;
-    std::vector<std::shared_ptr<const HiddenResult>> latest_;  ///< the camera's and the mirrored eye's
+    std::vector<std::shared_ptr<const HiddenResult>> latest_;  ///< of the camera and the mirrored eye, for two methods
 };
 
 }  // namespace viewing

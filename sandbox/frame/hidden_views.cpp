@@ -9,10 +9,6 @@ bool has_image(const HiddenResult& result) {
     return !is_drawn_by_gl_alone(result.request.visibility.method);
 }
 
-bool has_exact_curves(const HiddenResult& result) {
-    return result.request.visibility.method == VisibilityMethod::ray_cast && result.request.visibility.exact_curves;
-}
-
 }  // namespace
 
 std::optional<HiddenQuestion> hidden_question(const Params& params, const Derived& derived, glm::ivec2 size_px) {
@@ -24,7 +20,8 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
     HiddenQuestion question{.camera = hidden_request(params, derived, size_px)};
     question.draws_camera = !gl_alone || visibility.step >= 0;
     // A mirror matrix entered by hand is no view that a method could take: GL draws that image as it comes.
-    if (!gl_alone && params.reflection.enabled && derived.eye_side != 0.0 && !params.overrides.mirror_from_world)
+    if (!gl_alone && visibility.step < 0 && params.reflection.enabled && params.reflection.bounces > 0 &&
+        derived.eye_side != 0.0 && !params.overrides.mirror_from_world)
         question.mirrored = mirrored_request(params, derived, size_px);
     if (compares) {
         question.other = question.camera;
@@ -60,7 +57,7 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
 
 void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& other) {
     DifferenceDrawing drawing;
-    if (has_exact_curves(*answer.camera) || has_exact_curves(*answer.other)) {
+    if (uses_exact_curves(answer.camera->request) || uses_exact_curves(answer.other->request)) {
         const std::vector<int> object_of_source = answer.camera->surface->object_of_source();
         drawing = difference_drawing(with_ids(other, object_of_source), with_ids(camera, object_of_source));
     } else {

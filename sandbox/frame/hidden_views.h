@@ -11,9 +11,9 @@ namespace viewing {
 
 struct HiddenQuestion {
     HiddenRequest camera;
-    std::optional<HiddenRequest> mirrored;  ///< where the mirror image is drawn by the method too
-    std::optional<HiddenRequest> other;     ///< in the difference view
-    bool draws_camera = true;               ///< false: GL draws the scene by itself, the order is wanted all the same
+    std::optional<HiddenRequest> mirrored{};  ///< where the mirror image is drawn by the method too
+    std::optional<HiddenRequest> other{};     ///< in the difference view
+    bool draws_camera = true;                 ///< false: GL draws the scene by itself, the order is wanted all the same
     bool operator==(const HiddenQuestion&) const = default;
 };
 
@@ -22,8 +22,8 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
 
 struct HiddenAnswer {
     HiddenQuestion question;
-    std::shared_ptr<const HiddenResult> camera, mirrored, other;
-    HiddenPictures pictures;  ///< the difference is missing where GL has to draw one of the two
+    std::shared_ptr<const HiddenResult> camera{}, mirrored{}, other{};
+    HiddenPictures pictures{};  ///< the difference is missing where GL has to draw one of the two
     std::int64_t different_pixels = -1, compared_pixels = -1;
 
     /// A sentence when some method stopped at a budget or was cancelled; else empty.

@@ -218,7 +218,9 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
 
 }  // namespace
 
-FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden) {
+FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures& hidden) {
+    Params params = asked;
+    if (params.visibility.step >= 0) params.shadow.enabled = params.reflection.enabled = false;
     FramePlan made = frame_plan(params, derived);
     made.clear_depth = params.depth.clear;
     made.clear_depth_value = params.depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;

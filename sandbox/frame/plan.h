@@ -92,8 +92,8 @@ struct FramePlan {
     std::vector<Pass> passes;
 };
 
-/// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, GL
-/// draws the objects as they come.
+/// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, the
+/// objects are missing. Shadow and mirror wait while a method is gone through step by step.
 FramePlan plan(const Params& params, const Derived& derived, const HiddenPictures& hidden = {});
 
 /// Puts what a method found in the place of the objects: part of plan().

@@ -40,6 +40,8 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
 
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden) {
     frame.hidden = hidden;
+    // Until the method has found something there is nothing to show under its name.
+    if (!hidden.camera && !is_drawn_by_gl_alone(params.visibility.method)) std::erase_if(frame.passes, shows_the_scene);
     const auto subject_of = [](const HiddenDrawing& drawing) {
         return drawing.pixels.empty() ? Subject::ordered : Subject::pixels;
     };

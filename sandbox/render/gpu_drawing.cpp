@@ -25,7 +25,7 @@ gl::Texture upload_texture(glm::ivec2 size_px, const TexelFormat& format, const 
 }
 
 GpuDrawing upload_triangles(const HiddenDrawing& drawing) {
-    GpuDrawing made{gl::make_vertex_array(), gl::make_buffer(), static_cast<GLsizei>(drawing.triangles.size()), {}};
+    GpuDrawing made{gl::make_vertex_array(), gl::make_buffer(), {}};
     glBindVertexArray(made.vertex_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, made.vertices.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(drawing.triangles.size() * sizeof(OrderedVertex)),
@@ -64,9 +64,9 @@ GpuDrawing upload_pixels(const HiddenDrawing& drawing) {
 
 }  // namespace
 
-void GpuDrawing::draw() const {
+void GpuDrawing::draw(int first_vertex, int vertex_count) const {
     glBindVertexArray(vertex_array.name());
-    glDrawArrays(GL_TRIANGLES, 0, vertex_count);
+    glDrawArrays(GL_TRIANGLES, first_vertex, vertex_count);
 }
 
 void GpuDrawing::bind_textures() const {

@@ -13,11 +13,10 @@ namespace viewing {
 struct GpuDrawing {
     gl::VertexArray vertex_array;
     gl::Buffer vertices;
-    GLsizei vertex_count = 0;
     std::array<gl::Texture, 4> surface;  ///< positions, normals, colours, counts
 
-    void draw() const;           ///< the triangles
-    void bind_textures() const;  ///< to units 0 … 3
+    void draw(int first_vertex, int vertex_count) const;  ///< some of the triangles
+    void bind_textures() const;                           ///< to units 0 … 3
 };
 
 class GpuDrawings {

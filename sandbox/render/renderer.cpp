@@ -214,10 +214,13 @@ void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pas
 }
 
 void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
-    const GpuDrawing& drawing = drawings.of(drawing_of(frame.plan, pass));
+    const std::shared_ptr<const HiddenDrawing>& hidden = drawing_of(frame.plan, pass);
+    const GpuDrawing& drawing = drawings.of(hidden);
     set_placement(frame, pass, program, glm::dmat4(1.0));
-    set_offset(frame, program, pass.offset.value_or(DepthOffset{}));
-    drawing.draw();
+    for (const HiddenDrawing::Run& run : hidden->runs) {
+        set_offset(frame, program, pass.offset.value_or(run.is_decal ? frame.plan.decal_offset : DepthOffset{}));
+        drawing.draw(run.first_vertex, run.vertex_count);
+    }
 }
 
 void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
@@ -230,7 +233,11 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
     const glm::dmat3 scene(pass.world_from_scene);
     const glm::mat3 world_from_normal(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
     glUniformMatrix3fv(program.world_from_normal, 1, GL_FALSE, glm::value_ptr(world_from_normal));
-    glDisable(GL_CULL_FACE);  // the method has culled already; this triangle only brings its pixels
+    glDisable(GL_CULL_FACE);           // the method has culled already; this triangle only brings its pixels
+    if (capabilities.clip_distance) {  // and the shader clips by itself
+        glDisable(GL_CLIP_DISTANCE0);
+        glDisable(GL_CLIP_DISTANCE1);
+    }
     draw_fullscreen(program.program);
 }
 

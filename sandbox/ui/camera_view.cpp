@@ -46,7 +46,7 @@ void view_choices(Params& params, const Rect& rect) {
 void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
     if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
         const std::string differ = grouped_number(hidden.answer->different_pixels) + " pixels differ, away from edges";
-        const LegendEntry entries[] = {{{235, 30, 40}, differ.c_str()}};
+        const LegendEntry entries[] = {{difference_color, differ.c_str()}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
     if (params.view.shows == Shows::facing) {
@@ -127,7 +127,9 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                       derived.facts.target_distance;
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
         if (state.looking && state.dragged_px <= px(3.0F)) {
-            state.laboratory.next_link.selected_fragment = state.laboratory.link.hovered_fragment;
+            PolygonLink& link = state.laboratory.next_link;
+            link.selected_fragment = state.laboratory.link.hovered_fragment;
+            link.selected_node = state.laboratory.tree_index.node_of(link.selected_fragment);
             if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos)) session.params.follow = follow;
         }
         state.grip = {};

@@ -5,9 +5,16 @@
 
 namespace viewing {
 
-void take_background_results(LaboratoryState& state, Session& session) {
+namespace {
+
+/// Nothing is moved when the person has gone on to something else, or has stopped the search.
+void take_failure(LaboratoryState& state, Session& session) {
+    const Params& now = session.params;
+    const LaboratoryState::FailureAsked asked{session.scene_version(), now.visibility, now.camera, now.projection};
+    if (!state.failure_search.is_running()) return;
+    if (asked != state.failure_asked) state.failure_search.cancel();
     const std::optional<FailureView> found = state.failure_search.take();
-    if (!found) return;
+    if (!found || found->cancelled || asked != state.failure_asked) return;
     session.message = {found->sentence, false};
     if (!found->found) return;
     CameraParams& camera = session.params.camera;
@@ -15,6 +22,20 @@ void take_background_results(LaboratoryState& state, Session& session) {
     camera.yaw = found->view.yaw_deg;
     camera.pitch = found->view.pitch_deg;
     camera.roll = 0.0;
+}
+
+}  // namespace
+
+void begin_laboratory_frame(LaboratoryState& state, const Session& session) {
+    state.scene_version = session.scene_version();
+    if (session.params.visibility.step != state.last_step) state.playing = false;
+    state.last_step = session.params.visibility.step;
+    state.has_step_bar = false;
+}
+
+void end_laboratory_frame(LaboratoryState& state, Session& session) {
+    if (!state.has_step_bar) state.playing = false;
+    take_failure(state, session);
 }
 
 void keep_selection(LaboratoryState& state, const HiddenStatus& hidden) {

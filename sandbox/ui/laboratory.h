@@ -53,7 +53,11 @@ struct LaboratoryState {
 
     std::shared_ptr<const std::vector<Polygon>> linked_fragments;  ///< the ones that the links are indices into
 
-    bool cancel_method = false;  ///< asked for: the work on the current question shall be given up
+    int scene_version = -1;       ///< of this frame
+    int last_step = -1;           ///< as the step bar left it
+    bool has_step_bar = false;    ///< it was drawn in this frame
+    bool restart_method = false;  ///< asked for: what was cancelled shall be begun again
+    bool cancel_method = false;   ///< asked for: the work on the current question shall be given up
     bool playing = false;
     float steps_per_s = 4.0F;
     double carry_steps = 0.0;
@@ -62,11 +66,21 @@ struct LaboratoryState {
     TreeIndex tree_index;             ///< of the latest result with a tree
     std::uint64_t tree_revision = 0;  ///< counts the trees that `tree` was laid out for
     int tree_revealed = -1;           ///< the node that `tree` was last moved to, as it was selected
+    ImVec2 tree_size_px{0.0F, 0.0F};  ///< that it was fitted to
     int tree_current = -1;            ///< and as the step reached it
     int order_revealed = -1;          ///< the fragment that the order list was last scrolled to
     int order_current = -1;           ///< the place in the order that it was last scrolled to
 
+    /// What a search was started for; when any of it changes the search is given up.
+    struct FailureAsked {
+        int scene_version = -1;
+        VisibilityParams visibility;
+        CameraParams camera;
+        ProjectionParams projection;
+        bool operator==(const FailureAsked&) const = default;
+    };
     BackgroundTask<FailureView> failure_search;
+    FailureAsked failure_asked;
     BackgroundTask<std::vector<GrowthRow>> growth;
     std::shared_ptr<GrowthLog> growth_log;              ///< filled while it is measured
     std::array<std::vector<GrowthRow>, 3> growth_rows;  ///< of each GrowthScene
@@ -83,8 +97,12 @@ struct LaboratoryState {
 /// The method's options, steps and counters: the laboratory's part of the panel's section on hidden surfaces.
 void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden);
 
-/// What was found takes effect: a view where the sort key fails.
-void take_background_results(LaboratoryState& state, Session& session);
+/// Once a frame, before anything is drawn: playing ends when somebody else has changed the step.
+void begin_laboratory_frame(LaboratoryState& state, const Session& session);
+
+/// Once a frame, at its end: what was found takes effect (a view where the sort key fails), and playing ends when its
+/// bar is not on screen.
+void end_laboratory_frame(LaboratoryState& state, Session& session);
 
 /// When other fragments take over: what is selected becomes a piece of the same triangle, if there is one, and nodes
 /// and hovered polygons are let go.

@@ -10,10 +10,6 @@
 namespace viewing {
 namespace {
 
-constexpr ImU32 with_alpha(ImU32 color, std::uint32_t alpha) {
-    return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
-}
-
 ImU32 im_color(const Color& color) {
     return IM_COL32(color.r, color.g, color.b, 255);
 }
@@ -139,7 +135,7 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         const RasterStep& step = *result.compare;
         pixel_mark(overlay, result.image, {step.x, step.y}, palette().accent,
                    decimals(step.depth, "∞") + (step.written ? " < " : " ≥ ") + decimals(step.stored_depth, "∞") +
-                       (step.written ? ": written" : ": kept"));
+                       (step.written ? ": written" : ": not written"));
         return;
     }
     if (result.traced) {
@@ -206,8 +202,9 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 p
     const auto at = pixel_of_place(overlay, result.image, place);
     const int source = at ? result.image.id(at->x, at->y) : IdImage::background;
     if (source == IdImage::background) return -1;
-    for (int order = result.drawn - 1; order >= 0; --order) {
-        const int fragment = result.order.empty() ? order : result.order[static_cast<std::size_t>(order)];
+    const bool has_order = !result.order.empty();  // rays have none
+    for (int turn = (has_order ? result.drawn : static_cast<int>(result.fragments->size())) - 1; turn >= 0; --turn) {
+        const int fragment = has_order ? result.order[static_cast<std::size_t>(turn)] : turn;
         const Polygon* polygon = polygon_at(result, fragment);
         if (polygon && polygon->source == source && covers(overlay, *polygon, place)) return fragment;
     }
@@ -216,6 +213,12 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 p
 
 void draw_laboratory_overlay(const LaboratoryState& state, const Session& session, const HiddenStatus& hidden,
                              Overlay& overlay) {
+    if (hidden.fraction) {
+        const std::string text =
+            "The method is at work: " + std::to_string(static_cast<int>(*hidden.fraction * 100.0F)) + " %";
+        widgets::HaloText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
+                          palette().text, text.c_str());
+    }
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;
     if (session.params.visibility.numbers) numbers(overlay, result);

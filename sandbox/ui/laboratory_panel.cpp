@@ -23,10 +23,13 @@ void options_of(VisibilityMethod method, Params& params) {
             control(params, "visibility.walk", {.width = choice_width, .names = walks, .label = "walk"});
             [[fallthrough]];
         case VisibilityMethod::newell:
-            control(params, "visibility.epsilon", {.decimals = 9, .label = "epsilon"});
+            control(params, "visibility.epsilon", {.decimals = 2, .label = "epsilon"});
             break;
         case VisibilityMethod::ray_cast:
+            ImGui::BeginDisabled(params.cull.enabled);
             control(params, "visibility.exact_curves", {.label = "Exact curves"});
+            ImGui::EndDisabled();
+            if (params.cull.enabled) widgets::Note("Culling tells faces apart: curves are triangles while it is on.");
             break;
         case VisibilityMethod::depth_buffer:
         case VisibilityMethod::none:
@@ -39,6 +42,7 @@ void start_failure_search(LaboratoryState& state, const Params& params, const Hi
     const CameraParams& camera = params.camera;
     const Orbit orbit{camera.target, std::max(1e-3, glm::distance(camera.position, camera.target)),
                       result.request.viewpoint.clip_from_view};
+    state.failure_asked = {state.scene_version, params.visibility, params.camera, params.projection};
     const FailureSearchOptions options{.key = static_cast<PainterKey>(params.visibility.sort_key),
                                        .start = {camera.yaw, camera.pitch}};
     state.failure_search.start([surface = result.surface, orbit, options](WorkProgress& progress) {
@@ -53,17 +57,24 @@ void failure_search(LaboratoryState& state, const Params& params, const HiddenRe
         if (widgets::SmallButton("Stop")) state.failure_search.cancel();
         return;
     }
+    ImGui::BeginDisabled(params.cull.enabled);
     if (widgets::SmallButton("Find a view where this key fails")) start_failure_search(state, params, result);
     widgets::Tooltip("Find a view where this key fails",
                      "Turns the camera about its target and goes where the painter's picture differs from ray casting "
-                     "in the most pixels.");
+                     "in the most pixels. All faces count: culling has to be off.");
+    ImGui::EndDisabled();
 }
 
-void work_in_progress(LaboratoryState& state, const HiddenStatus& hidden) {
-    if (!hidden.fraction) return;
-    ImGui::ProgressBar(*hidden.fraction, {px(choice_width), 0.0F}, "at work");
-    ImGui::SameLine();
-    if (widgets::SmallButton("Cancel")) state.cancel_method = true;
+/// In the row of what stands before it, so that nothing moves when it comes and goes.
+void cancel_button(LaboratoryState& state, const HiddenStatus& hidden) {
+    const bool was_cancelled = hidden.answer && hidden.answer->camera->is_cancelled;
+    if (!hidden.fraction && !was_cancelled) return;
+    ImGui::SameLine(px(118.0F));
+    if (!hidden.fraction) {
+        if (widgets::SmallButton("Run again")) state.restart_method = true;
+    } else if (widgets::SmallButton("Cancel")) {
+        state.cancel_method = true;
+    }
 }
 
 /// Two columns of what the method counted; what it does not have is left out.
@@ -110,7 +121,7 @@ void counters(const HiddenResult& result, bool shows_time) {
     table.number("pixels written", counted.pixels_written);
     if (counted.pixels_written >= 0) table.text("overdraw", widgets::NumberText(counted.overdraw(), 2).c_str());
     if (!is_drawn_by_gl_alone(result.request.visibility.method)) table.text("time", time(result.time_ms).c_str());
-    if (result.build_ms > 0.0) table.text("built in", time(result.build_ms).c_str());
+    if (result.tree || result.counters.rays >= 0) table.text("built in", time(result.build_ms).c_str());
 }
 
 void culling_counts(const HiddenResult& result) {
@@ -121,9 +132,10 @@ void culling_counts(const HiddenResult& result) {
     std::string text = "By the plane's sign " + pair(counts.facing_towards, counts.facing_away) + "; by GL's winding " +
                        pair(counts.gl_front, counts.gl_back) + ".";
     const std::int64_t culled = result.counters.culled;
+    const std::int64_t total = result.tree ? result.counters.fragments : counts.input;
     if (culled > 0)
-        text +=
-            " Culling leaves " + grouped_number(counts.input - culled) + " of " + grouped_number(counts.input) + ".";
+        text += " Culling leaves " + grouped_number(total - culled) + " of " + grouped_number(total) +
+                (result.tree ? " fragments." : ".");
     widgets::Note(text.c_str());
 }
 
@@ -142,17 +154,27 @@ void draw_laboratory_panel(LaboratoryState& state, Session& session, const Hidde
     }
     options_of(method, params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
-    work_in_progress(state, hidden);
     if (result && method == VisibilityMethod::painter) failure_search(state, params, *result);
+    ImGui::BeginDisabled(method == VisibilityMethod::ray_cast);  // rays draw no polygons
     control(params, "visibility.numbers", {.label = "Numbers"});
+    ImGui::EndDisabled();
+    cancel_button(state, hidden);
     if (params.view.shows == Shows::difference) {
         control(params, "visibility.compare_with", {.width = choice_width, .names = method_names, .label = "compare"});
     }
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.playing, state.steps_per_s,
                      ImGui::GetIO().DeltaTime, state.carry_steps);
+    if (result->newell && result->newell->steps_left_out > 0) {
+        const std::string note = "Only the first " + grouped_number(result->step_count) + " of " +
+                                 grouped_number(result->counters.comparisons) + " comparisons can be gone through.";
+        widgets::Note(note.c_str());
+    }
+    state.last_step = params.visibility.step;
+    state.has_step_bar = true;
     counters(*result, hidden.shows_time);
     culling_counts(*result);
+    if (params.visibility.step >= 0) widgets::Note("Shadow and mirror wait while steps are shown.");
     if (!hidden.answer->problem().empty()) widgets::Trouble(hidden.answer->problem().c_str());
 }
 

@@ -22,7 +22,7 @@ float note_height(const char* text);
 /// A sentence in the middle of the view and, unless null, a button below it. True when it was clicked.
 bool offer(const char* sentence, const char* button = nullptr);
 
-/// "Newell is at work: 40 %": instead of a view whose method has not finished.
+/// "The method is at work: 40 %": instead of a view whose method has not finished.
 void tell_waiting(const HiddenStatus& hidden);
 
 }  // namespace viewing

@@ -40,6 +40,9 @@ constexpr const char* longest_sentence =
 
 void draw_diagram(LaboratoryState& state, const HiddenResult& result, float height) {
     widgets::TreeDiagramState& diagram = state.tree;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (state.tree_size_px.x != width || state.tree_size_px.y != height) diagram.fit_next = true;
+    state.tree_size_px = {width, height};
     int selected = selected_node(state);
     if (selected >= static_cast<int>(state.tree_index.nodes().size())) selected = -1;
     if (selected != state.tree_revealed && selected < result.built_nodes) diagram.reveal_next = selected;

@@ -134,7 +134,9 @@ void hidden_surfaces_section(Session& session, const Derived& derived, Laborator
     static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
     static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
     static constexpr float second = 118.0F;
-    ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer);  // the others have no use for it
+    const bool compares =
+        params.view.shows == Shows::difference && params.visibility.compare_with == VisibilityMethod::depth_buffer;
+    ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer && !compares);  // without any use
     control(params, "depth.test", {.label = "Depth test"});
     beside(second);
     control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});

@@ -10,10 +10,6 @@ namespace {
 
 constexpr float cell_padding = 1.0F;  ///< above and below a row, design pixels
 
-constexpr ImU32 with_alpha(ImU32 color, ImU32 alpha) {
-    return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
-}
-
 /// The colour of the polygon's object, before its name.
 void swatch(const OrderRow& row) {
     const float side = std::round(0.6F * ImGui::GetTextLineHeight());

@@ -128,7 +128,7 @@ std::string ray_sentence(const HiddenResult& result) {
                                : "No ray has been cast yet.";
     const std::string ray = "The ray through " + pixel_text(result.traced->pixel);
     const std::size_t hits = result.traced->hits.size();
-    if (hits == 0) return ray + " meets nothing: the background is seen.";
+    if (hits == 0) return ray + " meets no object.";
     if (hits == 1) return ray + " meets one surface, which is seen.";
     return ray + " meets " + std::to_string(hits) + " surfaces: the first one is seen.";
 }

@@ -161,17 +161,19 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     const bool keys_move =
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    begin_laboratory_frame(views.laboratory, session);
     keep_selection(views.laboratory, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
     draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
     LaboratoryState& laboratory = views.laboratory;
-    take_background_results(laboratory, session);
+    end_laboratory_frame(laboratory, session);
     take_growth_rows(laboratory);
     laboratory.link = laboratory.next_link;
     laboratory.next_link.hovered_fragment = laboratory.next_link.hovered_node = -1;
     requests.cancel_hidden = std::exchange(laboratory.cancel_method, false);
+    requests.restart_hidden = std::exchange(laboratory.restart_method, false);
     requests.view_picture = std::exchange(laboratory.wanted_picture, std::nullopt);
     draw_loading(session, now);
     draw_message(session, now);

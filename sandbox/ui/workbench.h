@@ -24,7 +24,8 @@ struct StatusLine {
 struct Requests {
     bool snapshot = false;
     bool toggle_full_screen = false;
-    bool cancel_hidden = false;  ///< what the hidden-surface methods are working on
+    bool restart_hidden = false;  ///< their work on the current question, which was cancelled
+    bool cancel_hidden = false;   ///< what the hidden-surface methods are working on
     std::optional<ViewPicture> view_picture;
 };
 

@@ -81,13 +81,16 @@ std::string range_of(const Reign& reign, std::span<const Reign> all) {
     return "from " + first + " to " + last + polygons;
 }
 
-/// How many times as long ten times as many polygons take, by the method's last two sound rows.
+/// How many times as long ten times as many polygons take, by the method's last sound row and the last one before it
+/// that has at most half its polygons.
 std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMethod method) {
     const GrowthRow *last = nullptr, *before = nullptr;
     for (const GrowthRow& row : rows) {
         if (row.method != method || !row.problem.empty()) continue;
-        before = std::exchange(last, &row);
+        last = &row;
     }
+    for (const GrowthRow& row : rows)
+        if (last && row.method == method && row.problem.empty() && 2 * row.polygons <= last->polygons) before = &row;
     if (before == nullptr || !(before->time_ms > 0.0) || !(last->time_ms > 0.0)) return std::nullopt;
     const double decades = std::log10(static_cast<double>(last->polygons) / before->polygons);
     return std::pow(last->time_ms / before->time_ms, 1.0 / decades);

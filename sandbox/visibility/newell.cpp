@@ -19,23 +19,14 @@ public:
           eye_(viewpoint.eye_world()),
           options_(options),
           epsilon_(options.epsilon.value_or(default_epsilon(polygons))) {
+        const double clip_epsilon = std::min(epsilon_, default_epsilon(polygons));
         const glm::dvec4 near = viewpoint.near_plane_world();
+        const std::optional<glm::dvec4> eye_plane = viewpoint.eye_plane_world();
         for (const Polygon& polygon : polygons) {
-            switch (side_of_plane(polygon, near, epsilon_)) {
-                case PlaneSide::front:
-                    add_fragment(polygon);
-                    break;
-                case PlaneSide::spanning: {
-                    auto [front, back] = split(polygon, near, epsilon_);
-                    result_.clipped_area += area(back);
-                    add_fragment(std::move(front));
-                    break;
-                }
-                case PlaneSide::back:
-                case PlaneSide::coplanar:
-                    result_.clipped_area += area(polygon);
-                    break;
-            }
+            std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
+            // Behind an oblique near plane there may be points behind the eye.
+            if (seen && eye_plane) seen = clipped(*seen, *eye_plane, clip_epsilon);
+            if (seen) add_fragment(*std::move(seen));
         }
         std::sort(list_.begin(), list_.end(), [&](int a, int b) { return is_drawn_later(a, b); });
     }
@@ -56,6 +47,24 @@ private:
         int q = -1;
         NewellTest swap_test = NewellTest::none;
     };
+
+    /// The part in front of a plane, none where there is none; the rest is counted.
+    std::optional<Polygon> clipped(const Polygon& polygon, const glm::dvec4& plane, double epsilon) {
+        switch (side_of_plane(polygon, plane, epsilon)) {
+            case PlaneSide::front:
+                return polygon;
+            case PlaneSide::spanning: {
+                auto [front, back] = split(polygon, plane, epsilon);
+                result_.clipped_area += area(back);
+                return std::move(front);
+            }
+            case PlaneSide::back:
+            case PlaneSide::coplanar:
+                break;
+        }
+        result_.clipped_area += area(polygon);
+        return std::nullopt;
+    }
 
     /// Sort order of the list: what is drawn first is at its end.
     bool is_drawn_later(int a, int b) const {

@@ -37,6 +37,7 @@ public:
           clip_plane_from_world_(glm::inverseTranspose(clip_from_world)),
           options_(options),
           result_(result),
+          least_w_(1e-7 * glm::length(glm::transpose(clip_from_world)[3])),
           spans_(static_cast<std::size_t>(options.height), empty_span),
           left_to_test_(options.stop_after) {}
 
@@ -47,6 +48,8 @@ public:
         for (const glm::dvec3& vertex : polygon.vertices) clip_.push_back(clip_from_world_ * glm::dvec4(vertex, 1.0));
         keep_where([](const glm::dvec4& p) { return p.w + p.z; });
         keep_where([](const glm::dvec4& p) { return p.w - p.z; });
+        // Behind an oblique near plane there may be points behind the eye.
+        keep_where([this](const glm::dvec4& p) { return p.w - least_w_; });
         if (clip_.size() < 3) return;
         ++result_.counters.polygons;
         project();
@@ -184,6 +187,7 @@ private:
     const glm::dmat4 clip_from_world_, clip_plane_from_world_;
     const RasterOptions& options_;
     RasterResult& result_;
+    const double least_w_;
     std::vector<glm::dvec4> clip_, clipped_;
     std::vector<ScreenPoint> screen_;
     std::vector<Span> spans_;  ///< one a row, empty between polygons

@@ -17,6 +17,14 @@ glm::dvec4 Viewpoint::eye_world() const {
     return {world_from_view_rotation[2], 0.0};
 }
 
+std::optional<glm::dvec4> Viewpoint::eye_plane_world() const {
+    const glm::dvec4 w_of_world = glm::transpose(clip_from_world())[3];
+    const double length = glm::length(glm::dvec3(w_of_world));
+    if (!(length > 0.0)) return std::nullopt;
+    constexpr double before_eye = 1e-7;  // world units
+    return w_of_world / length - glm::dvec4(0.0, 0.0, 0.0, before_eye);
+}
+
 glm::dvec4 Viewpoint::near_plane_world() const {
     const glm::dmat4 rows = glm::transpose(clip_from_world());
     return unit_plane(rows[3] + rows[2]);

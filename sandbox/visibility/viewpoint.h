@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace viewing {
 
@@ -21,6 +22,9 @@ struct Viewpoint {
 
     /// The plane on which clip z = −w, unit, in world space; what is seen lies on its positive side.
     glm::dvec4 near_plane_world() const;
+
+    /// The plane just before a perspective eye, across its line of sight, unit; none for an orthographic camera.
+    std::optional<glm::dvec4> eye_plane_world() const;
 
     bool operator==(const Viewpoint&) const = default;
 };

@@ -273,8 +273,60 @@ TEST_F(Inspect, HasTheContractsFields) {
     EXPECT_EQ(report.at("world").size(), 3U);
 }
 
+TEST_F(Inspect, ListsTheFragmentsInDrawingOrder) {
+    // The torus stands before the patch there and shows a front and a back face.
+    const auto report = nlohmann::ordered_json::parse(expect(0, {"inspect", "--pixel", "640,360"}).out);
+    EXPECT_EQ(std::next(report.end(), -1).key(), "fragments");
+    const auto& fragments = report.at("fragments");
+    ASSERT_EQ(fragments.size(), 3U);
+    EXPECT_EQ(fragments[0].at("object"), "plane");
+    const nlohmann::ordered_json* last = nullptr;
+    for (const auto& fragment : fragments) {
+        std::string names;
+        for (const auto& [name, value] : fragment.items()) names += name + " ";
+        EXPECT_EQ(names, "object eye_z stored facing passes drawn ");
+        if (fragment.at("drawn") == true) last = &fragment;
+    }
+    ASSERT_NE(last, nullptr);
+    EXPECT_EQ(last->at("object"), report.at("object"));
+    EXPECT_EQ(last->at("facing"), report.at("facing"));
+    EXPECT_NEAR(last->at("stored").get<double>(), report.at("depth").at("stored").get<double>(), 4.0);
+    EXPECT_NEAR(last->at("eye_z").get<double>(), report.at("depth").at("eye_z").get<double>(), 1e-4);
+}
+
+TEST_F(Inspect, TellsTiesAndWhatIsCulled) {
+    const std::string twice = R"(scene={"objects":[
+        {"name":"first","shape":"quad","rotation":[0,90,0],"position":[0,0,-2]},
+        {"name":"second","shape":"quad","rotation":[0,90,0],"position":[0,0,-2]},
+        {"name":"back","shape":"quad","rotation":[0,-90,0],"position":[0,0,-1]}]})";
+    const Json fragments = expect(0, {"inspect", "--pixel", "32,32", "--size", "64x64", "--set", twice, "--set",
+                                      "camera.position=[0,0,0]", "--set", "camera.yaw=0", "--set", "camera.pitch=0",
+                                      "--set", "plane.equation=[0,1,0,5]", "--set", "cull.enabled=true"})
+                               .json()
+                               .at("fragments");
+    ASSERT_EQ(fragments.size(), 3U);
+    EXPECT_TRUE(fragments[0].at("drawn") == true && !fragments[0].contains("tie"));
+    EXPECT_TRUE(fragments[1].at("tie") == true && fragments[1].at("passes") == false);
+    EXPECT_TRUE(fragments[2].at("culled") == true && fragments[2].at("facing") == "back");
+}
+
+TEST_F(Inspect, ListsWhatAMethodSorted) {
+    const auto inspected = [this](const std::string& method) {
+        return expect(0, {"inspect", "--pixel", "160,90", "--size", "320x180", "--set", "visibility.method=" + method})
+            .json();
+    };
+    for (const char* method : {"painter", "bsp", "ray_cast"}) {
+        const Json report = inspected(method);
+        std::string last;
+        for (const Json& fragment : report.at("fragments"))
+            if (fragment.at("drawn") == true) last = fragment.at("object");
+        EXPECT_EQ(last, report.at("object")) << method;
+    }
+}
+
 TEST_F(Inspect, TheBackgroundIsNobody) {
     const Json report = expect(0, {"inspect", "--pixel", "0,0", "--size", "64x64", "--set", "camera.pitch=90"}).json();
+    EXPECT_TRUE(report.at("fragments").empty());
     EXPECT_TRUE(report.at("object").is_null());
     EXPECT_EQ(report.at("depth").at("window"), 1.0);
     EXPECT_EQ(report.at("depth").at("stored"), 16777215);

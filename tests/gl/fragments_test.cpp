@@ -1,0 +1,260 @@
+// The computed fragments of a pixel against what GL has left there: the last one drawn is the one that is read back.
+// VIEWING_LONG_TESTS=N looks at N times as many states.
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "frame/fragments.h"
+#include "frame/hidden_views.h"
+#include "gl_test.h"
+#include "render/probe.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::params_with;
+using testing::scene_named;
+
+constexpr glm::ivec2 size_px(160, 90);
+
+/// How far GL's depth may be from the exact one before it is stored: four codes of 24 bits, 12 places of a float
+/// near 1.
+double arithmetic(const DepthPrecision& precision) {
+    return (precision.is_float ? 12.0 : 4.5) / 16777216.0;
+}
+
+std::int64_t code_of(double depth, const DepthPrecision& precision) {
+    const double kept = std::clamp(depth, 0.0, 1.0);
+    if (precision.is_float) return std::bit_cast<std::int32_t>(static_cast<float>(kept));
+    return std::llround(kept * (std::exp2(precision.bits) - 1.0));
+}
+
+/// The codes that a depth may become.
+struct Codes {
+    std::int64_t least, greatest;
+};
+
+bool in_known_order(const Codes& a, const Codes& b) {
+    const bool is_one = a.least == a.greatest && b.least == b.greatest && a.least == b.least;
+    return is_one || a.greatest < b.least || b.greatest < a.least;
+}
+
+/// Whether float32 arithmetic cannot change any comparison among the fragments and with the cleared value.
+bool is_decided(const std::vector<Fragment>& fragments, double cleared, const DepthPrecision& precision) {
+    const std::int64_t cleared_code = code_of(cleared, precision);
+    std::vector<Codes> codes{{cleared_code, cleared_code}};
+    const double off = arithmetic(precision);
+    for (const Fragment& fragment : fragments) {
+        const double depth = fragment.window_depth;
+        const Codes mine{code_of(depth - off, precision), code_of(depth + off, precision)};
+        for (const Codes& other : codes)
+            if (!in_known_order(mine, other)) return false;
+        codes.push_back(mine);
+    }
+    return true;
+}
+
+const Fragment* last_drawn(const std::vector<Fragment>& fragments) {
+    const Fragment* last = nullptr;
+    for (const Fragment& fragment : fragments)
+        if (fragment.drawn) last = &fragment;
+    return last;
+}
+
+std::string surfaces_of(const std::vector<Fragment>& fragments) {
+    std::string names;
+    for (const Fragment& fragment : fragments) names += fragment.object + (fragment.front_facing ? "+" : "-");
+    return names;
+}
+
+std::string told(const std::vector<Fragment>& fragments) {
+    std::string text;
+    for (const Fragment& f : fragments)
+        text += "\n  " + f.object + " " + std::to_string(f.eye_z) + " " + std::to_string(f.stored) +
+                (f.front_facing ? " front" : " back") + (f.culled ? " culled" : "") + (f.passes ? " passes" : "") +
+                (f.drawn ? " drawn" : "") + (f.tie ? " tie" : "");
+    return text;
+}
+
+class Fragments : public testing::GlTest {
+protected:
+    struct Seen {
+        int compared = 0, codes_compared = 0, at_edges = 0, undecided = 0;
+        std::map<std::string, double> worst;  ///< codes between computed and read back
+    };
+
+    /// Pixels of one state: object and code of the last drawn fragment against the ones read back.
+    static void compare(const Params& params, const Scene& scene, Random& random, int pixels, Seen& seen) {
+        const Derived derived = derive_for(params, scene, size_px);
+        HiddenPictures pictures;
+        if (const auto question = hidden_question(params, derived, size_px)) {
+            HiddenSurfaceSolver solver(scene);
+            pictures = answer_hidden_question(solver, *question).pictures;
+        }
+        const FramePlan frame = plan(params, derived, pictures);
+        PixelProbe probe;
+        ASSERT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
+        const FragmentFinder finder(scene);
+        const DepthPrecision precision = precision_of(frame.depth_format);
+        for (int trial = 0; trial < pixels; ++trial) {
+            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
+            const std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
+            // GL rounds corners to 1/256 of a pixel: it may see other surfaces at an edge.
+            const std::vector<std::vector<Fragment>> around = beside(finder, frame, pixel);
+            if (std::ranges::any_of(around, [&](const auto& f) { return surfaces_of(f) != surfaces_of(fragments); })) {
+                ++seen.at_edges;
+                continue;
+            }
+            if (!is_decided(fragments, frame.clear_depth_value, precision)) {
+                ++seen.undecided;
+                continue;
+            }
+            ++seen.compared;
+            const PixelReport report = probe.at(pixel, scene);
+            const std::string what = "pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) + ", read " +
+                                     report.object + " " + std::to_string(report.stored) + told(fragments);
+            const Fragment* const last = last_drawn(fragments);
+            EXPECT_EQ(report.object, last ? last->object : "") << what;
+            if (!last) continue;
+            EXPECT_EQ(report.front_facing, last->front_facing) << what;
+            if (!report.has_depth || !frame.passes.back().depth.test || !frame.passes.back().depth.write) continue;
+            const double off = std::abs(static_cast<double>(report.stored) - last->stored);
+            double& worst = seen.worst[std::to_string(precision.bits) + " bits, mapping " +
+                                       std::to_string(static_cast<int>(frame.depth_mapping))];
+            worst = std::max(worst, off);
+            ++seen.codes_compared;
+            double slope_per_px = 0.0;
+            for (const std::vector<Fragment>& others : around) {
+                const double there = others[static_cast<std::size_t>(last - fragments.data())].window_depth;
+                slope_per_px = std::max(slope_per_px, std::abs(there - last->window_depth) * finer);
+            }
+            EXPECT_LE(off, allowed_codes(frame, last->object == "decal", slope_per_px)) << what;
+        }
+    }
+
+    /// As facts have it, and as much as a surface changes in float32's precision of a place on the screen. GL leaves
+    /// open what a unit of polygon offset is: the driver may make two codes of it.
+    static double allowed_codes(const FramePlan& frame, bool is_decal, double slope_per_px) {
+        const DepthPrecision precision = precision_of(frame.depth_format);
+        if (precision.is_float) return 12.0;
+        if (precision.bits < 24) return 1.0;
+        constexpr double place_px = 160.0 / 16777216.0;
+        return 4.0 + 16777215.0 * slope_per_px * place_px + (is_decal ? std::abs(frame.decal_offset.units) : 0.0);
+    }
+
+    /// What is met 0.04 pixels beside the centre, on four sides.
+    static std::vector<std::vector<Fragment>> beside(const FragmentFinder& finder, const FramePlan& frame,
+                                                     glm::ivec2 pixel) {
+        const glm::ivec2 center = pixel * finer + finer / 2;
+        std::vector<std::vector<Fragment>> all;
+        for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)})
+            all.push_back(finder.at(frame, center + step, size_px * finer));
+        return all;
+    }
+    static constexpr int finer = 25;
+
+    static void tell(const Seen& seen) {
+        for (const auto& [kind, value] : seen.worst) std::printf("%s: worst %g codes\n", kind.c_str(), value);
+        std::printf("%d pixels compared, %d of them by code; %d at edges and %d undecided left out\n", seen.compared,
+                    seen.codes_compared, seen.at_edges, seen.undecided);
+    }
+};
+
+/// The opening scene with a decal that lies in the plane of the patch.
+Scene scene_with_decal() {
+    Scene scene = scene_named("torus-and-boxes");
+    SceneObject decal = object("decal", quad_mesh(), {1.2, 0.0, 1.6}, {1.3, 1.0, 0.9});
+    decal.description.decal = true;
+    scene.objects.push_back(decal);
+    return scene;
+}
+
+int trials(int usual) {
+    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
+    return usual * std::max(longer ? std::atoi(longer) : 1, 1);
+}
+
+template <typename Value>
+std::string setting(const char* path, Value value) {
+    return path + ("=" + std::string(value));
+}
+
+TEST_F(Fragments, EndWithTheOneThatIsReadBack) {
+    const Scene scene = scene_with_decal();
+    Random random(seed);
+    Seen seen;
+    for (const char* const format : {"d4", "d8", "d12", "d16", "d24", "d32f"})
+        for (const char* const mapping : {"standard", "reversed", "logarithmic"})
+            for (int trial = 0; trial < trials(2); ++trial) {
+                std::vector<std::string> settings{setting("depth.format", format), setting("depth.mapping", mapping),
+                                                  "depth.offset.factor=-1", "depth.offset.units=-8"};
+                if (random.number(0, 1) < 0.3) settings.push_back("projection.type=orthographic");
+                if (random.number(0, 1) < 0.3) settings.push_back("cull.enabled=true");
+                settings.push_back("camera.pitch=-24");
+                settings.push_back("camera.yaw=" + std::to_string(random.number(10, 50)));
+                settings.push_back("projection.near=" + std::to_string(random.number(0.1, 2.0)));
+                std::string what = "seed " + std::to_string(seed);
+                for (const std::string& text : settings) what += " " + text;
+                SCOPED_TRACE(what);
+                compare(params_with(settings), scene, random, 40, seen);
+            }
+    tell(seen);
+    EXPECT_GT(seen.compared, 600);
+    EXPECT_GT(seen.codes_compared, 600);
+    EXPECT_LT(seen.at_edges, seen.compared / 4);
+}
+
+TEST_F(Fragments, FollowEveryTest) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 1);
+    Seen seen;
+    const auto one_of = [&random](std::initializer_list<const char*> choices) {
+        return *(choices.begin() + static_cast<std::ptrdiff_t>(random.number(0, static_cast<double>(choices.size()))));
+    };
+    for (const char* const func : {"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"})
+        for (int trial = 0; trial < trials(12); ++trial) {
+            const std::vector<std::string> settings{
+                setting("depth.func", func),
+                setting("depth.format", one_of({"d5", "d16", "d24", "d32f"})),
+                setting("depth.mapping", one_of({"standard", "reversed", "logarithmic"})),
+                setting("depth.test", one_of({"true", "true", "true", "true", "false"})),
+                setting("depth.write", one_of({"true", "true", "true", "false"})),
+                setting("depth.clear", one_of({"true", "true", "true", "false"})),
+                setting("cull.enabled", one_of({"true", "false", "false"})),
+                setting("cull.face", one_of({"back", "front", "front_and_back"})),
+                setting("cull.front_face", one_of({"ccw", "cw"})),
+                setting("reflection.enabled", one_of({"true", "false"})),
+                setting("shadow.style", one_of({"blend", "missing_light"})),
+                setting("visibility.method", one_of({"depth_buffer", "depth_buffer", "depth_buffer", "none"})),
+                "camera.pitch=-24",
+                "camera.yaw=" + std::to_string(random.number(20, 40))};
+            std::string what = "seed " + std::to_string(seed + 1);
+            for (const std::string& text : settings) what += " " + text;
+            SCOPED_TRACE(what);
+            compare(params_with(settings), scene, random, 20, seen);
+        }
+    tell(seen);
+    EXPECT_GT(seen.compared, 600);
+    EXPECT_GT(seen.codes_compared, 100);
+}
+
+TEST_F(Fragments, AreInTheOrderOfTheMethod) {
+    Random random(seed + 2);
+    Seen seen;
+    for (const char* const method : {"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"})
+        for (const char* const name : {"torus-and-boxes", "cyclic-overlap", "interpenetrating"})
+            for (const char* const culls : {"false", "true"}) {
+                SCOPED_TRACE(std::string(method) + " " + name + ", culled: " + culls);
+                const Params params = params_with({setting("visibility.method", method), setting("cull.enabled", culls),
+                                                   "camera.pitch=-20", setting("reflection.enabled", culls)});
+                compare(params, scene_named(name), random, 40, seen);
+            }
+    tell(seen);
+    EXPECT_GT(seen.compared, 600);
+}
+
+}  // namespace
+}  // namespace viewing
