@@ -1,9 +1,11 @@
-// measure: numbers measured in a frame, or on more and more polygons. Read measure_visibility.h next.
+// measure: numbers measured in a frame, or on more and more polygons. Read measure_visibility.h and
+// measure_fighting.h next.
 #include <array>
 
 #include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
+#include "cli/measure_fighting.h"
 #include "cli/measure_visibility.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -29,13 +31,13 @@ void declare(Options& options, Typed& typed) {
     options.group("Measurement");
     options.text("--what", "QUANTITY", typed.what,
                  "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
-                 "costs on more and more polygons; fighting: depth fighting");
+                 "costs on more and more polygons; fighting: where depth fights, counted and predicted");
     options.text(
         "--size", "WxH", typed.size,
         "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
         "1280x720, for growth 320x240");
     options.text("--timeout", "S", typed.timeout, "Exit 8 when the measurement is not done after so many seconds");
-    options.group("Of visibility");
+    options.group("Of visibility and fighting");
     add_device_option(options, typed.device);
     options.group("Of growth");
     options.text("--max", "N", typed.max, "The largest number of polygons, 1 to 1000000; default 10000");
@@ -52,7 +54,8 @@ void refuse_strangers(const Options& options, const Typed& typed) {
     if (!grows && typed.max) options.refuse("--max needs --what growth");
     if (!grows && typed.polygons) options.refuse("--polygons needs --what growth");
     if (!grows && typed.format) options.refuse("--format needs --what growth");
-    if (grows && typed.device) options.refuse("--device needs --what visibility: growth draws nothing with GL");
+    if (grows && typed.device)
+        options.refuse("--device needs --what visibility or fighting: growth draws nothing with GL");
 }
 
 /// The counts of the list below the largest one, and that one.
@@ -123,15 +126,14 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (typed.timeout) limit.emplace(number_option(options, "--timeout", *typed.timeout, 0.001, 86400.0));
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
-    if (typed.what == "fighting")
-        options.refuse("--what fighting cannot be measured yet: it comes with a later version");
 
     std::string text;
     if (typed.what == "growth") {
         text = growth_text(state, scene, growth, as_csv);
     } else {
         Headless headless(device_option(options, typed.device));
-        text = print_document(visibility_as_json(headless, state, scene, size_px)) + "\n";
+        const auto measure = typed.what == "fighting" ? fighting_as_json : visibility_as_json;
+        text = print_document(measure(headless, state, scene, size_px)) + "\n";
     }
     print(text);
     return ExitStatus::done;
@@ -142,7 +144,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 constinit const Command measure_command{
     "measure",
     "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting [--size WxH] [OPTIONS]",
-    "what the hidden-surface methods do and cost, as JSON or CSV",
+    "what the hidden-surface methods do and cost, and where depth fights, as JSON or CSV",
     "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
     "and "
     "culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "
@@ -151,10 +153,18 @@ constinit const Command measure_command{
     "at a budget. painter_keys has the wrong pixels of each sort key. culling counts fronts and backs by the eye's "
     "side "
     "of each plane and by the winding on the screen, as GL does, and what culling leaves. growth runs the methods on "
-    "more and more polygons; summary says who wins where. fighting is refused: it comes with a later version.",
+    "more and more polygons; summary says who wins where. fighting counts, for every pair of flat objects that are "
+    "nearly coplanar (parallel to a degree, a tenth of their size apart at most), the pixels where GL shows the wrong "
+    "one, beside what the formulas predict: step is the width of a depth code in eye distance, quantisation one code "
+    "along the pair's normal, arithmetic what float32 adds, predicted_onset_gap their sum, below which fighting "
+    "begins. "
+    "elsewhere has the wrong pixels outside the pairs: what a polygon offset that is too large lets through. "
+    "minimum_gap is found by drawing quads nearer and nearer to each other at the target's distance; null when no gap "
+    "is wide enough.",
     "measure --what visibility\n"
     "measure painter-cycle --what visibility --size 640x360\n"
     "measure bunny.obj --set visibility.splitter=balanced --what visibility --timeout 60\n"
+    "measure depth-fighting --what fighting\n"
     "measure --what growth --max 3000 --format csv > growth.csv\n"
     "measure teapot --what growth --polygons scene",
     "023489",

@@ -1,4 +1,4 @@
-// measure: what the hidden-surface methods do, as a script reads it.
+// measure: what the hidden-surface methods do and where depth fights, as a script reads it.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -132,6 +132,46 @@ TEST_F(Measure, GrowthTakesTheScenesPolygons) {
     EXPECT_EQ(measured["polygons"], "scene");
     EXPECT_EQ(measured["scene"], "cyclic-overlap");
     for (const Json& row : measured["rows"]) EXPECT_LE(row["polygons"], 100) << "no more than there are";
+}
+
+TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {
+    const Json measured = expect(0, {"measure", "depth-fighting", "--what", "fighting", "--set", "depth.format=d16",
+                                     "--set", "projection.near=0.5", "--size", "640x360"})
+                              .json();
+    ASSERT_EQ(measured["pairs"].size(), 6U);
+    int wrong = 0, pixels = 0;
+    for (const Json& pair : measured["pairs"]) {
+        SCOPED_TRACE(pair.dump());
+        const double z = pair["distance"], gap = pair["gap"];
+        EXPECT_NEAR(gap, 0.01, 0.0002);
+        // Facts: z² (f − n) / (f n (2¹⁶ − 1)).
+        EXPECT_NEAR(pair["step"], z * z * 199.5 / (200.0 * 0.5 * 65535.0), 1e-6);
+        EXPECT_NEAR(pair["predicted_onset_gap"], pair["quantisation"].get<double>() + pair["arithmetic"].get<double>(),
+                    1e-12);
+        EXPECT_GT(pair["pixels"], 1000);
+        const double share = pair["wrong"].get<double>() / pair["pixels"].get<double>();
+        EXPECT_NEAR(share, pair["predicted_wrong_fraction"], 0.05);
+        EXPECT_EQ(share > 0.0, gap < pair["predicted_onset_gap"]);
+        wrong += pair["wrong"].get<int>();
+        pixels += pair["pixels"].get<int>();
+    }
+    EXPECT_EQ(measured["pairs"][0]["objects"], Json({"back quad at 4", "front quad at 4"}));
+    EXPECT_NEAR(measured["wrong_fraction"], static_cast<double>(wrong) / pixels, 1e-12);
+    EXPECT_EQ(measured["elsewhere"]["wrong"], 0);
+    const double ratio =
+        measured["minimum_gap"].get<double>() / measured["search"]["predicted_onset_gap"].get<double>();
+    EXPECT_GT(ratio, 1.0 / 3.0);
+    EXPECT_LT(ratio, 3.0);
+}
+
+TEST_F(Measure, FightingOfNoPairsAndWithoutADepthTestHasNullsAndAReason) {
+    const Json measured = expect(0, {"measure", "--what", "fighting", "--size", "16x9", "--set",
+                                     R"(scene={"objects":[]})", "--set", "depth.test=false"})
+                              .json();
+    EXPECT_EQ(measured["pairs"], Json::array());
+    EXPECT_EQ(measured["wrong_fraction"], 0.0);
+    EXPECT_TRUE(measured["minimum_gap"].is_null());
+    EXPECT_FALSE(measured["search"]["problem"].get<std::string>().empty());
 }
 
 TEST_F(Measure, EndsInTime) {

@@ -105,8 +105,11 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
-TEST_F(Usage, MeasureSaysWhatItTakesAndWhatComesLater) {
-    refused({"measure", "--what", "fighting"}, {"fighting", "later"});
+TEST_F(Usage, MeasureSaysWhatItTakes) {
+    refused({"measure"}, {"--what is missing", "visibility, growth, fighting"});
+    refused({"measure", "--what", "fighting", "--max", "10"}, {"--max needs --what growth"});
+    refused({"measure", "--what", "fighting", "--size", "0x9"}, {"--size"});
+    refused({"measure", "--what", "fighting", "--device", "no"}, {"--device"});
     refused({"measure", "--what", "luck"}, {"visibility, growth, fighting"});
     refused({"measure", "--what", "visibilty"}, {"did you mean visibility?"});
     refused({"measure", "--what", "visibility", "--format", "csv"}, {"--format needs --what growth"});

@@ -97,7 +97,7 @@ TEST(Scenes, TheOnesOfTheIssueAreThereAndLoad) {
         EXPECT_GT(scene->bounds_world.min.y, -1e-3) << file.name << " stands on the plane y = 0";
     }
     EXPECT_EQ(names,
-              (std::vector<std::string>{"coplanar", "curved", "cyclic-overlap", "interpenetrating", "letters",
+              (std::vector<std::string>{"coplanar", "curved", "cyclic-overlap", "decals", "interpenetrating", "letters",
                                         "many-splits", "sort-key-centroid", "sort-key-farthest", "sort-key-nearest",
                                         "t-junctions", "teapot", "torus-and-boxes", "walkthrough"}));
 }

@@ -1,0 +1,63 @@
+#include "cli/measure_fighting.h"
+
+#include "app/fighting_measure.h"
+#include "app/minimum_gap.h"
+#include "cli/as_json.h"
+#include "cli/measure_visibility.h"
+
+namespace viewing {
+namespace {
+
+/// The parts of a predicted gap, for gaps measured along a normal with this slant; null where no gap is wide enough.
+Json onset_as_json(const FightingOnset& onset, double slant) {
+    return {{"quantisation", onset.quantisation * slant},
+            {"arithmetic", onset.arithmetic * slant},
+            {"predicted_onset_gap", onset.is_reachable ? Json(onset.gap() * slant) : Json()}};
+}
+
+Json pair_as_json(const CountedPair& counted, const Params& params, const Derived& derived, const Scene& scene) {
+    const FlatPair& pair = counted.pair;
+    const PairPrediction predicted = predict_pair(pair, params, derived);
+    const auto name_of_object = [&scene](int object) {
+        return scene.objects[static_cast<std::size_t>(object)].description.name;
+    };
+    Json row{{"objects", {name_of_object(pair.first), name_of_object(pair.second)}},
+             {"distance", predicted.distance},
+             {"gap", pair.gap()},
+             {"step", predicted.step},
+             {"wrong", counted.wrong},
+             {"pixels", counted.pixels},
+             {"predicted_wrong_fraction", predicted.wrong_share ? Json(*predicted.wrong_share) : Json()}};
+    row.update(onset_as_json(predicted.onset, predicted.slant));
+    return row;
+}
+
+Json search_as_json(const MinimumGap& found) {
+    Json search{{"distance", found.distance},
+                {"pictures", found.pictures},
+                {"problem", found.problem.empty() ? Json() : Json(found.problem)}};
+    search.update(onset_as_json(found.predicted, 1.0));
+    return search;
+}
+
+}  // namespace
+
+Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene& scene, glm::ivec2 size_px) {
+    const Params& params = state.params;
+    Renderer& renderer = headless.renderer();
+    const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
+    const FightingCounts counts =
+        headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px));
+    const MinimumGap found = headless.drawn(find_minimum_gap(renderer, params, derived.facts.target_distance));
+    Json pairs = Json::array();
+    for (const CountedPair& counted : counts.pairs) pairs.push_back(pair_as_json(counted, params, derived, scene));
+    return {{"scene", scene_name(params)},
+            {"size", as_json(size_px)},
+            {"pairs", std::move(pairs)},
+            {"wrong_fraction", counts.wrong_fraction()},
+            {"elsewhere", {{"wrong", counts.wrong_elsewhere}, {"pixels", counts.pixels_elsewhere}}},
+            {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
+            {"search", search_as_json(found)}};
+}
+
+}  // namespace viewing

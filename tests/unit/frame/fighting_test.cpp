@@ -1,0 +1,168 @@
+// Which objects make a pair that can fight, and from which gap on the formulas say so: worked numbers of the facts, and
+// properties that hold for any lens.
+#include "frame/fighting.h"
+
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::params_with;
+using testing::scene_of;
+
+/// A square of side 2 in the plane y = height, moved along x.
+SceneObject square(double height, double x = 0.0) {
+    return object("square", quad_mesh(), {x, height, 0.0});
+}
+
+SceneObject turned(SceneObject square, const Angles& angles) {
+    square.world_from_model = world_from_model(square.description.position, angles, glm::dvec3(1.0));
+    return square;
+}
+
+TEST(FightingPairs, OfTheSceneCoplanarAreItsSixNeighbours) {
+    const Result<Scene> scene = load_scene("coplanar", "");
+    ASSERT_TRUE(scene) << scene.error();
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(*scene);
+    ASSERT_EQ(pairs.size(), 6U);
+    for (int index = 0; index < 6; ++index) {
+        const FlatPair& pair = pairs[static_cast<std::size_t>(index)];
+        EXPECT_EQ(pair.first, 2 * index);
+        EXPECT_EQ(pair.second, 2 * index + 1);
+        EXPECT_NEAR(pair.offset, 0.01, 2e-4);
+        EXPECT_NEAR(glm::length(pair.normal_world), 1.0, 1e-12);
+    }
+}
+
+TEST(FightingPairs, AreParallelNearAndOverlapping) {
+    const auto pairs_of = [](const SceneObject& other) {
+        return near_coplanar_pairs(scene_of({square(0.0), other})).size();
+    };
+    EXPECT_EQ(pairs_of(square(0.15)), 1U);
+    EXPECT_EQ(pairs_of(square(0.25)), 0U) << "an eighth of the side apart";
+    EXPECT_EQ(pairs_of(square(0.1, 1.9)), 1U);
+    EXPECT_EQ(pairs_of(square(0.1, 2.1)), 0U) << "beside each other";
+    EXPECT_EQ(pairs_of(square(0.0, 2.0)), 0U) << "an edge in common";
+    EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 0.5, 0.0})), 1U);
+    EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 2.0, 0.0})), 0U);
+    EXPECT_EQ(pairs_of(turned(square(0.1), {0.0, 180.0, 0.0})), 1U) << "back to back";
+    EXPECT_EQ(pairs_of(object("box", box_mesh(), {0.0, -1.0, 0.0})), 0U) << "not flat";
+    EXPECT_EQ(pairs_of(object("corner", triangle_mesh({{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}}), {0.0, 0.05, 0.0})), 1U);
+}
+
+TEST(FightingPairs, KnowWhatLiesOnWhat) {
+    const auto pair_of = [](const SceneObject& first, const SceneObject& second) {
+        const std::vector<FlatPair> pairs = near_coplanar_pairs(scene_of({first, second}));
+        EXPECT_EQ(pairs.size(), 1U);
+        return pairs.at(0);
+    };
+    EXPECT_NEAR(pair_of(square(0.0), square(0.1, 1.0)).offset, 0.1, 1e-12);
+    EXPECT_NEAR(pair_of(square(0.1), square(0.0)).offset, -0.1, 1e-12);
+    EXPECT_NEAR(pair_of(square(0.0), turned(square(0.1), {0.0, 180.0, 0.0})).offset, 0.1, 1e-12);
+    const glm::dvec3 center = pair_of(square(0.0), square(0.1, 1.0)).center_world;
+    EXPECT_NEAR(glm::distance(center, {0.5, 0.0, 0.0}), 0.0, 1e-9) << "of the first, where the second covers it";
+    EXPECT_EQ(pair_of(square(0.0), square(0.0)).offset, 0.0);
+    EXPECT_FALSE(pair_of(square(0.0), square(0.0)).first_lies_on_top);
+    SceneObject decal = square(0.0);
+    decal.description.decal = true;
+    EXPECT_TRUE(pair_of(decal, square(0.0)).first_lies_on_top);
+    EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top);
+}
+
+TEST(FightingOnset, IsAboutAStepWhereCodesAreWide) {
+    // The table of the facts: near, far, z and the step of 16 bits.
+    const double rows[][4] = {{20, 100, 60, 2.197e-3},
+                              {1, 100, 10, 1.511e-3},
+                              {1, 100, 100, 1.511e-1},
+                              {0.1, 100, 10, 1.524e-2},
+                              {0.01, 100, 10, 1.526e-1}};
+    for (const auto& [near, far, z, step] : rows) {
+        const DepthCoding coding{{.near = near, .far = far}, DepthMapping::standard, {16, false}, false};
+        const FightingOnset onset = fighting_onset(coding, z);
+        EXPECT_NEAR(onset.quantisation, step, step * 0.02);
+        EXPECT_GT(onset.arithmetic, 0.0);
+        EXPECT_LT(onset.arithmetic, 0.02 * step);
+        EXPECT_TRUE(onset.is_reachable);
+    }
+}
+
+TEST(FightingOnset, IsArithmeticAtTheFarEndOfReversedFloats) {
+    // The facts: the code is as narrow as 1e-9 there, and float32 arithmetic limits the result to about 1e-5.
+    for (const double near : {1.0, 0.1, 0.001}) {
+        const DepthCoding coding{{.near = near, .far = 100.0}, DepthMapping::reversed, {32, true}, true};
+        const FightingOnset onset = fighting_onset(coding, 99.99);
+        EXPECT_LT(onset.quantisation, 1e-8);
+        EXPECT_GT(onset.arithmetic, 3e-6);
+        EXPECT_LT(onset.arithmetic, 3e-5);
+    }
+}
+
+TEST(FightingOnset, IsExactlyOneCodeTowardsTheEye) {
+    Random random(seed);
+    for (int trial = 0; trial < 500; ++trial) {
+        const double n = std::exp(random.number(std::log(1e-3), std::log(10.0)));
+        const double f = n * std::exp(random.number(std::log(1.5), std::log(1e5)));
+        const double z = n * std::pow(f / n, random.number(0.01, 1.0));
+        const int bits = 4 + trial % 9;
+        const double levels = std::exp2(bits) - 1.0;
+        const auto depth = [n, f](double distance) { return f / (f - n) - f * n / ((f - n) * distance); };
+        const DepthMapping mapping = trial % 2 == 0 ? DepthMapping::standard : DepthMapping::reversed;
+        const FightingOnset onset = fighting_onset({{.near = n, .far = f}, mapping, {bits, false}, true}, z);
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        EXPECT_GE(z - onset.quantisation, n * (1.0 - 1e-9));
+        if (!onset.is_reachable) {
+            EXPECT_LT((depth(z) - depth(n)) * levels, 1.0 + 1e-3);
+        } else {
+            EXPECT_NEAR((depth(z) - depth(z - onset.quantisation)) * levels, 1.0, 1e-5);
+        }
+    }
+}
+
+TEST(FightingOnset, OfDistancesOutsideIsThatOfTheNearestInside) {
+    const DepthCoding coding{{.near = 1.0, .far = 100.0}, DepthMapping::standard, {24, false}, false};
+    EXPECT_EQ(fighting_onset(coding, 500.0).gap(), fighting_onset(coding, 100.0).gap());
+    EXPECT_EQ(fighting_onset(coding, -5.0).gap(), fighting_onset(coding, 1.0).gap());
+    EXPECT_FALSE(fighting_onset(coding, 1.0).is_reachable) << "nothing is nearer than near";
+}
+
+TEST(FightingShare, OfTiesFallsWithTheGap) {
+    const FightingOnset onset{.quantisation = 0.2, .arithmetic = 0.1, .is_reachable = true};
+    EXPECT_EQ(share_of_ties(onset, 0.0), 1.0);
+    EXPECT_NEAR(share_of_ties(onset, 0.05), 0.75, 1e-12);
+    EXPECT_EQ(share_of_ties(onset, 0.2), 0.0);
+    EXPECT_EQ(share_of_ties(onset, 5.0), 0.0);
+    EXPECT_EQ(share_of_ties({}, 0.0), 0.0);
+}
+
+TEST(FightingPrediction, CountsTiesAsWrongWhereTheWrongOneWinsThem) {
+    // Seen from above, from 20 units; 8 bits, so that a gap of 0.1 is far below a code.
+    const std::vector<std::string> above{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0",
+                                         "depth.format=d8", "projection.far=100"};
+    const auto share_of = [&](const Scene& scene, const char* setting) {
+        std::vector<std::string> settings = above;
+        settings.emplace_back(setting);
+        const Params params = params_with(settings);
+        return predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {})).wrong_share;
+    };
+    const Scene back_first = scene_of({square(0.0), square(0.1)}), front_first = scene_of({square(0.1), square(0.0)});
+    EXPECT_GT(*share_of(back_first, "depth.func=less"), 0.9);
+    EXPECT_EQ(share_of(back_first, "depth.func=lequal"), 0.0);
+    EXPECT_EQ(share_of(front_first, "depth.func=less"), 0.0);
+    EXPECT_GT(*share_of(front_first, "depth.func=lequal"), 0.9);
+    for (const char* const undecided : {"depth.func=always", "depth.test=false", "depth.write=false"})
+        EXPECT_FALSE(share_of(back_first, undecided)) << undecided;
+}
+
+TEST(FightingPrediction, MeasuresAlongTheLineOfSight) {
+    const Scene scene = scene_of({square(0.0), square(0.1)});
+    // 45° above the horizon: the same gap is √2 as long along the line of sight.
+    const Params params = params_with({"camera.position=[0,10,10]", "camera.pitch=-45", "camera.yaw=0"});
+    const PairPrediction predicted = predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}));
+    EXPECT_NEAR(predicted.distance, 10.0 * std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(predicted.slant, 1.0 / std::sqrt(2.0), 1e-9);
+}
+
+}  // namespace
+}  // namespace viewing
