@@ -1,16 +1,19 @@
-// The depth buffer as a picture: black near, white far; pixels that were never written are tinted.
+// The depth buffer as a picture: black near, white far, or bands of colour; pixels that were never written are tinted.
 in vec2 position_texture;
 
-// The values of DepthMapping in geometry/projection.h.
+// The values of DepthMapping in geometry/projection.h. BANDS is defined in front of this source: how many there are.
 #define MAPPING_REVERSED 1
 #define MAPPING_LOGARITHMIC 2
 
-uniform sampler2D depth_texture;
+uniform highp sampler2D depth_texture;
 uniform int mapping;
 uniform bool linear_scale;
 uniform bool orthographic;
 uniform vec2 near_far;
-uniform vec2 shown_range;  // eye distances shown as black and white on the linear scale
+uniform float shown_first;  // black: an eye distance on the linear scale, else a window depth
+uniform float shown_slope;  // what one unit more makes of the grey
+uniform bool shows_bands;
+uniform vec3 bands[BANDS];  // sRGB, near first
 uniform float cleared;
 uniform vec3 unwritten_color;  // sRGB
 
@@ -31,7 +34,7 @@ void main() {
         color = vec4(unwritten_color, 1.0);
         return;
     }
-    float grey = mapping == MAPPING_REVERSED ? 1.0 - depth : depth;
-    if (linear_scale) grey = (distance_of(depth) - shown_range.x) / (shown_range.y - shown_range.x);
-    color = vec4(vec3(clamp(grey, 0.0, 1.0)), 1.0);
+    float value = linear_scale ? distance_of(depth) : depth;
+    float grey = clamp((value - shown_first) * shown_slope, 0.0, 1.0);
+    color = vec4(shows_bands ? bands[min(int(grey * float(BANDS)), BANDS - 1)] : vec3(grey), 1.0);
 }

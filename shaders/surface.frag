@@ -31,8 +31,9 @@ flat in vec2 ids;
 #define SHADING_UNLIT 1
 #define SHADING_FLAT 2
 #define SHADING_FACING 3
-#define SHADING_IDENTITY 4
-#define SHADING_POLYGON_IDENTITY 5
+#define SHADING_HEAT 4
+#define SHADING_IDENTITY 5
+#define SHADING_POLYGON_IDENTITY 6
 
 uniform vec4 light_world;   // w = 1 point light, w = 0 parallel light
 uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this direction
@@ -42,6 +43,33 @@ uniform float alpha;
 uniform vec3 patch_tones[3];  // linear: light square, dark square, line
 uniform float patch_extent;
 uniform vec3 facing_colors[2];  // sRGB: front, back
+
+// The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/heat_map.h.
+#if SHADING == SHADING_HEAT
+uniform mat4 heat_view_from_world;
+uniform vec2 heat_near_far;
+uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, by the logarithm of the eye distance from near to far
+uniform vec3 heat_colors[6];                 // sRGB: ratio 0, 1/2, below 1; then 1, 2, 4 and more
+uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
+
+vec3 heat_color() {
+    vec3 position_view = (heat_view_from_world * vec4(position_world, 1.0)).xyz;
+    float distance = max(-position_view.z, heat_near_far.x);
+    vec3 sight = eye_world.w == 0.0 ? vec3(0.0, 0.0, -1.0) : position_view / distance;
+    float gap = heat_gap.w / max(abs(dot(heat_gap.xyz, sight)), 1e-6);  // in eye distance
+
+    float last = float(HEAT_ENTRIES - 1);
+    float place = log(distance / heat_near_far.x) / log(heat_near_far.y / heat_near_far.x) * last;
+    int entry = clamp(int(place), 0, HEAT_ENTRIES - 2), next = entry + 1;
+    float onset = mix(heat_onsets[entry / 4][entry % 4], heat_onsets[next / 4][next % 4],
+                      clamp(place - float(entry), 0.0, 1.0));
+    float ratio = gap / exp(onset);
+
+    float stop = ratio < 1.0 ? 2.0 * ratio : 3.0 + min(log2(ratio), 2.0);
+    int first = min(int(stop), ratio < 1.0 ? 1 : 4);
+    return mix(heat_colors[first], heat_colors[first + 1], stop - float(first));
+}
+#endif
 
 #ifdef CLIP_BY_DISCARD
 in vec2 clip_distance;
@@ -54,7 +82,25 @@ uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic
 uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times the smallest step
 #endif
 
-out vec4 color;
+layout(location = 0) out vec4 color;
+
+// MASK_TEST and MASK_WRITE: a mask in place of the stencil, tested by discarding, written beside the colour.
+#ifdef MASK_TEST
+uniform sampler2D mask_texture;  // value / 255
+uniform int mask_func;           // a CompareFunc
+uniform int mask_reference;
+
+// GL numbers the comparisons as sets of less (1), equal (2) and greater (4).
+bool passes_mask() {
+    int value = int(texelFetch(mask_texture, ivec2(gl_FragCoord.xy), 0).r * 255.0 + 0.5);
+    int relation = mask_reference < value ? 1 : mask_reference == value ? 2 : 4;
+    return (mask_func & relation) != 0;
+}
+#endif
+#ifdef MASK_WRITE
+uniform float mask_value;
+layout(location = 1) out vec4 mask;
+#endif
 
 // 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, off by a hundredth of a level at most: a software
 // renderer takes long over pow, to compile it and to run it.
@@ -173,6 +219,10 @@ void main() {
     float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
     float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
     color = vec4(FRONT_FACING ? facing_colors[0] * shade : facing_colors[1] * mix(0.72, 1.0, stripe), alpha);
+#elif SHADING == SHADING_HEAT
+    vec3 normal = normalize(normal_world);
+    float shade = 0.30 + 0.16 * abs(normal.y * 0.35 + normal.z * 0.65);
+    color = vec4(heat_gap.w < 0.0 ? vec3(shade) : heat_color(), alpha);
 #elif defined(IS_PATCH)
     color = vec4(srgb_from_linear(lit_color(patch_color())), alpha);
 #else
@@ -188,8 +238,14 @@ void main() {
     if (depth_levels > 0.0) depth = floor(clamp(depth, 0.0, 1.0) * depth_levels + 0.5) / depth_levels;
     gl_FragDepth = depth;
 #endif
-#ifdef CLIP_BY_DISCARD
+#ifdef MASK_WRITE
+    mask = vec4(mask_value, 0.0, 0.0, 1.0);
+#endif
     // Last, because the derivatives above need all four fragments of a square.
+#ifdef MASK_TEST
+    if (!passes_mask()) discard;
+#endif
+#ifdef CLIP_BY_DISCARD
     if (any(lessThan(clip_distance, vec2(0.0)))) discard;
 #endif
 }

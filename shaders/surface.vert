@@ -28,10 +28,21 @@ out vec2 clip_distance;
 uniform vec4 clip_plane_model[2];  // kept where dot(plane, position) >= 0
 #endif
 
-#ifdef WRITE_DEPTH
+#if defined(WRITE_DEPTH) || defined(LOGARITHM_PER_VERTEX)
 uniform vec4 view_z_of_model;  // the third and fourth rows of view_from_model
 uniform vec4 view_w_of_model;
+#endif
+#ifdef WRITE_DEPTH
 out vec2 view_zw;
+#endif
+
+// GL interpolates the logarithm of the corners over the triangle: right at the corners only.
+#ifdef LOGARITHM_PER_VERTEX
+uniform vec2 vertex_near_far;
+
+float logarithmic_depth(float distance) {
+    return log(max(distance, 1e-30) / vertex_near_far.x) / log(vertex_near_far.y / vertex_near_far.x);
+}
 #endif
 
 void main() {
@@ -49,6 +60,10 @@ void main() {
 #endif
 #ifdef CLIP_BY_DISCARD
     clip_distance = vec2(dot(clip_plane_model[0], position), dot(clip_plane_model[1], position));
+#endif
+#ifdef LOGARITHM_PER_VERTEX
+    float distance = -dot(view_z_of_model, position) / dot(view_w_of_model, position);
+    gl_Position.z = (2.0 * logarithmic_depth(distance) - 1.0) * gl_Position.w;
 #endif
 #ifdef WRITE_DEPTH
     view_zw = vec2(dot(view_z_of_model, position), dot(view_w_of_model, position));

@@ -6,28 +6,6 @@
 namespace viewing {
 namespace {
 
-/// The same state with nothing drawn but the objects, by GL's depth buffer.
-Params objects_alone(Params params) {
-    params.visibility = VisibilityParams{};
-    params.view.shows = Shows::color;
-    params.shadow.enabled = false;
-    params.reflection.enabled = false;
-    return params;
-}
-
-Result<IdImage> objects_by_gl(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
-                              glm::ivec2 size_px) {
-    FramePlan frame = plan(params, derived);
-    std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject != Subject::objects; });
-    View view;
-    if (Status drawn = renderer.draw_identities(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
-    const Image bytes = renderer.read(view);
-    IdImage image(bytes.width, bytes.height);
-    for (std::size_t pixel = 0; pixel < image.ids.size(); ++pixel)
-        image.ids[pixel] = bytes.rgba[4 * pixel] + 256 * bytes.rgba[4 * pixel + 1] - 1;
-    return image;
-}
-
 /// What is seen, as the objects it belongs to, and the rays to ask more.
 class ExactVisibility {
 public:
@@ -46,7 +24,7 @@ public:
     /// Which of two objects that coincide is seen is no question for rays: it is the one that is meant to lie on top.
     void decide_between(const FlatPair& pair) {
         const std::vector<std::uint8_t> met = where_both_are_met(pair);
-        const int seen = pair.first_lies_on_top ? pair.first : pair.second;
+        const int seen = pair.first_lies_on_top() ? pair.first : pair.second;
         for (std::size_t pixel = 0; pixel < met.size(); ++pixel)
             if (met[pixel] != 0) objects_.ids[pixel] = seen;
     }
@@ -95,22 +73,37 @@ bool is_inside(const std::vector<std::uint8_t>& marked, const IdImage& image, in
 
 }  // namespace
 
-double FightingCounts::wrong_fraction() const {
-    std::int64_t wrong = 0, pixels = 0;
-    for (const CountedPair& pair : pairs) {
-        wrong += pair.wrong;
-        pixels += pair.pixels;
-    }
-    return pixels > 0 ? static_cast<double>(wrong) / static_cast<double>(pixels) : 0.0;
+Params counted_params(const Params& state) {
+    Params params;
+    params.scene = state.scene;
+    params.coplanar = state.coplanar;
+    params.camera = state.camera;
+    params.projection = state.projection;
+    params.depth = state.depth;
+    params.cull = state.cull;
+    params.slips = state.slips;
+    params.shadow.enabled = params.reflection.enabled = false;
+    return params;
 }
 
-Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
-                                      std::span<const FlatPair> pairs, glm::ivec2 size_px, WorkProgress* progress) {
-    const Params params = objects_alone(state);
-    const Derived derived = derive(params, scene, {size_px, renderer.capabilities().clip_control});
-    const Result<IdImage> drawn = objects_by_gl(renderer, params, derived, scene, size_px);
-    if (!drawn) return Error{drawn.error()};
-    ExactVisibility exact(params, derived, scene, size_px, progress);
+Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px) {
+    const Params params = counted_params(state);
+    FramePlan frame = plan(params, derive(params, scene, {size_px, renderer.capabilities().clip_control}));
+    std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject != Subject::objects; });
+    View view;
+    if (Status drawn = renderer.draw_identities(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
+    const Image bytes = renderer.read(view);
+    IdImage image(bytes.width, bytes.height);
+    for (std::size_t pixel = 0; pixel < image.ids.size(); ++pixel)
+        image.ids[pixel] = bytes.rgba[4 * pixel] + 256 * bytes.rgba[4 * pixel + 1] - 1;
+    return image;
+}
+
+Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
+                                   std::span<const FlatPair> pairs, WorkProgress* progress) {
+    const Params params = counted_params(state);
+    const glm::ivec2 size_px(drawn.width, drawn.height);
+    ExactVisibility exact(params, derive(params, scene, {size_px}), scene, size_px, progress);
     if (!exact.problem().empty()) return Error{exact.problem()};
 
     for (const FlatPair& pair : pairs)
@@ -128,19 +121,26 @@ Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, c
                 of_pairs[pixel] |= met[pixel];
                 if (!is_inside(met, seen, x, y)) continue;
                 ++counted.pixels;
-                counted.wrong += drawn->ids[pixel] != seen.ids[pixel] ? 1 : 0;
+                counted.wrong += drawn.ids[pixel] != seen.ids[pixel] ? 1 : 0;
             }
         }
         counts.pairs.push_back(counted);
     }
-    const IdDifference elsewhere = difference(seen, *drawn);
+    const IdDifference elsewhere = difference(seen, drawn);
     for (std::size_t pixel = 0; pixel < of_pairs.size(); ++pixel) {
         if (of_pairs[pixel] != 0) continue;
         counts.wrong_elsewhere += elsewhere.differs[pixel];
-        const bool is_empty = seen.ids[pixel] == IdImage::background && drawn->ids[pixel] == IdImage::background;
+        const bool is_empty = seen.ids[pixel] == IdImage::background && drawn.ids[pixel] == IdImage::background;
         counts.pixels_elsewhere += is_empty ? 0 : 1;
     }
     return counts;
+}
+
+Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
+                                      std::span<const FlatPair> pairs, glm::ivec2 size_px, WorkProgress* progress) {
+    const Result<IdImage> drawn = objects_by_gl(renderer, state, scene, size_px);
+    if (!drawn) return Error{drawn.error()};
+    return count_wrong(*drawn, state, scene, pairs, progress);
 }
 
 }  // namespace viewing

@@ -2,35 +2,30 @@
 // Read minimum_gap.h next: from which gap on a depth buffer tells two surfaces apart.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
-#include "frame/fighting.h"
+#include "frame/fighting_report.h"
 #include "render/renderer.h"
+#include "visibility/id_image.h"
 #include "visibility/progress.h"
 
 namespace viewing {
 
-/// A pair and its pixels: those through whose centre, and through those of all their neighbours, both objects are met
-/// and one of the two is what is seen.
-struct CountedPair {
-    FlatPair pair;
-    std::int64_t wrong = 0;  ///< where GL shows something else than what is seen
-    std::int64_t pixels = 0;
-};
+/// The part of the state that the counts depend on, the rest as it is by default: nothing is drawn but the objects,
+/// wholly, by GL's depth buffer.
+Params counted_params(const Params& state);
 
-struct FightingCounts {
-    std::vector<CountedPair> pairs;
-    std::int64_t wrong_elsewhere = 0;  ///< away from edges too: what an offset that is too large lets through
-    std::int64_t pixels_elsewhere = 0;
+/// GL's picture of the objects, by their indices.
+Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px);
 
-    /// Of all pairs' pixels; 0 where there are none.
-    double wrong_fraction() const;
-};
+/// Counts these pairs, near_coplanar_pairs(scene) as a rule, in such a picture of the same state, by casting rays.
+/// Knows no GL: can run in a thread. The error says that the work was cancelled.
+Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
+                                   std::span<const FlatPair> pairs, WorkProgress* progress = nullptr);
 
-/// Draws the scene's objects, alone, with the depth buffer of the state, whatever its hidden-surface method, and counts
-/// these pairs: near_coplanar_pairs(scene), as a rule. The error is GL's, or says that the work was cancelled.
-Result<FightingCounts> count_fighting(Renderer& renderer, const Params& params, const Scene& scene,
+/// Both: draws the scene's objects, alone, with the depth buffer of the state, whatever its hidden-surface method, and
+/// counts. The error is GL's, or says that the work was cancelled.
+Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);
 

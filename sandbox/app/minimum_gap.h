@@ -2,28 +2,36 @@
 // a pixel shows the wrong one. Read frame/fighting.h for what the formulas say, fighting_measure.h for the counting.
 #pragma once
 
-#include <optional>
-#include <string>
+#include <memory>
 
-#include "frame/fighting.h"
+#include "frame/fighting_report.h"
 #include "render/renderer.h"
 #include "visibility/progress.h"
 
 namespace viewing {
 
-/// Lengths are eye distances. The quads face the eye but for a few degrees, so that their depths cross many codes.
-struct MinimumGap {
-    double distance = 0.0;      ///< of the farther quad
-    FightingOnset predicted;    ///< at that distance
-    std::optional<double> gap;  ///< the smallest one with no wrong pixel, to within 5 %
-    int pictures = 0;           ///< drawn and read back
-    std::string problem;        ///< a sentence where no gap was found
-};
-
 /// Searches with GL at the state's lens, depth format, mapping, test, function and mask; its offset and scene play no
 /// part. The pair stands where depth tells the least apart: at the far end of a code, the one nearest to `distance`. A
-/// gap is wide enough when no pixel is wrong whichever quad is drawn first. The error is GL's, or says that the work
-/// was cancelled.
+/// gap is wide enough when no pixel is wrong whichever quad is drawn first. Goes on picture by picture, so that a
+/// window can do something else in between.
+class MinimumGapSearch {
+public:
+    MinimumGapSearch(const Renderer& renderer, const Params& state, double distance);
+    MinimumGapSearch(MinimumGapSearch&&) noexcept;
+    MinimumGapSearch& operator=(MinimumGapSearch&&) noexcept;
+    ~MinimumGapSearch();
+
+    bool is_done() const;
+    /// One small picture further. The error is GL's, or says that the work was cancelled; the search is over then.
+    Status step(Renderer& renderer, WorkProgress* progress = nullptr);
+    const MinimumGap& found() const;  ///< once it is done
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+};
+
+/// The whole search at once.
 Result<MinimumGap> find_minimum_gap(Renderer& renderer, const Params& params, double distance,
                                     WorkProgress* progress = nullptr);
 

@@ -35,7 +35,10 @@ Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const S
     LoadedState wanted = state;
     if (request.samples) wanted.params.view.samples = *request.samples;
     if (request.view == PictureView::window) return draw_window(renderer, wanted, scene, request, ViewName::none);
-    if (request.view == PictureView::observer) return draw_window(renderer, wanted, scene, request, ViewName::observer);
+    if (request.view == PictureView::observer) {
+        wanted.params.view.lower_left = Topic::observer;
+        return draw_window(renderer, wanted, scene, request, ViewName::lower_left);
+    }
     if (request.view == PictureView::depth) wanted.params.view.shows = Shows::depth;
     if (request.view == PictureView::stencil) wanted.params.view.shows = Shows::stencil;
 

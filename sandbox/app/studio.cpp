@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/hidden_answers.h"
+#include "frame/animation.h"
 #include "state/fields.h"
 #include "ui/fonts.h"
 
@@ -24,14 +25,6 @@ std::string renderer_name() {
     return "OpenGL 3.3 core · " + name;
 }
 
-/// 15955400 → "15 955 400", so that it can be read aloud.
-std::string grouped(std::uint32_t value) {
-    std::string digits = std::to_string(value);
-    for (int at = static_cast<int>(digits.size()) - 3; at > 0; at -= 3)
-        digits.insert(static_cast<std::size_t>(at), " ");
-    return digits;
-}
-
 /// Each part can be left out where the bar is narrow.
 std::vector<std::string> describe(const PixelReport& pixel) {
     char text[160];
@@ -46,7 +39,7 @@ std::vector<std::string> describe(const PixelReport& pixel) {
     std::snprintf(text, sizeof text, "z_window %.6f", pixel.window_depth);
     parts.emplace_back(text);
     parts.push_back(
-        "stored " + grouped(pixel.stored) +
+        "stored " + grouped_number(pixel.stored) +
         (pixel.precision.is_float ? " (float bits)" : " of 2" + widgets::RaisedText(pixel.precision.bits) + "−1"));
     parts.push_back("stencil " + std::to_string(pixel.stencil));
     return parts;
@@ -93,40 +86,52 @@ Status Studio::draw_camera_view(const Layout& layout) {
     return renderer_.draw(plan_, session.scene(), layout.camera.size_px(), camera_);
 }
 
-Status Studio::draw_observer_view(const Layout& layout) {
-    if (layout.observer.empty()) return std::monostate{};
-    const glm::ivec2 size = layout.observer.size_px();
-    const ObserverView observer = derive_observer(session.params.observer, {size});
-    return renderer_.draw(plan_observer(session.params, derived_, observer), session.scene(), size, observer_);
+Status Studio::draw_beside_view(const Layout& layout) {
+    const BesideParams& beside = params_.view.beside;
+    const glm::ivec2 size = layout.camera.size_px();
+    if (beside.shows == Beside::nothing || layout.camera.empty()) return std::monostate{};
+    if (beside.shows == Beside::depth) return draw_depth_below(size, beside_);
+    Params other = params_;
+    other.depth.format = beside.format;
+    other.depth.mapping = beside.mapping;
+    const Viewport viewport{size, renderer_.capabilities().clip_control};
+    const FramePlan frame = plan(other, derive(other, session.scene(), viewport), pictures_by_gl());
+    return renderer_.draw(frame, session.scene(), size, beside_);
 }
 
-Status Studio::draw_lower_right_view(const Layout& layout) {
-    if (layout.lower_right.empty()) return std::monostate{};
-    const glm::ivec2 size = layout.lower_right.size_px();
-    Params params = session.params;
+HiddenPictures Studio::pictures_by_gl() const {
+    const bool has_steps = hidden_ && is_drawn_by_gl_alone(params_.visibility.method);
+    return has_steps ? hidden_->pictures : HiddenPictures{};
+}
+
+Status Studio::draw_depth_below(glm::ivec2 size_px, View& view) {
+    Params params = params_;
+    params.view.shows = Shows::depth;
     const Scene& scene = session.scene();
-    switch (workbench.views.topic) {
-        case LowerTopic::depth: {
-            params.view.shows = Shows::depth;
-            params.view.depth_scale = DepthScale::linear;
-            const Viewport viewport{size, renderer_.capabilities().clip_control};
-            const Derived derived = derive(params, scene, viewport);
-            const bool has_steps = hidden_ && is_drawn_by_gl_alone(params.visibility.method);
-            FramePlan fitted = plan(params, derived, has_steps ? hidden_->pictures : HiddenPictures{});
-            fitted.shown_range = fitting_range(params, derived, scene);
-            return renderer_.draw(fitted, scene, size, lower_right_);
-        }
-        case LowerTopic::moving_world: {
-            const ObserverView beside = derive_moving_world(params.observer, derived_, {size});
-            return renderer_.draw(plan_observer(params, derived_, beside), scene, size, lower_right_);
-        }
-        case LowerTopic::passes:
-        case LowerTopic::tree:
-        case LowerTopic::order:
-        case LowerTopic::growth:
-            break;
+    const Derived derived = derive(params, scene, {size_px, renderer_.capabilities().clip_control});
+    FramePlan frame = plan(params, derived, pictures_by_gl());
+    frame.shown_range = contrast_range(params, derived, scene);
+    return renderer_.draw(frame, scene, size_px, view);
+}
+
+Status Studio::draw_lower_view(Slot slot, const Layout& layout) {
+    const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
+    if (rect.empty()) return std::monostate{};
+    const glm::ivec2 size = rect.size_px();
+    View& view = lower_[static_cast<std::size_t>(slot)];
+    const auto draw_outside = [&](const ObserverView& observer) {
+        return renderer_.draw(plan_observer(params_, derived_, observer), session.scene(), size, view);
+    };
+    switch (topic_of(params_, slot)) {
+        case Topic::observer:
+            return draw_outside(derive_observer(params_.observer, {size}));
+        case Topic::moving_world:
+            return draw_outside(derive_moving_world(params_.observer, derived_, {size}));
+        case Topic::depth:
+            return draw_depth_below(size, view);
+        default:
+            return std::monostate{};  // drawn by the user interface alone
     }
-    return std::monostate{};
 }
 
 Status Studio::draw_views(const Layout& layout, bool is_interactive) {
@@ -134,11 +139,22 @@ Status Studio::draw_views(const Layout& layout, bool is_interactive) {
     constexpr double slow_ms = 80.0;
     const bool is_held = session.is_moving() || ImGui::IsAnyItemActive();
     views_are_behind_ = is_interactive && frame_ms_ > slow_ms && is_held;
-    const bool only_observer = views_are_behind_ && workbench.views.hovered == ViewName::observer;
-    if (only_observer) return draw_observer_view(layout);
+    for (const Slot slot : {Slot::left, Slot::right}) {
+        const ViewName name = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
+        const bool is_moved = workbench.views.hovered == name && topic_of(params_, slot) == Topic::observer;
+        if (views_are_behind_ && is_moved) return draw_lower_view(slot, layout);
+    }
     if (Status done = draw_camera_view(layout); !done || views_are_behind_) return done;
-    if (Status done = draw_observer_view(layout); !done) return done;
-    return draw_lower_right_view(layout);
+    if (Status done = draw_beside_view(layout); !done) return done;
+    if (Status done = draw_lower_view(Slot::left, layout); !done) return done;
+    return draw_lower_view(Slot::right, layout);
+}
+
+FramePlan Studio::inspected_plan() const {
+    Params params = params_;
+    if (params.view.shows == Shows::overdraw || params.view.shows == Shows::difference)
+        params.view.shows = Shows::color;
+    return plan(params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
 }
 
 std::vector<std::string> Studio::pixel_parts() {
@@ -146,19 +162,32 @@ std::vector<std::string> Studio::pixel_parts() {
     const glm::ivec2 size = camera_.size_px();
     if (!pixel || session.is_moving() || ImGui::IsAnyItemActive()) return {};
     if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.x || pixel->y >= size.y) return {};
-    if (!probe_is_fresh_) {
-        Params params = session.params;
-        if (params.view.shows == Shows::overdraw || params.view.shows == Shows::difference)
-            params.view.shows = Shows::color;
-        const FramePlan probed = plan(params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
-        if (Status done = probe_.prepare(renderer_, probed, session.scene(), derived_, size); !done) return {};
-        probe_is_fresh_ = true;
+    const auto report = inspector_.at(renderer_, inspected_plan(), session.scene(), derived_, size, *pixel);
+    return report ? describe(*report) : std::vector<std::string>{};
+}
+
+Status Studio::inspect(const Layout& layout) {
+    const glm::ivec2 size = camera_.size_px();
+    if (layout.camera.empty() || size.x < 1) return std::monostate{};
+    DepthWishes wishes;
+    const bool tells_pixel = is_shown(params_, Topic::pixel), tells_cells = is_shown(params_, Topic::cells);
+    if (tells_pixel || tells_cells || is_shown(params_, Topic::precision)) {
+        wishes.pixel = params_.view.pixel ? params_.view.pixel : workbench.views.told_pixel;
+        if (wishes.pixel) wishes.pixel = glm::clamp(*wishes.pixel, glm::ivec2(0), size - 1);
     }
-    return describe(probe_.at(*pixel, session.scene()));
+    wishes.fragments = tells_pixel;
+    if (tells_cells && wishes.pixel) wishes.cells = workbench.views.cells;
+    wishes.counts = is_shown(params_, Topic::histogram);
+    if (wishes == DepthWishes{}) {
+        inspector_.forget();
+        return std::monostate{};
+    }
+    return inspector_.update(renderer_, inspected_plan(), session.scene(), session.scene_version(), derived_, size,
+                             wishes);
 }
 
 Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
-    const std::optional<HiddenQuestion> question = hidden_question(session.params, derived_, camera_px);
+    const std::optional<HiddenQuestion> question = hidden_question(params_, derived_, camera_px);
     if (!question) {
         hidden_worker_.forget();
         hidden_.reset();
@@ -178,8 +207,7 @@ Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
     if (!answer || (is_shown && hidden_depth_ == session.params.depth)) return std::monostate{};
     auto completed = std::make_shared<HiddenAnswer>(*answer);
     Status done = std::monostate{};
-    if (!hidden_is_behind_)
-        done = complete_difference(renderer_, session.params, derived_, session.scene(), *completed);
+    if (!hidden_is_behind_) done = complete_difference(renderer_, params_, derived_, session.scene(), *completed);
     hidden_depth_ = session.params.depth;
     hidden_ = std::move(completed);
     return done;
@@ -193,7 +221,11 @@ Requests Studio::frame(const Surroundings& surroundings) {
     io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 
-    const Layout layout = workbench.layout(io.DisplaySize);
+    const bool moves = surroundings.shows_time && is_animated(session.params);
+    animation_s_ = moves ? animation_s_ + surroundings.input.dt_s : 0.0;
+    params_ = animated(session.params, animation_s_);
+
+    const Layout layout = workbench.layout(io.DisplaySize, params_);
     const glm::ivec2 camera_px = glm::max(layout.camera.size_px(), glm::ivec2(1));
     const Viewport viewport{camera_px, renderer_.capabilities().clip_control};
     const auto report = [this](const Status& done) {
@@ -201,32 +233,40 @@ Requests Studio::frame(const Surroundings& surroundings) {
     };
     Drawn wanted{session.params,
                  session.scene_version(),
+                 params_,
                  layout.camera.size_px(),
-                 layout.observer.size_px(),
+                 layout.beside.size_px(),
+                 layout.lower_left.size_px(),
                  layout.lower_right.size_px(),
-                 workbench.views.topic,
                  drawn_.hidden};
-    if (wanted != drawn_) derived_ = derive(session.params, session.scene(), viewport);
+    if (wanted != drawn_) derived_ = derive(params_, session.scene(), viewport);
     if (wanted != drawn_ || hidden_is_behind_) report(update_hidden(camera_px, surroundings.shows_time));
     wanted.hidden = hidden_;
     const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
     if (wanted != drawn_ || catch_up) {
         before_ = derive(session.before_latest_edit(), session.scene(), viewport);
-        plan_ = plan(session.params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
+        plan_ = plan(params_, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
         report(draw_views(layout, surroundings.shows_time));
         drawn_ = wanted;
-        probe_is_fresh_ = false;
-        settling_ = std::max(settling_, 2);
+        inspector_.forget();
+        if (!moves) settling_ = std::max(settling_, 2);
     }
 
+    report(inspect(layout));
+    DepthData depth = inspector_.data();
+    const bool tells_fighting = is_shown(params_, Topic::fighting);
+    if (tells_fighting)  // of the state at rest, also while something moves by itself
+        depth.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px,
+                                          !surroundings.shows_time, !session.is_moving() && !ImGui::IsAnyItemActive());
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     char time[32];
     std::snprintf(time, sizeof time, "%5.1f ms", frame_ms_);
     const StatusLine status{renderer_name_, surroundings.shows_time ? time : "–", pixel_parts()};
     const Pictures pictures{texture_id(camera_),
-                            texture_id(observer_),
-                            texture_id(lower_right_),
-                            {hidden_, hidden_worker_.fraction(), surroundings.shows_time}};
+                            texture_id(beside_),
+                            {texture_id(lower_[0]), texture_id(lower_[1])},
+                            {hidden_, hidden_worker_.fraction(), surroundings.shows_time},
+                            std::move(depth)};
 
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -247,8 +287,9 @@ Requests Studio::frame(const Surroundings& surroundings) {
     if (settling_ > 0) --settling_;
     const bool behind = views_are_behind_ && !ImGui::IsAnyItemActive();
     const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
-                      workbench.views.laboratory.playing;
-    const bool works = session.loading_fraction() || hidden_is_behind_ || workbench.views.laboratory.is_busy();
+                      is_playing(workbench.views) || moves;
+    const bool works = session.loading_fraction() || hidden_is_behind_ || workbench.views.laboratory.is_busy() ||
+                       (tells_fighting && fighting_.wants_frames());
     redraw_in_s_ = busy ? 0.0 : works ? 0.05 : widgets::RedrawIn(workbench.widgets);
     if (surroundings.shows_time) {
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - started;

@@ -4,8 +4,9 @@
 
 #include <memory>
 
+#include "app/depth_inspector.h"
+#include "app/fighting_counter.h"
 #include "app/hidden_worker.h"
-#include "render/probe.h"
 #include "render/renderer.h"
 #include "ui/workbench.h"
 
@@ -46,40 +47,49 @@ private:
     void apply_looks(double device_scale);
     Status draw_views(const Layout& layout, bool is_interactive);
     Status draw_camera_view(const Layout& layout);
-    Status draw_observer_view(const Layout& layout);
-    Status draw_lower_right_view(const Layout& layout);
+    Status draw_beside_view(const Layout& layout);
+    Status draw_lower_view(Slot slot, const Layout& layout);
+    Status draw_depth_below(glm::ivec2 size_px, View& view);
+    /// What GL's own methods show of their steps.
+    HiddenPictures pictures_by_gl() const;
     std::vector<std::string> pixel_parts();
+    /// The camera's frame with its colours, to be read.
+    FramePlan inspected_plan() const;
+    Status inspect(const Layout& layout);
     /// Asks the worker for what the camera view needs; what is not there in a moment is taken when it comes.
     Status update_hidden(glm::ivec2 camera_px, bool is_interactive);
 
     Renderer& renderer_;
     std::string renderer_name_;
-    View camera_, observer_, lower_right_;
+    View camera_, beside_;
+    std::array<View, 2> lower_;  ///< of each Slot
     gl::ColorTarget window_;
     HiddenWorker hidden_worker_;
     std::shared_ptr<const HiddenAnswer> hidden_;  ///< what the camera view shows
     DepthParams hidden_depth_;                    ///< that its difference was made with
     bool hidden_is_behind_ = false;               ///< a newer answer is awaited
-    PixelProbe probe_;
-    bool probe_is_fresh_ = false;
+    DepthInspector inspector_;
+    FightingCounter fighting_;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
 
     // What the pictures were drawn for: nothing is drawn again while it is the same.
     struct Drawn {
         Params params;
         int scene_version = -1;
-        glm::ivec2 camera_px{0}, observer_px{0}, lower_right_px{0};
-        LowerTopic topic = LowerTopic::depth;
+        Params animated;  ///< the same, as they are at the time
+        glm::ivec2 camera_px{0}, beside_px{0}, lower_left_px{0}, lower_right_px{0};
         std::shared_ptr<const HiddenAnswer> hidden;
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;
+    Params params_;  ///< the session's, as they are at the time: of all pictures
     Derived derived_, before_;
     FramePlan plan_;
 
     Theme theme_ = Theme::dark;
     float looks_scale_ = 0.0F;
-    int settling_ = 0;  ///< frames until ImGui has laid out what changed
+    int settling_ = 0;          ///< frames until ImGui has laid out what changed
+    double animation_s_ = 0.0;  ///< how long something has been moving by itself
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

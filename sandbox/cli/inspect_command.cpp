@@ -60,11 +60,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
+    const Params params = probed(state.params);
 
     Headless headless(device_option(options, device_text));
     const bool clip_control = headless.renderer().capabilities().clip_control;
-    const Derived derived = derive(state.params, scene, Viewport{size_px, clip_control});
-    const Result<FramePlan> frame = plan_at_once(headless.renderer(), state.params, derived, scene, size_px);
+    const Derived derived = derive(params, scene, Viewport{size_px, clip_control});
+    const Result<FramePlan> frame = plan_at_once(headless.renderer(), params, derived, scene, size_px);
     headless.drawn(frame ? Status(std::monostate{}) : Status(Error{frame.error()}));
     PixelProbe probe;
     headless.drawn(probe.prepare(headless.renderer(), *frame, scene, derived, size_px));

@@ -68,7 +68,7 @@ LoadedState StateArguments::load() const {
 }
 
 Scene scene_of(const LoadedState& state) {
-    return value_or_end(load_scene(state.params.scene, state.base, nullptr, state.scene_origin));
+    return value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar, nullptr, state.scene_origin));
 }
 
 }  // namespace viewing

@@ -5,7 +5,8 @@
 
 namespace viewing {
 
-glm::dvec2 fitting_range(const Params& params, const Derived& derived, const Scene& scene) {
+glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene) {
+    if (params.view.depth_range) return *params.view.depth_range;
     const ProjectionParams& projection = params.projection;
     glm::dvec2 range(projection.far, projection.near);
     const auto take = [&](const glm::dvec3& corner) {

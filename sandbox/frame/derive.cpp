@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/decals.h"
 #include "frame/problems.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
@@ -63,7 +64,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     const Lens lens = params.projection.lens();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
     derived.aspect = viewport.aspect();
-    derived.clip_zero_to_one = reversed && viewport.clip_control;
+    derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
     derived.clip_from_view = clip_from_view(lens, derived.aspect);
     if (reversed) {
         derived.clip_from_view = clip_from_view_reversed(lens, derived.aspect);
@@ -144,6 +145,8 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
     derive_camera(derived, params, viewport);
     derive_plane(derived, params);
     derived.followed = derive_followed(derived, params, scene);
+    if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);
+    if (params.view.shows == Shows::fighting) derived.heat = heat_map(params, derived, scene);
     derived.problems = find_problems(params, derived, scene);
     return derived;
 }

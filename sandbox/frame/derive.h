@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "frame/heat_map.h"
 #include "geometry/plane.h"
 #include "state/params.h"
 #include "state/scene.h"
@@ -68,6 +69,8 @@ struct Derived {
     glm::dmat4 mirror_from_world{1.0};  ///< R
 
     std::optional<FollowedPoint> followed;
+    std::vector<int> object_marks;  ///< of decals by stencil: decal_marks(); empty otherwise
+    std::optional<HeatMap> heat;    ///< where the picture shows depth fighting
     Facts facts;
     std::vector<Problem> problems;
 };

@@ -12,6 +12,7 @@ constexpr double parallel_sine = 0.01745;  ///< of one degree
 constexpr double largest_gap_share = 0.1;  ///< of the smaller object's size
 constexpr double coplanar_share = 1e-9;    ///< of the same: below it the gap counts as none
 constexpr std::size_t most_triangles = 2;
+constexpr double rounding_beside_ties = 4.0;  ///< codes; beyond, whose codes are the same says little of who wins
 
 /// An object as a pair may have it.
 struct FlatObject {
@@ -106,15 +107,66 @@ std::optional<FlatPair> pair_of(const Scene& scene, const FlatObject& first, con
                     .center_world = *center,
                     .normal_world = first.normal_world,
                     .radius = std::max(radius_about(*center, first), radius_about(*center, second)),
-                    .first_lies_on_top = is_decal(first.object) && !is_decal(second.object)};
+                    .first_is_decal = is_decal(first.object),
+                    .second_is_decal = is_decal(second.object)};
 }
 
-/// Whether the depth buffer shows the wrong one of two equal codes; none where it does not go by nearness at all.
-std::optional<bool> ties_go_wrong(const FlatPair& pair, const DepthParams& depth, double towards_eye) {
-    if (!depth.test || !depth.write || (depth.func != CompareFunc::less && depth.func != CompareFunc::lequal))
-        return std::nullopt;
-    const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top : pair.offset * towards_eye > 0.0;
-    return second_is_right != (depth.func == CompareFunc::lequal);
+/// Whether every pass begins with the farthest depth, and nearer surfaces replace farther ones.
+bool goes_by_nearness(const DepthParams& depth) {
+    const bool is_cleared =
+        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
+    const bool has_func = depth.func == CompareFunc::less || depth.func == CompareFunc::lequal;
+    return depth.test && depth.write && is_cleared && has_func;
+}
+
+/// A decal drawn where the stencil says that what it lies on is seen.
+std::optional<double> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right, const std::vector<int>& marks) {
+    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+    const bool belong_together = pair.has_one_decal() && std::max(first, second) < marks.size() && marks[first] != 0 &&
+                                 marks[first] == marks[second];
+    if (!belong_together) return std::nullopt;
+    return decal_is_right ? 0.0 : 1.0;
+}
+
+/// One of the two is moved by a polygon offset. A unit is at least a code; GL leaves open how many, except that the
+/// sandbox itself moves depths of few bits, by one. `lead` is how many codes the right one is nearer without it.
+std::optional<double> wrong_share_with_offset(const DepthParams& depth, bool decal_is_right, bool tie_is_wrong,
+                                              double lead, double rounding_codes) {
+    const bool turns = depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
+    const double to_right_one = (turns ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
+    const double units = depth.offset.units * to_right_one, factor = depth.offset.factor * to_right_one;
+    if (precision_of(depth.format).bits < 16 && factor == 0.0)
+        return std::clamp((tie_is_wrong ? 1.0 : 0.0) - lead - units, 0.0, 1.0);
+    const double surely = 1.0 + rounding_codes;
+    if (factor >= 0.0 && units > 0.0 && lead + units >= surely) return 0.0;
+    if (factor <= 0.0 && units < 0.0 && lead + units <= -surely) return 1.0;
+    return std::nullopt;
+}
+
+/// `gap` is in eye distance; `towards_eye` is the normal's part that points towards the eye.
+std::optional<double> wrong_share_of(const FlatPair& pair, const Params& params, const Derived& derived,
+                                     const FightingOnset& onset, double gap, double towards_eye) {
+    const DepthParams& depth = params.depth;
+    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
+    if (!goes_by_nearness(depth) || has_bent_depth) return std::nullopt;
+    const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top() : pair.offset * towards_eye > 0.0;
+    const bool decal_is_right = second_is_right == pair.second_is_decal;
+    const bool has_decal = pair.first_is_decal || pair.second_is_decal;
+    if (has_decal && depth.decals == DecalMethod::equal) return std::nullopt;
+    if (has_decal && depth.decals == DecalMethod::stencil)
+        return wrong_share_by_stencil(pair, decal_is_right, derived.object_marks);
+
+    const bool tie_is_wrong = second_is_right != (depth.func == CompareFunc::lequal);
+    if (pair.has_one_decal() && depth.offset != DepthOffset{}) {
+        if (!(onset.quantisation > 0.0)) return std::nullopt;
+        return wrong_share_with_offset(depth, decal_is_right, tie_is_wrong, gap / onset.quantisation,
+                                       onset.arithmetic / onset.quantisation);
+    }
+    if (onset.is_reachable && gap >= onset.gap()) return 0.0;
+    const bool goes_by_ties = tie_is_wrong && pair.offset != 0.0;
+    const double most_rounding_codes = goes_by_ties ? rounding_beside_ties : 1.0;
+    if (onset.arithmetic >= most_rounding_codes * onset.quantisation) return std::nullopt;
+    return tie_is_wrong ? share_of_ties(onset, gap) : 0.0;
 }
 
 /// How far apart the window depths of two surfaces may come although they should be the same, in units of 2⁻²⁴. Each of
@@ -195,8 +247,8 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
         coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
     const double towards_eye = -glm::dot(normal_view, sight);
     made.slant = std::abs(towards_eye);
-    if (const auto go_wrong = ties_go_wrong(pair, params.depth, towards_eye))
-        made.wrong_share = *go_wrong ? share_of_ties(made.onset, pair.gap() / std::max(made.slant, 1e-12)) : 0.0;
+    made.wrong_share =
+        wrong_share_of(pair, params, derived, made.onset, pair.gap() / std::max(made.slant, 1e-12), towards_eye);
     return made;
 }
 

@@ -15,10 +15,14 @@ namespace viewing {
 struct FlatPair {
     int first = 0, second = 0;  ///< indices of the objects, in drawing order
     double offset = 0.0;        ///< from the first to the second along the normal, at the overlap's centre; 0: coplanar
-    glm::dvec3 center_world{0.0};    ///< of the overlap, on the first object
-    glm::dvec3 normal_world{0.0};    ///< unit, of the first object
-    double radius = 0.0;             ///< of the farthest corner of the two about the centre
-    bool first_lies_on_top = false;  ///< where they are coplanar: the only decal of the two, else the second one
+    glm::dvec3 center_world{0.0};  ///< of the overlap, on the first object
+    glm::dvec3 normal_world{0.0};  ///< unit, of the first object
+    double radius = 0.0;           ///< of the farthest corner of the two about the centre
+    bool first_is_decal = false, second_is_decal = false;
+
+    /// Where they are coplanar: the only decal of the two, else the second one.
+    bool first_lies_on_top() const { return first_is_decal && !second_is_decal; }
+    bool has_one_decal() const { return first_is_decal != second_is_decal; }
 
     double gap() const { return std::abs(offset); }  ///< world units
 };
@@ -61,7 +65,10 @@ struct PairPrediction {
     double step = 0.0;      ///< resolvable_depth_step() there
     FightingOnset onset;    ///< in eye distance
     double slant = 1.0;     ///< a gap along the normal divided by it is the gap in eye distance; 0: seen edge-on
-    /// Of the pair's pixels; none for a depth function that does not go by nearness.
+    /// Of the pair's pixels. None where the formulas do not say: out of the lens's range, a depth function that does
+    /// not go by nearness, a depth buffer that is not cleared to what is farthest, logarithms at the corners, surfaces
+    /// that the rounding before the store decides between, decals by GL_EQUAL, and a polygon offset that is not sure to
+    /// be more than a code.
     std::optional<double> wrong_share;
 };
 PairPrediction predict_pair(const FlatPair& pair, const Params& params, const Derived& derived);

@@ -2,11 +2,10 @@
 #include "frame/fragments.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <limits>
 #include <span>
 
+#include "frame/draw_calls.h"
+#include "frame/fragment_depth.h"
 #include "frame/pixel_triangle.h"
 #include "geometry/shapes.h"
 
@@ -15,7 +14,7 @@ namespace {
 
 /// A surface on the pixel's ray, before any test.
 struct Met {
-    std::string object;
+    int object;         ///< index in the scene; −1: the patch
     std::size_t place;  ///< of the triangle in its mesh or order
     PixelTriangle triangle;
     PixelHit hit;
@@ -29,27 +28,28 @@ public:
     Meeting(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px)
         : plan_(plan), pass_(pass), pixel_(pixel), size_px_(size_px) {}
 
-    void mesh(const std::string& name, const Mesh& mesh, const TriangleRuns& runs, const glm::dmat4& world_from_model,
+    /// `drawn`: how many of the mesh's triangles.
+    void mesh(int object, const Mesh& mesh, int drawn, const TriangleRuns& runs, const glm::dmat4& world_from_model,
               const DepthOffset& offset) {
         const PixelView view = view_of(world_from_model);
         const auto before = static_cast<std::ptrdiff_t>(found.size());
         for (std::size_t run = 0; run < runs.boxes.size(); ++run) {
             if (!view.may_meet(runs.boxes[run])) continue;
             for (const std::size_t place : runs.run(run)) {
+                if (place >= static_cast<std::size_t>(drawn)) continue;
                 std::array<glm::dvec3, 3> corners;
                 for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.positions[mesh.indices[3 * place + k]];
-                triangle(name, place, view, corners, world_from_model, offset);
+                triangle(object, place, view, corners, world_from_model, offset);
             }
         }
         std::ranges::sort(found.begin() + before, found.end(), {}, &Met::place);
     }
 
-    void ordered(const Scene& scene, std::span<const OrderedVertex> vertices) {
+    void ordered(std::span<const OrderedVertex> vertices) {
         const glm::dmat4 in_place(1.0);
         const PixelView view = view_of(in_place);
         for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
-            const std::string& name = scene.objects[static_cast<std::size_t>(vertices[i].object) - 1].description.name;
-            triangle(name, i / 3, view,
+            triangle(static_cast<int>(vertices[i].object) - 1, i / 3, view,
                      {vertices[i].position_world, vertices[i + 1].position_world, vertices[i + 2].position_world},
                      in_place, {});
         }
@@ -62,78 +62,20 @@ private:
         return {pass_.clip_from_world * world_from_model, pass_.view_from_world * world_from_model, pixel_, size_px_};
     }
 
-    void triangle(const std::string& name, std::size_t place, const PixelView& view,
-                  const std::array<glm::dvec3, 3>& corners, const glm::dmat4& world_from_space,
-                  const DepthOffset& offset) {
+    void triangle(int object, std::size_t place, const PixelView& view, const std::array<glm::dvec3, 3>& corners,
+                  const glm::dmat4& world_from_space, const DepthOffset& offset) {
         const PixelTriangle seen{view.corner(corners[0]), view.corner(corners[1]), view.corner(corners[2])};
         const std::optional<PixelHit> met = hit(seen);
-        if (!met || !(met->distance >= plan_.lens.near && met->distance <= plan_.lens.far)) return;
+        if (!met || !is_in_depth_range(plan_, seen, *met)) return;
         const glm::dvec3 point =
             met->weights.x * corners[0] + met->weights.y * corners[1] + met->weights.z * corners[2];
-        found.push_back({name, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset});
+        found.push_back({object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset});
     }
 
     const FramePlan& plan_;
     const Pass& pass_;
     const glm::ivec2 pixel_, size_px_;
 };
-
-/// What glPolygonOffset counts as one unit, or the shader in its place. GL leaves open how many codes a unit is.
-double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
-    const DepthPrecision precision = precision_of(plan.depth_format);
-    if (!precision.is_float || plan.depth_mapping == DepthMapping::logarithmic)
-        return 1.0 / (std::exp2(std::min(precision.bits, 24)) - 1.0);
-    double greatest = std::numeric_limits<float>::min();
-    for (const PixelCorner& corner : triangle)
-        greatest = std::max(greatest, window_depth(plan.lens, plan.depth_mapping, corner.distance));
-    return std::exp2(std::ilogb(std::min(greatest, 1.0)) - 23);
-}
-
-/// The steepest change of depth to a neighbour in x or y: the one of the same 2 × 2 pixels, as in the shader.
-double slope_of(const FramePlan& plan, const Met& met, const glm::dvec2& neighbours_px) {
-    const auto depth = [&](double distance) { return window_depth(plan.lens, plan.depth_mapping, distance); };
-    double steepest = 0.0;
-    for (const glm::dvec2 beside_px : {glm::dvec2(neighbours_px.x, 0.0), glm::dvec2(0.0, neighbours_px.y)}) {
-        double distance = distance_beside(met.triangle, beside_px);
-        if (!(distance > 0.0)) distance = distance_beside(met.triangle, -beside_px);  // beyond the plane's horizon
-        steepest = std::max(steepest, std::abs(depth(distance) - depth(met.hit.distance)));
-    }
-    return steepest;
-}
-
-double depth_of(const FramePlan& plan, const Met& met, const glm::dvec2& neighbours_px) {
-    double depth = window_depth(plan.lens, plan.depth_mapping, met.hit.distance);
-    if (met.offset.factor != 0.0) depth += met.offset.factor * slope_of(plan, met, neighbours_px);
-    if (met.offset.units != 0.0) depth += met.offset.units * unit_of(plan, met.triangle);
-    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits are great
-}
-
-std::uint32_t code_of(double depth, const DepthPrecision& precision) {
-    if (precision.is_float) return std::bit_cast<std::uint32_t>(static_cast<float>(depth));
-    return static_cast<std::uint32_t>(std::llround(depth * (std::exp2(precision.bits) - 1.0)));
-}
-
-bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
-    switch (func) {
-        case CompareFunc::never:
-            return false;
-        case CompareFunc::less:
-            return incoming < stored;
-        case CompareFunc::equal:
-            return incoming == stored;
-        case CompareFunc::lequal:
-            return incoming <= stored;
-        case CompareFunc::greater:
-            return incoming > stored;
-        case CompareFunc::notequal:
-            return incoming != stored;
-        case CompareFunc::gequal:
-            return incoming >= stored;
-        case CompareFunc::always:
-            break;
-    }
-    return true;
-}
 
 bool is_front(const CullParams& cull, const PixelHit& hit) {
     return hit.is_counter_clockwise == (cull.front_face == FrontFace::ccw);
@@ -157,27 +99,37 @@ public:
 
     /// Tests, and writes what the pass writes. What GL never gets passes nothing.
     Fragment send(const Pass& pass, const Met& met, bool gl_gets_it) {
-        Fragment made{
-            .object = met.object, .eye_z = -met.hit.distance, .window_depth = depth_of(plan_, met, neighbours_px_)};
+        Fragment made;
+        made.object_index = met.object;
+        made.triangle = static_cast<int>(met.place);
+        made.eye_z = -met.hit.distance;
+        made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbours_px_);
         made.stored = code_of(made.window_depth, precision_);
         made.front_facing = is_front(pass.cull, met.hit);
         made.culled = is_culled(pass.cull, made.front_facing);
         made.step = resolvable_depth_step(plan_.lens, plan_.depth_mapping, precision_, met.hit.distance);
+        made.depth = pass.depth;
+        made.compared_with = depth_;
         made.tie = pass.depth.test && !made.culled && made.stored == depth_;
+        const std::uint32_t reference = reference_of(pass, met);
         // The reference stands on the left of the stencil's comparison.
-        const bool by_stencil =
-            !pass.stencil.test ||
-            compare(pass.stencil.func, static_cast<std::uint32_t>(pass.stencil.reference), stencil_);
+        const bool by_stencil = !pass.stencil.test || compare(pass.stencil.func, reference, stencil_);
+        made.stencil_fails = !by_stencil;
         const bool by_depth = !pass.depth.test || compare(pass.depth.func, made.stored, depth_);
         made.passes = gl_gets_it && !made.culled && by_stencil && by_depth;
         made.drawn = made.passes && pass.color_write;
         if (made.passes && pass.depth.test && pass.depth.write) depth_ = made.stored;
-        if (made.passes && pass.stencil.test && pass.stencil.on_pass == StencilOp::replace)
-            stencil_ = static_cast<std::uint32_t>(pass.stencil.reference);
+        if (made.passes && pass.stencil.test && pass.stencil.on_pass == StencilOp::replace) stencil_ = reference;
         return made;
     }
 
 private:
+    std::uint32_t reference_of(const Pass& pass, const Met& met) const {
+        const bool is_own = pass.marks_objects && met.object >= 0;
+        return static_cast<std::uint32_t>(is_own ? plan_.mark_of(static_cast<std::size_t>(met.object))
+                                                 : pass.stencil.reference);
+    }
+
     const FramePlan& plan_;
     const DepthPrecision precision_;
     const glm::dvec2 neighbours_px_;
@@ -200,6 +152,7 @@ bool is_cut_off(const Pass& pass, const glm::dvec3& point_scene) {
 
 /// A pass and what it sends to the pixel.
 struct Batch {
+    std::size_t number;
     const Pass* pass;
     std::vector<Met> found;
     std::optional<std::size_t> only;  ///< the one that GL gets where a method finds one surface for each pixel
@@ -223,13 +176,36 @@ std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& 
         for (std::size_t i = 0; i < batch.found.size(); ++i) {
             if (is_cut_off(*batch.pass, batch.found[i].point_scene)) continue;
             const bool is_sent = batch.pass->subject != Subject::pixels || batch.only == i;
-            const Fragment fragment = buffers.send(*batch.pass, batch.found[i], is_sent);
-            if (!is_mask(*batch.pass)) fragments.push_back(fragment);
+            Fragment fragment = buffers.send(*batch.pass, batch.found[i], is_sent);
+            fragment.pass = batch.number;
+            if (!is_mask(*batch.pass)) fragments.push_back(std::move(fragment));
         }
     return fragments;
 }
 
 }  // namespace
+
+bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
+    switch (func) {
+        case CompareFunc::never:
+            return false;
+        case CompareFunc::less:
+            return incoming < stored;
+        case CompareFunc::equal:
+            return incoming == stored;
+        case CompareFunc::lequal:
+            return incoming <= stored;
+        case CompareFunc::greater:
+            return incoming > stored;
+        case CompareFunc::notequal:
+            return incoming != stored;
+        case CompareFunc::gequal:
+            return incoming >= stored;
+        case CompareFunc::always:
+            break;
+    }
+    return true;
+}
 
 FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
     for (const SceneObject& object : scene_.objects)
@@ -241,27 +217,46 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     static const TriangleRuns quad_runs = runs_of(quad);
     std::vector<Batch> batches;
     bool has_patch = false;  // lit and in shadow it is drawn by two passes, of which one reaches a pixel
-    for (const Pass& pass : plan.passes) {
+    int next_call = 0;
+    for (std::size_t number = 0; number < plan.passes.size(); ++number) {
+        const Pass& pass = plan.passes[number];
+        int call = next_call;
+        next_call += call_count(pass, scene_);
         if (!is_mask(pass) && !shows_surfaces(pass)) continue;
         Meeting meeting(plan, pass, pixel, size_px);
+        const auto meet = [&](int object, const Mesh& mesh, const TriangleRuns& runs,
+                              const glm::dmat4& world_from_model, const DepthOffset& offset) {
+            const int drawn = triangles_drawn(plan.limit, call++, static_cast<int>(mesh.triangle_count()));
+            meeting.mesh(object, mesh, drawn, runs, world_from_model, offset);
+        };
         if (pass.subject == Subject::patch) {
             if (has_patch && !is_mask(pass)) continue;
             has_patch = has_patch || !is_mask(pass);
-            meeting.mesh("plane", quad, quad_runs, plan.patch.world_from_patch(), {});
+            meet(-1, quad, quad_runs, plan.patch.world_from_patch(), {});
         } else if (pass.subject == Subject::ordered) {
-            meeting.ordered(scene_, plan.hidden.camera->triangles);
+            meeting.ordered(plan.hidden.camera->triangles);
         } else {
-            for (const SceneObject& object : scene_.objects)
-                meeting.mesh(object.description.name, *object.mesh, runs_.at(object.mesh.get()),
-                             object.world_from_model, object.description.decal ? plan.decal_offset : DepthOffset{});
+            for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+                const SceneObject& object = scene_.objects[i];
+                if (!is_chosen(pass.chosen, object)) continue;
+                const DepthOffset own = object.description.decal ? plan.decal_offset : DepthOffset{};
+                meet(static_cast<int>(i), *object.mesh, runs_.at(object.mesh.get()), object.world_from_model,
+                     pass.offset.value_or(own));
+            }
         }
         const auto only = only_one_sent(pass, meeting.found);
-        batches.push_back({&pass, std::move(meeting.found), only});
+        batches.push_back({number, &pass, std::move(meeting.found), only});
     }
 
     PixelBuffers buffers(plan, pixel, size_px);
-    if (!plan.clear_depth) send_all(batches, buffers);
-    return send_all(batches, buffers);
+    if (!plan.clears_depth()) send_all(batches, buffers);
+    std::vector<Fragment> fragments = send_all(batches, buffers);
+    for (Fragment& fragment : fragments) fragment.object = name_of(fragment.object_index);
+    return fragments;
+}
+
+std::string FragmentFinder::name_of(int object) const {
+    return object < 0 ? "plane" : scene_.objects[static_cast<std::size_t>(object)].description.name;
 }
 
 std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,

@@ -14,6 +14,9 @@ namespace viewing {
 
 struct Fragment {
     std::string object;         ///< "plane" for the patch
+    std::size_t pass = 0;       ///< index in FramePlan::passes
+    int object_index = -1;      ///< in the scene; −1: the patch
+    int triangle = 0;           ///< index in the object's mesh, or in the order that a method found
     double eye_z = 0.0;         ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, a decal's offset included, not rounded to a code yet
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
@@ -23,7 +26,14 @@ struct Fragment {
     bool drawn = false;   ///< its colour is written at its turn: the last one of these is what is seen
     bool tie = false;     ///< its code is the one that it is compared with
     double step = 0.0;    ///< resolvable_depth_step() at its place
+
+    DepthState depth;                 ///< of its pass: how it is tested
+    std::uint32_t compared_with = 0;  ///< the code that stands in the buffer at its turn
+    bool stencil_fails = false;       ///< its pass's stencil test stops it
 };
+
+/// What glDepthFunc and glStencilFunc make of two values. Bits of floats ≥ 0 are in the floats' order.
+bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored);
 
 /// Keeps a scene's triangles sorted, so that asking again is quick: made once per scene.
 class FragmentFinder {
@@ -34,6 +44,8 @@ public:
     /// The plan is one of this scene; pixel (0, 0) is the top left one. What covers the pixel's centre between near and
     /// far; the buffers are as they are cleared or, without clearing, as one frame before has left them.
     ///
+    /// Of a frame that stops at a draw call what comes after it is left out.
+    ///
     /// Mirror image and shadows are left out; a mirror image without stencil leaves depth beside the patch that is not
     /// counted here. Depths are exact until they are stored: where two codes are as close as GL's float32 arithmetic is
     /// coarse, GL may decide otherwise. Methods that sort have their own order and pieces. Of a method that finds one
@@ -41,6 +53,8 @@ public:
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
 private:
+    std::string name_of(int object) const;
+
     Scene scene_;
     std::map<const Mesh*, TriangleRuns> runs_;
 };

@@ -45,7 +45,8 @@ std::vector<std::string> gl_calls(const Pass& pass) {
     if (pass.stencil.test) {
         static constexpr const char* ops[] = {"GL_KEEP", "GL_REPLACE", "GL_INCR"};
         calls.push_back("glEnable(GL_STENCIL_TEST)");
-        calls.push_back("glStencilFunc(" + gl_name(pass.stencil.func) + ", " + std::to_string(pass.stencil.reference) +
+        calls.push_back("glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
+                        (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) +
                         ", 0xFF)");
         calls.push_back(std::string("glStencilOp(GL_KEEP, GL_KEEP, ") + ops[static_cast<int>(pass.stencil.on_pass)] +
                         ")");
@@ -56,7 +57,7 @@ std::vector<std::string> gl_calls(const Pass& pass) {
         calls.push_back(pass.blend == Blend::alpha ? "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"
                                                    : "glBlendFunc(GL_ONE, GL_ONE)");
     }
-    if (pass.offset) {
+    if (pass.offset && *pass.offset != DepthOffset{}) {
         calls.push_back("glEnable(GL_POLYGON_OFFSET_FILL)");
         calls.push_back("glPolygonOffset(" + number(pass.offset->factor) + ", " + number(pass.offset->units) + ")");
     }
@@ -64,7 +65,9 @@ std::vector<std::string> gl_calls(const Pass& pass) {
         calls.push_back("glEnable(GL_CLIP_DISTANCE" + std::to_string(plane) + ")");
     static constexpr const char* draws[] = {"drawObjects()", "drawPatch()", "drawInOrder()", "drawPixels()",
                                             "drawDifference()"};
-    calls.push_back(draws[static_cast<std::size_t>(pass.subject)]);
+    calls.emplace_back(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"
+                       : pass.chosen == Chosen::decals ? "drawDecals()"
+                                                       : draws[static_cast<std::size_t>(pass.subject)]);
     return calls;
 }
 

@@ -53,9 +53,9 @@ std::optional<PixelHit> hit(const PixelTriangle& triangle) {
     return PixelHit{weighted(triangle, weights, &PixelCorner::distance) / sum, sign > 0.0, weights / sum};
 }
 
-double distance_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px) {
+glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px) {
     const glm::dvec3 weights = areas(triangle, beside_px);
-    return weighted(triangle, weights, &PixelCorner::distance) / sum_of(weights);
+    return weights / sum_of(weights);
 }
 
 PixelView::PixelView(const glm::dmat4& clip_from_space, const glm::dmat4& view_from_space, glm::ivec2 pixel,

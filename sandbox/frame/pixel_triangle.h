@@ -30,9 +30,9 @@ using PixelTriangle = std::array<PixelCorner, 3>;
 /// its right, of a level edge the one below. None for a triangle seen edge-on.
 std::optional<PixelHit> hit(const PixelTriangle& triangle);
 
-/// Distance of the triangle's plane on the ray that many pixels beside the centre; not positive where the plane is
-/// never met there. The triangle must not be seen edge-on.
-double distance_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px);
+/// The weights of the corners, sum 1, where the ray that many pixels beside the centre meets the triangle's plane. The
+/// distance that they make is not positive where it never meets it. The triangle must not be seen edge-on.
+glm::dvec3 weights_beside(const PixelTriangle& triangle, const glm::dvec2& beside_px);
 
 /// Sends points of one space to corners as one pixel sees them.
 class PixelView {

@@ -5,6 +5,7 @@
 
 #include "frame/ground.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace viewing {
@@ -27,6 +28,11 @@ CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
         default:
             return func;
     }
+}
+
+/// Reversed depth counts the other way, and so do both signs of an offset.
+double offset_sign(const DepthParams& depth) {
+    return depth.mapping == DepthMapping::reversed && depth.reversed_offset ? -1.0 : 1.0;
 }
 
 glm::dvec4 color_of(const Color& color, double alpha) {
@@ -138,13 +144,12 @@ Pass shadow_pass(const Frame& frame) {
     else if (shadow.stencil_once)  // beside the patch the value is 0, so it is replaced, not counted up
         pass.stencil = {true, CompareFunc::notequal, patch_reference + 1, StencilOp::replace};
 
-    // Reversed depth counts the other way, and so do both of the offset's signs.
-    const double toward_viewer = frame.params.depth.mapping == DepthMapping::reversed ? -1.0 : 1.0;
+    const double turned = offset_sign(frame.params.depth);
     switch (shadow.offset) {
         case ShadowOffset::none:
             break;
         case ShadowOffset::polygon_offset:
-            pass.offset = DepthOffset{toward_viewer * shadow.offset_factor, toward_viewer * shadow.offset_units};
+            pass.offset = DepthOffset{turned * shadow.offset_factor, turned * shadow.offset_units};
             break;
         case ShadowOffset::lift: {
             glm::dmat4 lifted_from_plane(1.0);
@@ -203,6 +208,10 @@ void add_passes(std::vector<Pass>& passes, const Frame& frame) {
     passes.push_back(frame.pass("Objects", "draws the scene itself", Subject::objects));
 }
 
+bool depends_on_stencil(const Pass& pass) {
+    return pass.stencil.test && pass.stencil.func != CompareFunc::always;
+}
+
 FramePlan frame_plan(const Params& params, const Derived& derived) {
     FramePlan made;
     const Ground ground = ground_of(params.ui.theme);
@@ -220,30 +229,43 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
 
 FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures& hidden) {
     Params params = asked;
-    if (params.visibility.step >= 0) params.shadow.enabled = params.reflection.enabled = false;
+    const bool shows_fighting = params.view.shows == Shows::fighting;
+    if (shows_fighting) params.visibility = VisibilityParams{};  // it is about the depth buffer
+    if (params.visibility.step >= 0 || shows_fighting) params.shadow.enabled = params.reflection.enabled = false;
     FramePlan made = frame_plan(params, derived);
     made.clear_depth = params.depth.clear;
-    made.clear_depth_value = params.depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
+    made.mask_on_while_clearing = params.depth.write_while_clearing;
+    const bool clears_to_zero = params.depth.mapping == DepthMapping::reversed && params.depth.reversed_clear;
+    made.clear_depth_value = clears_to_zero ? 0.0 : 1.0;
     made.depth_format = params.depth.format;
     made.depth_mapping = params.depth.mapping;
+    made.logarithm_per_vertex = params.depth.logarithm_per_vertex;
     made.lens = params.projection.lens();
     made.clip_zero_to_one = derived.clip_zero_to_one;
     made.shows = params.view.shows;
     made.depth_scale = params.view.depth_scale;
-    made.shown_range = {made.lens.near, made.lens.far};
-    const double toward_viewer = params.depth.mapping == DepthMapping::reversed ? -1.0 : 1.0;
-    made.decal_offset = {toward_viewer * params.depth.offset.factor, toward_viewer * params.depth.offset.units};
+    made.depth_colors = params.view.depth_colors;
+    made.shown_range = params.view.depth_range.value_or(glm::dvec2(made.lens.near, made.lens.far));
+    const double turned = offset_sign(params.depth);
+    made.decal_offset = {turned * params.depth.offset.factor, turned * params.depth.offset.units};
+    made.object_marks = derived.object_marks;
+    made.heat = derived.heat;
+    if (is_drawn_by_gl_alone(params.visibility.method)) made.limit = {params.view.call, params.view.triangle};
     if (params.view.shows == Shows::depth || params.view.shows == Shows::stencil) made.samples = 0;
 
     const Frame frame{params,          derived, derived.clip_from_view, derived.view_from_world, derived.eye_world,
                       derived.eye_side};
     add_passes(made.passes, frame);
-    if (params.view.shows == Shows::facing) {
+    draw_decals_apart(made.passes, params);
+    if (params.view.shows == Shows::facing || shows_fighting) {
+        const Shading shading = shows_fighting ? Shading::heat : Shading::facing;
         for (Pass& pass : made.passes)
-            if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = Shading::facing;
+            if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = shading;
     }
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
+    // GL has no stencil beside 16 bits of depth; what stands in for it holds one value a pixel.
+    if (made.depth_format == DepthFormat::d16 && std::ranges::any_of(made.passes, depends_on_stencil)) made.samples = 0;
     return made;
 }
 
@@ -256,6 +278,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     FramePlan made = frame_plan(params, derived);
     const glm::dmat4 clip_from_view = observer.clip_from_world * observer.world_from_view;
     const double eye_side = glm::dot(derived.unit_plane, observer.eye_world);
+    made.decal_offset = {-1.0, -2.0};
     add_passes(made.passes, {plain, derived, clip_from_view, observer.view_from_world, observer.eye_world, eye_side});
     return made;
 }

@@ -24,9 +24,13 @@ enum class Subject {
 enum class Shading {
     lit,    ///< ambient, diffuse and a modest highlight
     unlit,  ///< ambient only
-    flat,   ///< one colour
-    facing  ///< front and back faces in two colours
+    flat,    ///< one colour
+    facing,  ///< front and back faces in two colours
+    heat     ///< gaps of flat pairs in steps of the depth buffer: FramePlan::heat
 };
+
+/// Which of the scene's objects a pass draws.
+enum class Chosen { all, bases, decals };
 
 enum class StencilOp { keep, replace, increment };
 
@@ -54,6 +58,8 @@ struct Pass {
     std::string name;
     std::string reason;  ///< one sentence: why it is there
     Subject subject = Subject::objects;
+    Chosen chosen = Chosen::all;  ///< of the objects: all, those that are no decals, or those that are
+    bool marks_objects = false;   ///< the stencil's reference is each object's own: FramePlan::object_marks
     Shading shading = Shading::lit;
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
@@ -72,24 +78,43 @@ struct Pass {
     glm::dvec4 color{0.0, 0.0, 0.0, 1.0};      ///< flat: the colour; patch: its alpha is in w
 };
 
+/// Where a frame that is watched as it is drawn stops: the calls of frame/draw_calls.h.
+struct DrawLimit {
+    int call = -1;       ///< the last one that is drawn, from 0 on; −1: all
+    int triangles = -1;  ///< of that call; −1: all
+    bool operator==(const DrawLimit&) const = default;
+};
+
 struct FramePlan {
     Color background;
     Color unwritten;                            ///< what the depth view shows where nothing was drawn
     Color patch_light, patch_dark, patch_line;  ///< the two tones of the ground and its lines
     bool clear_depth = true;
+    bool mask_on_while_clearing = true;  ///< off: the clear is called and clears no depth
     double clear_depth_value = 1.0;
     DepthFormat depth_format = DepthFormat::d24;
     DepthMapping depth_mapping = DepthMapping::standard;
+    bool logarithm_per_vertex = false;
     Lens lens;  ///< for logarithmic depth and for showing depth in eye units
     bool clip_zero_to_one = false;
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;
-    glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that the linear scale shows as black and white: near and far
+    DepthColors depth_colors = DepthColors::grey;
+    glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that are shown as black and white, on either scale
     int samples = 0;
     PlanePatch patch{};
     HiddenPictures hidden;
-    DepthOffset decal_offset;  ///< for objects marked as decals
+    DepthOffset decal_offset;       ///< for objects marked as decals
+    std::vector<int> object_marks;  ///< of each object, the stencil value of what it is or lies on; empty: none
+    DrawLimit limit;
+    std::optional<HeatMap> heat;  ///< for Shading::heat
     std::vector<Pass> passes;
+
+    /// Or its depths stay those of the frame before.
+    bool clears_depth() const { return clear_depth && mask_on_while_clearing; }
+    /// The logarithm is taken at the corners of a triangle, and what GL interpolates between them is no logarithm.
+    bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
+    int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 };
 
 /// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, the
@@ -99,12 +124,15 @@ FramePlan plan(const Params& params, const Derived& derived, const HiddenPicture
 /// Puts what a method found in the place of the objects: part of plan().
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
 
+/// Decals that are not left to a polygon offset get a pass of their own after the objects: part of plan().
+void draw_decals_apart(std::vector<Pass>& passes, const Params& params);
+
 /// Leaves the objects' passes alone, each of which adds one level of red to a pixel: part of plan().
 void count_overdraw(FramePlan& frame);
 
-/// The eye distances between which everything lies that can be seen, inside near and far: for a depth picture with
-/// contrast.
-glm::dvec2 fitting_range(const Params& params, const Derived& derived, const Scene& scene);
+/// The eye distances that a depth picture with contrast shows as black and white: the state's, else those between which
+/// everything lies that can be seen, inside near and far.
+glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene);
 
 /// The observer's frame: the same scene, shadow and mirror seen from outside, with plain depth and colour.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);

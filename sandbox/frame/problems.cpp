@@ -87,6 +87,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     std::vector<Problem> problems;
     find_slips(problems, params.slips);
     find_plane_problems(problems, params, derived, scene);
+    find_depth_problems(problems, params, derived, scene);
     find_unsupported(problems, params, derived);
     return problems;
 }

@@ -8,4 +8,8 @@ namespace viewing {
 /// Everything in `derived` but its problems must be there already.
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene);
 
+/// The depth buffer's part of it: every switch that breaks a picture says why.
+void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                         const Scene& scene);
+
 }  // namespace viewing

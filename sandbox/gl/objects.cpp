@@ -85,6 +85,7 @@ Capabilities Capabilities::of_current_context() {
     const bool desktop = epoxy_is_desktop_gl();
     found.clip_control = desktop && (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"));
     found.clip_distance = desktop;
+    found.read_depth_stencil = desktop;
     return found;
 }
 

@@ -74,6 +74,7 @@ Result<Program> make_program(std::string_view vertex_source, std::string_view fr
 struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;
+    bool read_depth_stencil = false;  ///< glReadPixels gives depth and stencil
     static Capabilities of_current_context();
 };
 

@@ -6,17 +6,6 @@
 namespace viewing::gl {
 namespace {
 
-Texture texture_2d(GLenum internal_format, GLenum format, GLenum type, glm::ivec2 size_px) {
-    Texture texture = make_texture();
-    glBindTexture(GL_TEXTURE_2D, texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), size_px.x, size_px.y, 0, format, type, nullptr);
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
-    return texture;
-}
-
 Texture color_texture_of(glm::ivec2 size_px) {
     return texture_2d(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, size_px);
 }
@@ -28,36 +17,67 @@ Renderbuffer multisampled(GLenum format, const TargetSpec& spec) {
     return buffer;
 }
 
+struct DepthStorage {
+    GLenum internal_format, format, type, attachment;
+};
+
+DepthStorage storage_of(DepthKind kind) {
+    switch (kind) {
+        case DepthKind::d24_s8:
+            return {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, GL_DEPTH_STENCIL_ATTACHMENT};
+        case DepthKind::d32f_s8:
+            return {GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+                    GL_DEPTH_STENCIL_ATTACHMENT};
+        case DepthKind::d16:
+            break;
+    }
+    return {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, GL_DEPTH_ATTACHMENT};
+}
+
 void assert_complete() {
     assert(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
 }
 
 }  // namespace
 
+Texture texture_2d(GLenum internal_format, GLenum format, GLenum type, glm::ivec2 size_px) {
+    Texture texture = make_texture();
+    glBindTexture(GL_TEXTURE_2D, texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), size_px.x, size_px.y, 0, format, type, nullptr);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
 Target::Target(const TargetSpec& spec)
     : spec_(spec), color_(color_texture_of(spec.size_px)), single_(make_framebuffer()) {
-    const GLenum depth_format = spec.float_depth ? GL_DEPTH32F_STENCIL8 : GL_DEPTH24_STENCIL8;
-    const GLenum depth_type = spec.float_depth ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV : GL_UNSIGNED_INT_24_8;
-
+    const DepthStorage storage = storage_of(spec.depth);
     glBindFramebuffer(GL_FRAMEBUFFER, single_.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.name(), 0);
     if (spec.samples == 0) {
-        depth_stencil_ = texture_2d(depth_format, GL_DEPTH_STENCIL, depth_type, spec.size_px);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_stencil_.name(), 0);
+        depth_ = texture_2d(storage.internal_format, storage.format, storage.type, spec.size_px);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, storage.attachment, GL_TEXTURE_2D, depth_.name(), 0);
     } else {
         assert_complete();
         multi_ = make_framebuffer();
         samples_color_ = multisampled(GL_RGBA8, spec);
-        samples_depth_stencil_ = multisampled(depth_format, spec);
+        samples_depth_ = multisampled(storage.internal_format, spec);
         glBindFramebuffer(GL_FRAMEBUFFER, multi_.name());
         glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samples_color_.name());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
-                                  samples_depth_stencil_.name());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, storage.attachment, GL_RENDERBUFFER, samples_depth_.name());
     }
     assert_complete();
     glDepthMask(GL_TRUE);
     glStencilMask(0xFF);
-    glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0F, 0);
+    if (has_stencil()) {
+        glClearBufferfi(GL_DEPTH_STENCIL, 0, 1.0F, 0);
+    } else {
+        static constexpr GLfloat farthest = 1.0F;
+        glClearBufferfv(GL_DEPTH, 0, &farthest);
+    }
+    if (!has_stencil() && spec.samples == 0) mask_ = StencilMask(spec.size_px, color_.name(), depth_.name());
 }
 
 GLuint Target::draw_framebuffer() const {

@@ -2,9 +2,9 @@
 
 namespace viewing {
 
-void GpuMesh::draw() const {
+void GpuMesh::draw(int triangles) const {
     glBindVertexArray(vertex_array.name());
-    glDrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+    glDrawElements(GL_TRIANGLES, triangles * 3, GL_UNSIGNED_INT, nullptr);
 }
 
 GpuMesh upload(const Mesh& mesh) {

@@ -14,7 +14,8 @@ struct GpuMesh {
     gl::Buffer vertices, indices;
     GLsizei index_count = 0;
 
-    void draw() const;
+    int triangle_count() const { return index_count / 3; }
+    void draw(int triangles) const;  ///< the first ones
 };
 
 /// Interleaves position and normal and uploads; attribute 0 is the position, 1 the normal.

@@ -1,47 +1,18 @@
 #include "render/probe.h"
 
-#include <bit>
 #include <cmath>
 
 namespace viewing {
-namespace {
-
-/// Depth and stencil of one pixel, as the buffer holds them.
-struct StoredPixel {
-    double window_depth;
-    std::uint32_t code;
-    int stencil;
-};
-
-StoredPixel read_stored(glm::ivec2 at, const DepthPrecision& precision) {
-    if (precision.is_float) {
-        struct {
-            float depth;
-            std::uint32_t stencil;
-        } value{};
-        glReadPixels(at.x, at.y, 1, 1, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, &value);
-        return {value.depth, std::bit_cast<std::uint32_t>(value.depth), static_cast<int>(value.stencil & 0xFFU)};
-    }
-    std::uint32_t value = 0;
-    glReadPixels(at.x, at.y, 1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, &value);
-    // Formats with fewer bits are stored exactly inside the 24.
-    const double levels = std::pow(2.0, precision.bits) - 1.0;
-    const auto code = static_cast<std::uint32_t>(std::lround((value >> 8U) / 16777215.0 * levels));
-    return {code / levels, code, static_cast<int>(value & 0xFFU)};
-}
-
-glm::u8vec4 read_color(glm::ivec2 at) {
-    glm::u8vec4 color{0};
-    glReadPixels(at.x, at.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &color[0]);
-    return color;
-}
-
-}  // namespace
 
 Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scene, const Derived& derived,
                            glm::ivec2 size_px) {
     plan.samples = 0;
     plan.shows = plan.shows == Shows::facing ? Shows::facing : Shows::color;
+    if (!reader_) {
+        Result<BufferReader> made = BufferReader::make(renderer.capabilities());
+        if (!made) return Error{made.error()};
+        reader_ = *std::move(made);
+    }
     plan_ = std::move(plan);
     world_from_view_ = glm::inverse(derived.view_from_world);
     aspect_ = derived.aspect;
@@ -56,18 +27,15 @@ PixelReport PixelProbe::at(glm::ivec2 pixel, const Scene& scene) const {
     report.pixel = pixel;
     report.precision = precision_of(plan_.depth_format);
 
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, colors_.framebuffer());
-    const glm::u8vec4 color = read_color(at);
-    report.color = {color.r, color.g, color.b};
-    const StoredPixel stored = read_stored(at, report.precision);
+    const PixelRect only{pixel, {1, 1}};
+    report.color = reader_->colors(colors_, only).front();
+    const StoredPixel stored = reader_->stored(colors_, plan_.depth_format, only).front();
     report.window_depth = stored.window_depth;
     report.stored = stored.code;
     report.stencil = stored.stencil;
     report.ndc_z = plan_.clip_zero_to_one ? report.window_depth : report.window_depth * 2.0 - 1.0;
 
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, identities_.framebuffer());
-    const glm::u8vec4 bytes = read_color(at);
+    const Color bytes = reader_->colors(identities_, only).front();
     const int identity = bytes.r + 256 * bytes.g;
     report.written = identity != 0;
     report.front_facing = bytes.b != 0;
@@ -88,6 +56,23 @@ PixelReport PixelProbe::at(glm::ivec2 pixel, const Scene& scene) const {
     const glm::dvec2 offset = ndc * half_height * glm::dvec2(aspect_, 1.0);
     report.world = glm::dvec3(world_from_view_ * glm::dvec4(offset, -distance, 1.0));
     return report;
+}
+
+CellBlock PixelProbe::block(glm::ivec2 first_pixel, glm::ivec2 size) const {
+    const glm::ivec2 first = glm::clamp(first_pixel, glm::ivec2(0), colors_.size_px());
+    const glm::ivec2 end = glm::clamp(first_pixel + size, first, colors_.size_px());
+    CellBlock block{first, end - first, {}};
+    if (block.size.x == 0 || block.size.y == 0) return block;
+    const PixelRect rect{block.first_pixel, block.size};
+    const std::vector<Color> colors = reader_->colors(colors_, rect);
+    const std::vector<StoredPixel> stored = reader_->stored(colors_, plan_.depth_format, rect);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        block.cells.push_back({colors[i], stored[i].code, stored[i].window_depth});
+    return block;
+}
+
+DepthCounts PixelProbe::count_depths() const {
+    return reader_ ? reader_->count_depths(colors_, plan_) : DepthCounts{};
 }
 
 }  // namespace viewing

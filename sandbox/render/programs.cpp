@@ -3,6 +3,7 @@
 #include <string>
 
 #include "embedded/shaders.h"
+#include "frame/depth_colors.h"
 
 namespace viewing {
 namespace {
@@ -23,10 +24,15 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
     if (const auto found = surfaces_.find(kind); found != surfaces_.end()) return &found->second;
     std::string defines = "#define SHADING " + std::to_string(kind.shading) + "\n";
     if (kind.is_patch) defines += "#define IS_PATCH\n";
+    if (kind.shading == static_cast<int>(Shading::heat))
+        defines += "#define HEAT_ENTRIES " + std::to_string(HeatMap::entry_count) + "\n";
     if (kind.write_depth) defines += "#define WRITE_DEPTH\n";
+    if (kind.logarithm_per_vertex) defines += "#define LOGARITHM_PER_VERTEX\n";
     if (kind.clips && kind.source != SurfaceKind::Source::picture)
         defines += capabilities_.clip_distance ? "#define CLIP_DISTANCE\n" : "#define CLIP_BY_DISCARD\n";
     if (kind.source == SurfaceKind::Source::vertices) defines += "#define PER_VERTEX\n";
+    if (kind.mask_test) defines += "#define MASK_TEST\n";
+    if (kind.mask_write) defines += "#define MASK_WRITE\n";
     const bool from_picture = kind.source == SurfaceKind::Source::picture;
     if (from_picture) defines += "#define FROM_PICTURE\n";
     Result<gl::Program> program = load(from_picture ? "fullscreen.vert" : "surface.vert", "surface.frag", defines);
@@ -56,10 +62,20 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
         {&SurfaceProgram::depth_levels, "depth_levels"},
         {&SurfaceProgram::logarithmic_range, "logarithmic_range"},
         {&SurfaceProgram::depth_offset, "depth_offset"},
+        {&SurfaceProgram::vertex_near_far, "vertex_near_far"},
         {&SurfaceProgram::surface_positions, "surface_positions"},
         {&SurfaceProgram::surface_normals, "surface_normals"},
         {&SurfaceProgram::surface_colors, "surface_colors"},
         {&SurfaceProgram::surface_counts, "surface_counts"},
+        {&SurfaceProgram::mask_texture, "mask_texture"},
+        {&SurfaceProgram::mask_func, "mask_func"},
+        {&SurfaceProgram::mask_reference, "mask_reference"},
+        {&SurfaceProgram::mask_value, "mask_value"},
+        {&SurfaceProgram::heat_view_from_world, "heat_view_from_world"},
+        {&SurfaceProgram::heat_near_far, "heat_near_far"},
+        {&SurfaceProgram::heat_onsets, "heat_onsets"},
+        {&SurfaceProgram::heat_colors, "heat_colors"},
+        {&SurfaceProgram::heat_gap, "heat_gap"},
     };
     for (const Location& location : locations) made.*location.member = uniform(made.program, location.name);
     return &made;
@@ -67,13 +83,17 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
 
 Result<const ShowDepthProgram*> Programs::show_depth() {
     if (show_depth_.program) return &show_depth_;
-    Result<gl::Program> program = load("fullscreen.vert", "show_depth.frag");
+    const std::string defines = "#define BANDS " + std::to_string(depth_bands.size()) + "\n";
+    Result<gl::Program> program = load("fullscreen.vert", "show_depth.frag", defines);
     if (!program) return Error{program.error()};
     show_depth_.mapping = uniform(*program, "mapping");
     show_depth_.linear_scale = uniform(*program, "linear_scale");
     show_depth_.orthographic = uniform(*program, "orthographic");
     show_depth_.near_far = uniform(*program, "near_far");
-    show_depth_.shown_range = uniform(*program, "shown_range");
+    show_depth_.shown_first = uniform(*program, "shown_first");
+    show_depth_.shown_slope = uniform(*program, "shown_slope");
+    show_depth_.shows_bands = uniform(*program, "shows_bands");
+    show_depth_.bands = uniform(*program, "bands");
     show_depth_.cleared = uniform(*program, "cleared");
     show_depth_.unwritten_color = uniform(*program, "unwritten_color");
     show_depth_.program = std::move(*program);
@@ -106,6 +126,14 @@ Result<const gl::Program*> Programs::show_picture() {
     return &show_picture_;
 }
 
+Result<const gl::Program*> Programs::read_depth() {
+    if (read_depth_) return &read_depth_;
+    Result<gl::Program> program = load("fullscreen.vert", "read_depth.frag");
+    if (!program) return Error{program.error()};
+    read_depth_ = std::move(*program);
+    return &read_depth_;
+}
+
 Result<const ConstantProgram*> Programs::constant() {
     if (constant_.program) return &constant_;
     Result<gl::Program> program = load("fullscreen.vert", "constant.frag");
@@ -113,6 +141,17 @@ Result<const ConstantProgram*> Programs::constant() {
     constant_.value = uniform(*program, "value");
     constant_.program = std::move(*program);
     return &constant_;
+}
+
+Result<const FillProgram*> Programs::fill() {
+    if (fill_.program) return &fill_;
+    Result<gl::Program> program = load("fullscreen.vert", "fill_changed.frag");
+    if (!program) return Error{program.error()};
+    fill_.previous_mask = uniform(*program, "previous_mask");
+    fill_.changed_mask = uniform(*program, "changed_mask");
+    fill_.value = uniform(*program, "value");
+    fill_.program = std::move(*program);
+    return &fill_;
 }
 
 }  // namespace viewing

@@ -11,8 +11,8 @@ namespace viewing {
 
 /// One way to draw a surface: each has a program of its own.
 struct SurfaceKind {
-    static constexpr int identity = 4;          ///< more than Shading has: identities for colours, to read back
-    static constexpr int polygon_identity = 5;  ///< of polygons; only with Source::vertices
+    static constexpr int identity = 5;          ///< more than Shading has: identities for colours, to read back
+    static constexpr int polygon_identity = 6;  ///< of polygons; only with Source::vertices
 
     /// Where colour and numbers come from: the object, its vertices, or a picture of surface points.
     enum class Source { object, vertices, picture };
@@ -22,6 +22,9 @@ struct SurfaceKind {
     bool clips = false;
     bool write_depth = false;
     Source source = Source::object;
+    bool mask_test = false;  ///< render/masks.h
+    bool mask_write = false;
+    bool logarithm_per_vertex = false;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
@@ -30,13 +33,16 @@ struct SurfaceProgram {
     gl::Program program;
     GLint clip_from_model, world_from_model, world_from_normal, clip_plane_model;
     GLint light_world, eye_world, sky_world, base_color, alpha, patch_tones, patch_extent, facing_colors;
-    GLint view_z_of_model, view_w_of_model, depth_levels, logarithmic_range, depth_offset;
+    GLint view_z_of_model, view_w_of_model, depth_levels, logarithmic_range, depth_offset, vertex_near_far;
     GLint surface_positions, surface_normals, surface_colors, surface_counts;
+    GLint mask_texture, mask_func, mask_reference, mask_value;
+    GLint heat_view_from_world, heat_near_far, heat_onsets, heat_colors, heat_gap;
 };
 
 struct ShowDepthProgram {
     gl::Program program;
-    GLint mapping, linear_scale, orthographic, near_far, shown_range, cleared, unwritten_color;
+    GLint mapping, linear_scale, orthographic, near_far, shown_first, shown_slope, shows_bands, bands;
+    GLint cleared, unwritten_color;
 };
 
 struct ShowStencilProgram {
@@ -54,6 +60,12 @@ struct ConstantProgram {
     GLint value;
 };
 
+/// shaders/fill_changed.frag: the second stroke of render/masks.h.
+struct FillProgram {
+    gl::Program program;
+    GLint previous_mask, changed_mask, value;
+};
+
 class Programs {
 public:
     explicit Programs(const gl::Capabilities& capabilities) : capabilities_(capabilities) {}
@@ -63,7 +75,9 @@ public:
     Result<const ShowStencilProgram*> show_stencil();
     Result<const ShowOverdrawProgram*> show_overdraw();
     Result<const ConstantProgram*> constant();
+    Result<const FillProgram*> fill();
     Result<const gl::Program*> show_picture();
+    Result<const gl::Program*> read_depth();
 
 private:
     gl::Capabilities capabilities_;
@@ -72,7 +86,8 @@ private:
     ShowStencilProgram show_stencil_;
     ShowOverdrawProgram show_overdraw_;
     ConstantProgram constant_;
-    gl::Program show_picture_;
+    FillProgram fill_;
+    gl::Program show_picture_, read_depth_;
 };
 
 }  // namespace viewing

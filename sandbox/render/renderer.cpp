@@ -1,100 +1,41 @@
-// Plan in, pixels out. Every pass sets every piece of state it depends on, and after the last one all of it is
-// GL's default again, so that nothing leaks into the next pass or into the user interface.
+// Plan in, pixels out: each pass as draw calls. Read pass_state.h and programs.h for what they are drawn with.
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 
+#include "frame/draw_calls.h"
 #include "frame/ground.h"
 #include "geometry/normals.h"
 #include "geometry/shapes.h"
 #include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
+#include "render/heat.h"
+#include "render/masks.h"
+#include "render/pass_state.h"
+#include "render/present.h"
 #include "render/programs.h"
+#include "render/uniforms.h"
 
 namespace viewing {
 namespace {
-
-glm::vec3 srgb(const Color& color) {
-    return glm::vec3(color.r, color.g, color.b) / 255.0F;
-}
-
-GLenum gl_enum(CompareFunc func) {
-    return GL_NEVER + static_cast<GLenum>(func);
-}
-
-void enable(GLenum capability, bool on) {
-    on ? glEnable(capability) : glDisable(capability);
-}
-
-void set_matrix(GLint location, const glm::dmat4& matrix) {
-    const glm::mat4 uploaded(matrix);
-    glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(uploaded));
-}
-
-void set_vector(GLint location, const glm::vec3& value) {
-    glUniform3fv(location, 1, glm::value_ptr(value));
-}
-void set_vector(GLint location, const glm::vec4& value) {
-    glUniform4fv(location, 1, glm::value_ptr(value));
-}
 
 /// A number below 2^16 in the bytes of red and green.
 void set_identity(const SurfaceProgram& program, int identity) {
     set_vector(program.base_color, glm::vec4(glm::vec2(identity % 256, identity / 256) / 255.0F, 0.0F, 1.0F));
 }
 
+/// Formats that GL does not have are kept exactly inside 24 bits.
 bool stores_fewer_bits(DepthFormat format) {
-    return format != DepthFormat::d24 && format != DepthFormat::d32f;
+    return precision_of(format).bits < 16;
 }
 
-void apply_state(const Pass& pass, const gl::Capabilities& capabilities) {
-    enable(GL_DEPTH_TEST, pass.depth.test);
-    glDepthFunc(gl_enum(pass.depth.func));
-    glDepthMask(pass.depth.write ? GL_TRUE : GL_FALSE);
-
-    enable(GL_CULL_FACE, pass.cull.enabled);
-    static constexpr GLenum faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
-    glCullFace(faces[static_cast<std::size_t>(pass.cull.face)]);
-    glFrontFace(pass.cull.front_face == FrontFace::ccw ? GL_CCW : GL_CW);
-
-    enable(GL_STENCIL_TEST, pass.stencil.test);
-    glStencilFunc(gl_enum(pass.stencil.func), pass.stencil.reference, 0xFF);
-    static constexpr GLenum ops[] = {GL_KEEP, GL_REPLACE, GL_INCR};
-    glStencilOp(GL_KEEP, GL_KEEP, ops[static_cast<std::size_t>(pass.stencil.on_pass)]);
-
-    enable(GL_BLEND, pass.blend != Blend::none);
-    if (pass.blend == Blend::add)
-        glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-    else
-        glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
-    const GLboolean writes = pass.color_write ? GL_TRUE : GL_FALSE;
-    glColorMask(writes, writes, writes, writes);
-
-    if (capabilities.clip_distance)
-        for (std::size_t plane = 0; plane < 2; ++plane)
-            enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane), plane < pass.clip_planes.size());
+gl::DepthKind kind_of(DepthFormat format) {
+    if (format == DepthFormat::d16) return gl::DepthKind::d16;
+    return format == DepthFormat::d32f ? gl::DepthKind::d32f_s8 : gl::DepthKind::d24_s8;
 }
 
 const std::shared_ptr<const HiddenDrawing>& drawing_of(const FramePlan& plan, const Pass& pass) {
     return pass.is_mirror_image ? plan.hidden.mirrored : plan.hidden.camera;
-}
-
-void restore_defaults(const gl::Capabilities& capabilities) {
-    Pass defaults;
-    defaults.depth.test = false;
-    defaults.cull = CullParams{};
-    apply_state(defaults, capabilities);
-    glDisable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(0.0F, 0.0F);
-    glBlendFunc(GL_ONE, GL_ZERO);
-    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    glClearDepth(1.0);
-    if (capabilities.clip_control) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    glBindVertexArray(0);
-    glUseProgram(0);
 }
 
 }  // namespace
@@ -107,12 +48,13 @@ struct Renderer::Implementation {
     GpuMeshes meshes;
     GpuDrawings drawings;
     GpuMesh quad = upload(quad_mesh());
-    gl::VertexArray no_vertices = gl::make_vertex_array();
+    Presenter presenter{capabilities, programs};
 
     /// What stays the same for all passes of a frame.
     struct FrameState {
         const FramePlan& plan;
         const Scene& scene;
+        const gl::Target& target;
         bool writes_depth;
         int identify;  ///< a SurfaceKind's identity, in place of colours, for reading back; 0: colours
     };
@@ -121,7 +63,8 @@ struct Renderer::Implementation {
     Status draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target, bool clear_depth,
                        int identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
-    Status draw_pass(const FrameState& frame, const Pass& pass);
+    Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
+    void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
     void set_uniforms(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) const;
     void set_placement(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
                        const glm::dmat4& world_from_model) const;
@@ -129,12 +72,9 @@ struct Renderer::Implementation {
     void draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
     Status draw_difference(const FramePlan& plan);
     void draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
-                  const glm::dmat4& world_from_model, const GpuMesh& mesh, const DepthOffset& own_offset) const;
+                  const glm::dmat4& world_from_model, const GpuMesh& mesh, const DepthOffset& own_offset,
+                  int call) const;
     void set_offset(const FrameState& frame, const SurfaceProgram& program, const DepthOffset& offset) const;
-    Status present_depth(const FramePlan& plan, View& view);
-    Status present_stencil(View& view);
-    Status present_overdraw(View& view);
-    void draw_fullscreen(const gl::Program& program) const;
 };
 
 void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const {
@@ -147,7 +87,10 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
     glClearDepth(frame.plan.clear_depth_value);
     glClearStencil(0);
     glStencilMask(0xFF);
-    glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (clear_depth ? GL_DEPTH_BUFFER_BIT : 0U));
+    glDepthMask(clear_depth ? GL_TRUE : GL_FALSE);  // which a clear obeys
+    const bool asks_to_clear = clear_depth || frame.plan.clear_depth;
+    glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (asks_to_clear ? GL_DEPTH_BUFFER_BIT : 0U));
+    if (target.mask()) target.mask().clear();
     if (capabilities.clip_control && frame.plan.clip_zero_to_one) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
@@ -165,13 +108,17 @@ void Renderer::Implementation::set_uniforms(const FrameState& frame, const Pass&
     const glm::vec3 facing[] = {srgb(front_color), srgb(back_color)};
     glUniform3fv(program.facing_colors, 2, glm::value_ptr(facing[0]));
     glUniform1f(program.patch_extent, static_cast<float>(frame.plan.patch.extent));
+    const Lens& lens = frame.plan.lens;
+    glUniform2f(program.vertex_near_far, static_cast<float>(lens.near), static_cast<float>(lens.far));
+    if (frame.identify == 0 && pass.shading == Shading::heat) set_heat(program, frame.plan, pass);
     if (!frame.writes_depth) return;
-    const bool logarithmic = frame.plan.depth_mapping == DepthMapping::logarithmic;
+    const bool logarithmic =
+        frame.plan.depth_mapping == DepthMapping::logarithmic && !frame.plan.has_logarithm_per_vertex();
     const int bits = precision_of(frame.plan.depth_format).bits;
     glUniform1f(program.depth_levels,
                 stores_fewer_bits(frame.plan.depth_format) ? static_cast<float>((1 << bits) - 1) : 0.0F);
-    glUniform2f(program.logarithmic_range, logarithmic ? static_cast<float>(frame.plan.lens.near) : 0.0F,
-                static_cast<float>(frame.plan.lens.far));
+    glUniform2f(program.logarithmic_range, logarithmic ? static_cast<float>(lens.near) : 0.0F,
+                static_cast<float>(lens.far));
 }
 
 void Renderer::Implementation::set_offset(const FrameState& frame, const SurfaceProgram& program,
@@ -199,7 +146,7 @@ void Renderer::Implementation::set_placement(const FrameState& frame, const Pass
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
     glUniform4fv(program.clip_plane_model, 2, glm::value_ptr(planes_model[0]));
-    if (!frame.writes_depth) return;
+    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex()) return;
     const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
     set_vector(program.view_z_of_model, glm::vec4(rows[2]));
     set_vector(program.view_w_of_model, glm::vec4(rows[3]));
@@ -207,10 +154,12 @@ void Renderer::Implementation::set_placement(const FrameState& frame, const Pass
 
 void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
                                         const glm::dmat4& world_from_model, const GpuMesh& mesh,
-                                        const DepthOffset& own_offset) const {
+                                        const DepthOffset& own_offset, int call) const {
+    const int triangles = triangles_drawn(frame.plan.limit, call, mesh.triangle_count());
+    if (triangles == 0) return;
     set_placement(frame, pass, program, world_from_model);
     set_offset(frame, program, pass.offset.value_or(own_offset));
-    mesh.draw();
+    mesh.draw(triangles);
 }
 
 void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
@@ -238,7 +187,7 @@ void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& 
         glDisable(GL_CLIP_DISTANCE0);
         glDisable(GL_CLIP_DISTANCE1);
     }
-    draw_fullscreen(program.program);
+    presenter.fullscreen().draw(program.program);
 }
 
 Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
@@ -246,12 +195,12 @@ Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
     if (!program) return Error{program.error()};
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, drawings.texture_of(plan.hidden.difference));
-    draw_fullscreen(**program);
+    presenter.fullscreen().draw(**program);
     return std::monostate{};
 }
 
-Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass) {
-    apply_state(pass, capabilities);
+Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask,
+                                           int first_call) {
     if (pass.subject == Subject::difference)
         return frame.identify != 0 ? Status(std::monostate{}) : draw_difference(frame.plan);
     const bool is_patch = pass.subject == Subject::patch;
@@ -261,114 +210,67 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
                                                             : Source::object;
     const int shading = frame.identify != 0 ? frame.identify : static_cast<int>(pass.shading);
     Result<const SurfaceProgram*> found = programs.surface(
-        {shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth && source != Source::picture, source});
+        {shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth && source != Source::picture, source,
+         mask.tests, mask.writes, frame.plan.has_logarithm_per_vertex() && source != Source::picture});
     if (!found) return Error{found.error()};
     const SurfaceProgram& program = **found;
     set_uniforms(frame, pass, program);
+    set_mask_reference(program, pass.stencil, pass.stencil.reference);
     if (source == Source::vertices) draw_ordered(frame, pass, program);
     if (source == Source::picture) draw_pixels(frame, pass, program);
     if (source != Source::object) return std::monostate{};
     if (is_patch) {
         if (frame.identify != 0) set_identity(program, patch_identity);
-        draw_one(frame, pass, program, frame.plan.patch.world_from_patch(), quad, {});
+        draw_one(frame, pass, program, frame.plan.patch.world_from_patch(), quad, {}, first_call);
         return std::monostate{};
     }
+    draw_objects(frame, pass, program, first_call);
+    return std::monostate{};
+}
+
+void Renderer::Implementation::draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
+                                            int first_call) {
+    int call = first_call;
     for (std::size_t index = 0; index < frame.scene.objects.size(); ++index) {
         const SceneObject& object = frame.scene.objects[index];
+        if (!is_chosen(pass.chosen, object)) continue;
+        if (pass.marks_objects) {
+            apply_stencil(pass.stencil, frame.plan.mark_of(index));
+            set_mask_reference(program, pass.stencil, frame.plan.mark_of(index));
+        }
         if (frame.identify != 0) {
             set_identity(program, static_cast<int>(index + 1));
         } else if (pass.shading != Shading::flat) {
             set_vector(program.base_color, glm::vec4(linear_from_srgb(object.description.color), 1.0F));
         }
+        if (frame.identify == 0 && pass.shading == Shading::heat) set_heat_gap(program, frame.plan, index);
         draw_one(frame, pass, program, object.world_from_model, meshes.of(object.mesh),
-                 object.description.decal ? frame.plan.decal_offset : DepthOffset{});
+                 object.description.decal ? frame.plan.decal_offset : DepthOffset{}, call++);
     }
-    return std::monostate{};
 }
 
 Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target,
                                              bool clear_depth, int identify) {
-    const bool writes_depth = stores_fewer_bits(plan.depth_format) || plan.depth_mapping == DepthMapping::logarithmic;
-    const FrameState frame{plan, scene, writes_depth, identify};
+    const bool writes_depth = stores_fewer_bits(plan.depth_format) ||
+                              (plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex());
+    const FrameState frame{plan, scene, target, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
-    for (const Pass& pass : plan.passes)
-        if (Status drawn = draw_pass(frame, pass); !drawn) return drawn;
-    restore_defaults(capabilities);
-    target.resolve();
-    return std::monostate{};
-}
-
-void Renderer::Implementation::draw_fullscreen(const gl::Program& program) const {
-    glUseProgram(program.name());
-    glBindVertexArray(no_vertices.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-}
-
-Status Renderer::Implementation::present_depth(const FramePlan& plan, View& view) {
-    Result<const ShowDepthProgram*> found = programs.show_depth();
-    if (!found) return Error{found.error()};
-    const ShowDepthProgram& program = **found;
-    glBindFramebuffer(GL_FRAMEBUFFER, view.shown_.framebuffer());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, view.target_.depth_texture());
-    glUseProgram(program.program.name());
-    glUniform1i(program.mapping, static_cast<int>(plan.depth_mapping));
-    glUniform1i(program.linear_scale, plan.depth_scale == DepthScale::linear);
-    glUniform1i(program.orthographic, plan.lens.orthographic);
-    glUniform2f(program.near_far, static_cast<float>(plan.lens.near), static_cast<float>(plan.lens.far));
-    glUniform2f(program.shown_range, static_cast<float>(plan.shown_range.x), static_cast<float>(plan.shown_range.y));
-    glUniform1f(program.cleared, static_cast<float>(plan.clear_depth_value));
-    set_vector(program.unwritten_color, srgb(plan.unwritten));
-    draw_fullscreen(program.program);
-    restore_defaults(capabilities);
-    return std::monostate{};
-}
-
-Status Renderer::Implementation::present_stencil(View& view) {
-    Result<const ConstantProgram*> constant = programs.constant();
-    if (!constant) return Error{constant.error()};
-    Result<const ShowStencilProgram*> show = programs.show_stencil();
-    if (!show) return Error{show.error()};
-
-    // Stencil cannot be sampled everywhere: add up its bits as red, one masked test each.
-    glBindFramebuffer(GL_FRAMEBUFFER, view.target_.draw_framebuffer());
-    glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glEnable(GL_STENCIL_TEST);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    glUseProgram((*constant)->program.name());
-    for (int bit = 1; bit <= 128; bit *= 2) {
-        glStencilFunc(GL_EQUAL, bit, static_cast<GLuint>(bit));
-        glUniform4f((*constant)->value, static_cast<float>(bit) / 255.0F, 0.0F, 0.0F, 0.0F);
-        draw_fullscreen((*constant)->program);
+    int next_call = 0;
+    for (const Pass& pass : plan.passes) {
+        const int first_call = next_call;
+        next_call += call_count(pass, scene);
+        if (identify != 0 && pass.is_mirror_image) continue;  // what is there is the mirror
+        const MaskUse mask = mask_use(pass, target);
+        apply_state(pass, capabilities);
+        begin_mask(pass, mask, target);
+        if (Status drawn = draw_pass(frame, pass, mask, first_call); !drawn) return drawn;
+        if (!mask.fills) continue;
+        Result<const FillProgram*> fill = programs.fill();
+        if (!fill) return Error{fill.error()};
+        fill_changed(pass, target, **fill, presenter.fullscreen(), capabilities);
     }
     restore_defaults(capabilities);
-
-    glBindFramebuffer(GL_FRAMEBUFFER, view.shown_.framebuffer());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, view.target_.color_texture());
-    glUseProgram((*show)->program.name());
-    glm::vec3 colors[stencil_colors.size()];
-    std::ranges::transform(stencil_colors, colors, srgb);
-    glUniform3fv((*show)->stencil_colors, 4, glm::value_ptr(colors[0]));
-    draw_fullscreen((*show)->program);
-    restore_defaults(capabilities);
-    return std::monostate{};
-}
-
-Status Renderer::Implementation::present_overdraw(View& view) {
-    Result<const ShowOverdrawProgram*> show = programs.show_overdraw();
-    if (!show) return Error{show.error()};
-    glBindFramebuffer(GL_FRAMEBUFFER, view.shown_.framebuffer());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, view.target_.color_texture());
-    glUseProgram((*show)->program.name());
-    glm::vec3 colors[overdraw_colors.size()];
-    std::ranges::transform(overdraw_colors, colors, srgb);
-    glUniform3fv((*show)->overdraw_colors, static_cast<GLsizei>(overdraw_colors.size()), glm::value_ptr(colors[0]));
-    draw_fullscreen((*show)->program);
-    restore_defaults(capabilities);
+    target.resolve();
     return std::monostate{};
 }
 
@@ -390,25 +292,26 @@ const gl::Capabilities& Renderer::capabilities() const {
 
 Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
                                             int identify) {
-    const gl::TargetSpec spec{size_px, plan.samples, plan.depth_format == DepthFormat::d32f};
+    const gl::TargetSpec spec{size_px, plan.samples, kind_of(plan.depth_format)};
     const bool fresh = view.target_.spec() != spec;
     if (fresh) view.target_ = gl::Target(spec);
     meshes.drop_unused();
     drawings.drop_unused();
 
     // A frame that does not clear depth starts from the one before; the first one has only itself.
-    if (fresh && !plan.clear_depth)
+    if (fresh && !plan.clears_depth())
         if (Status drawn = draw_passes(plan, scene, view.target_, true, identify); !drawn) return drawn;
-    return draw_passes(plan, scene, view.target_, plan.clear_depth, identify);
+    return draw_passes(plan, scene, view.target_, plan.clears_depth(), identify);
 }
 
 Status Renderer::draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
     view.presents_ = plan.shows == Shows::depth || plan.shows == Shows::stencil || plan.shows == Shows::overdraw;
     if (view.presents_ && view.shown_.size_px() != size_px) view.shown_ = gl::ColorTarget(size_px);
     if (Status drawn = implementation_->draw_frame(plan, scene, size_px, view, 0); !drawn) return drawn;
-    if (plan.shows == Shows::depth) return implementation_->present_depth(plan, view);
-    if (plan.shows == Shows::stencil) return implementation_->present_stencil(view);
-    if (plan.shows == Shows::overdraw) return implementation_->present_overdraw(view);
+    Presenter& presenter = implementation_->presenter;
+    if (plan.shows == Shows::depth) return presenter.depth(plan, view.target_, view.shown_);
+    if (plan.shows == Shows::stencil) return presenter.stencil(view.target_, view.shown_);
+    if (plan.shows == Shows::overdraw) return presenter.overdraw(view.target_, view.shown_);
     return std::monostate{};
 }
 
@@ -420,7 +323,6 @@ Status Renderer::draw_identities(const FramePlan& plan, const Scene& scene, glm:
     FramePlan plain = plan;
     plain.samples = 0;
     plain.shows = Shows::color;
-    std::erase_if(plain.passes, [](const Pass& pass) { return pass.is_mirror_image; });
     for (Pass& pass : plain.passes) {
         if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows are nobody
         pass.blend = Blend::none;
@@ -432,8 +334,7 @@ Result<IdImage> Renderer::read_polygon_ids(const FramePlan& plan, const Scene& s
     FramePlan plain = plan;
     plain.samples = 0;
     plain.shows = Shows::color;
-    std::erase_if(plain.passes,
-                  [](const Pass& pass) { return pass.is_mirror_image || pass.subject != Subject::ordered; });
+    std::erase_if(plain.passes, [](const Pass& pass) { return pass.subject != Subject::ordered; });
     if (Status drawn = implementation_->draw_frame(plain, scene, size_px, view, SurfaceKind::polygon_identity); !drawn)
         return Error{drawn.error()};
     const Image bytes = read(view);

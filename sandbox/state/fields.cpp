@@ -23,8 +23,13 @@ template <> std::span<const char* const> names_of<VisibilityMethod>() { static c
 template <> std::span<const char* const> names_of<SortKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
 template <> std::span<const char* const> names_of<Splitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
 template <> std::span<const char* const> names_of<BspWalkOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }
-template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference"}; return names; }
+template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}; return names; }
 template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
+template <> std::span<const char* const> names_of<DecalMethod>() { static constexpr const char* names[] = {"offset", "equal", "stencil"}; return names; }
+template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
+template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth"}; return names; }
+template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
 // clang-format on
@@ -250,6 +255,74 @@ const Field all_fields[] = {
          "Too little stipples, too much bleeds through.",
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
+    {.path = "depth.decals",
+     .in = IN(depth.decals),
+     .label = "decals by",
+     .help = "What keeps objects marked as decals from fighting with what they lie on: a polygon offset; drawing them "
+             "last where depth is EQUAL, which needs the very same triangles; or a stencil mark on what lies below "
+             "and no depth test at all.",
+     .gl_call = "glPolygonOffset | glDepthFunc(GL_EQUAL) | glStencilFunc"},
+    {.path = "depth.write_while_clearing",
+     .in = IN(depth.write_while_clearing),
+     .label = "mask on while clearing",
+     .help = "glClear obeys the depth mask. Off, it is called with the mask off, and clears no depth: the picture is "
+             "drawn against the depths of the frame before.",
+     .gl_call = "glDepthMask(GL_TRUE); glClear(GL_DEPTH_BUFFER_BIT)"},
+    {.path = "depth.reversed_zero_to_one",
+     .in = IN(depth.reversed_zero_to_one),
+     .label = "clip range 0 to 1",
+     .help = "Reversed depth pays off only where clip space goes from 0 to 1. Off, it goes from −1 to 1, and halving "
+             "and adding a half rounds away what a float has near 0.",
+     .gl_call = "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)"},
+    {.path = "depth.reversed_clear",
+     .in = IN(depth.reversed_clear),
+     .label = "clear to 0",
+     .help = "Reversed depth has 0 at the far plane, so that is what it is cleared to. Off, it is cleared to 1 as "
+             "usual, nothing is greater, and nothing is drawn.",
+     .gl_call = "glClearDepth(0)"},
+    {.path = "depth.reversed_offset",
+     .in = IN(depth.reversed_offset),
+     .label = "turn the offset's sign",
+     .help = "With reversed depth nearer is greater, so both signs of a polygon offset turn round. Off, they do not, "
+             "and what should come nearer is pushed away.",
+     .gl_call = "glPolygonOffset(−factor, −units)"},
+    {.path = "depth.logarithm_per_vertex",
+     .in = IN(depth.logarithm_per_vertex),
+     .label = "per vertex",
+     .help = "Takes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, and wrong inside large "
+             "triangles: between its corners the depth is bent towards the eye or away from it.",
+     .formula = "z_clip = (2 ln(w/n)/ln(f/n) − 1) · w",
+     .gl_call = "gl_Position.z in place of gl_FragDepth"},
+
+    // coplanar
+    {.path = "coplanar.gap",
+     .in = IN(coplanar.gap),
+     .label = "gap",
+     .unit = length,
+     .min = 0,
+     .max = 10,
+     .step = 0.001,
+     .help = "How far the front quad of each pair in the scene `coplanar` lies before the back one, along their "
+             "normal."},
+    {.path = "coplanar.tilt",
+     .in = IN(coplanar.tilt),
+     .label = "tilt",
+     .unit = degrees,
+     .min = 0,
+     .max = 85,
+     .step = 0.5,
+     .help = "How far the pairs of the scene `coplanar` are turned out of the picture's plane. The more, the more "
+             "codes lie across a quad, and the narrower the stripes."},
+    {.path = "coplanar.distance",
+     .in = IN(coplanar.distance),
+     .label = "distance",
+     .unit = length,
+     .min = 1,
+     .max = 1000,
+     .step = 0.1,
+     .logarithmic = true,
+     .help = "How far the nearest pair of the scene `coplanar` is from the eye. All of them move and grow in "
+             "proportion, so that the picture stays as it is but for the fighting."},
 
     // cull
     {.path = "cull.enabled",
@@ -526,12 +599,27 @@ const Field all_fields[] = {
      .in = IN(view.shows),
      .label = "shows",
      .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
-             "polygon faces the eye, how often each pixel was drawn, or where two hidden-surface methods differ."},
+             "polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, or where "
+             "the gap between two flat surfaces is less than a depth step (fighting)."},
     {.path = "view.depth_scale",
      .in = IN(view.depth_scale),
      .label = "depth scale",
      .help = "window shows the depth as it is stored, most of it nearly white; linear shows the distance from the eye "
              "between near and far."},
+    {.path = "view.depth_colors",
+     .in = IN(view.depth_colors),
+     .label = "depth colours",
+     .help = "Depth as greys, or as bands of colour that tell neighbouring depths apart and show how they are spread."},
+    {.path = "view.depth_range",
+     .in = IN(view.depth_range),
+     .label = "depth range",
+     .unit = length,
+     .min = 1e-6,
+     .max = 1e9,
+     .step = 0.01,
+     .logarithmic = true,
+     .help = "The eye distances that a depth picture shows as black and white; null is near and far. It changes the "
+             "picture of the depths, never the depths."},
     {.path = "view.samples",
      .in = IN(view.samples),
      .label = "samples",
@@ -540,6 +628,62 @@ const Field all_fields[] = {
      .step = 4,
      .help = "Multisampling of the colour picture: 4 samples for smooth edges, 0 for none.",
      .gl_call = "glRenderbufferStorageMultisample"},
+    {.path = "view.beside.shows",
+     .in = IN(view.beside.shows),
+     .label = "beside it",
+     .help = "A second picture in the camera view: the depth buffer, or the same picture with another depth format and "
+             "mapping."},
+    {.path = "view.beside.layout",
+     .in = IN(view.beside.layout),
+     .label = "layout",
+     .help = "Two whole pictures in two halves, or one picture with a line to drag across it."},
+    {.path = "view.beside.share",
+     .in = IN(view.beside.share),
+     .label = "divider",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help = "The part of the camera view that lies left of the divider."},
+    {.path = "view.beside.format",
+     .in = IN(view.beside.format),
+     .label = "other format",
+     .unit = "bits",
+     .help = "The depth format of the second picture."},
+    {.path = "view.beside.mapping",
+     .in = IN(view.beside.mapping),
+     .label = "other mapping",
+     .help = "The depth mapping of the second picture."},
+    {.path = "view.pixel",
+     .in = IN(view.pixel),
+     .label = "pinned pixel",
+     .unit = "pixels",
+     .min = 0,
+     .max = 16383,
+     .step = 1,
+     .help = "The pixel of the camera view that the pixel and cell views tell about, from the top left one on; null is "
+             "the one under the pointer."},
+    {.path = "view.call",
+     .in = IN(view.call),
+     .label = "draw call",
+     .min = -1,
+     .max = 1e9,
+     .step = 1,
+     .help = "Draws no further than this draw call of the frame, from 0 on, to watch the buffers fill; −1 draws all."},
+    {.path = "view.triangle",
+     .in = IN(view.triangle),
+     .label = "triangle",
+     .min = -1,
+     .max = 1e9,
+     .step = 1,
+     .help = "Draws only so many triangles of that draw call; −1 draws all of them."},
+    {.path = "view.lower_left",
+     .in = IN(view.lower_left),
+     .label = "lower left",
+     .help = "What the view below the camera's on the left shows; automatic is the observer."},
+    {.path = "view.lower_right",
+     .in = IN(view.lower_right),
+     .label = "lower right",
+     .help = "What the view below the camera's on the right shows; automatic goes by the hidden-surface method."},
 
     // observer
     {.path = "observer.target",
@@ -607,6 +751,13 @@ const Field all_fields[] = {
      .help = "A famous slip: the camera's own matrix is sent where its inverse belongs, and everything moves the wrong "
              "way.",
      .formula = "C ≠ V = C⁻¹"},
+
+    // animation
+    {.path = "animation.jiggle",
+     .in = IN(animation.jiggle),
+     .label = "jiggle",
+     .help = "Lets the camera tremble by a thousandth of the target's distance: surfaces stay where they are, but the "
+             "stripes of depth fighting crawl."},
 
     // ui
     {.path = "ui.theme",

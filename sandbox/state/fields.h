@@ -26,7 +26,7 @@ struct EnumRef {
 /// Where a field lives inside a Params.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               std::vector<LightParams>*, std::vector<FurtherPlane>*, std::optional<glm::dmat4>*,
-                              std::optional<Follow>*>;
+                              std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*>;
 
 struct Field {
     std::string_view path;  ///< "projection.near"
@@ -58,7 +58,8 @@ struct Range {
 };
 Range component_range(const Field& field, int component);
 
-/// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "follow".
+/// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "follow",
+/// "range", "pixel".
 std::string_view type_name(const Field& field);
 
 /// What the field accepts, to follow "must be": "a number from 1 to 179", "one of fly, walk, orbit" …
@@ -91,6 +92,11 @@ template <> std::span<const char* const> names_of<SortKey>();
 template <> std::span<const char* const> names_of<Splitter>();
 template <> std::span<const char* const> names_of<Shows>();
 template <> std::span<const char* const> names_of<DepthScale>();
+template <> std::span<const char* const> names_of<DecalMethod>();
+template <> std::span<const char* const> names_of<DepthColors>();
+template <> std::span<const char* const> names_of<Beside>();
+template <> std::span<const char* const> names_of<BesideLayout>();
+template <> std::span<const char* const> names_of<Topic>();
 template <> std::span<const char* const> names_of<Theme>();
 template <> std::span<const char* const> names_of<ShapeKind>();
 // clang-format on

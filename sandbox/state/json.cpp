@@ -19,7 +19,8 @@ std::string default_text(const Field& field) {
 
 bool has_range(const Field& field) {
     const std::string_view type = type_name(field);
-    return type == "int" || type == "number" || type == "vec3" || type == "vec4" || type == "matrix";
+    return type == "int" || type == "number" || type == "vec3" || type == "vec4" || type == "matrix" ||
+           type == "range" || type == "pixel";
 }
 
 Json field_description(const Field& field) {

@@ -11,22 +11,20 @@
 
 #include "geometry/camera.h"
 #include "geometry/projection.h"
+#include "state/depth_params.h"
 #include "state/scene_description.h"
+#include "state/view_params.h"
 #include "state/visibility_params.h"
 
 namespace viewing {
 
 enum class Navigation { fly, walk, orbit };
 enum class ProjectionType { perspective, orthographic };
-enum class CompareFunc { never, less, equal, lequal, greater, notequal, gequal, always };
-enum class DepthFormat { d4, d5, d6, d7, d8, d9, d10, d11, d12, d16, d24, d32f };
 enum class CullFace { front, back, front_and_back };
 enum class FrontFace { ccw, cw };
 enum class ShadowOffset { none, polygon_offset, lift, no_depth_test };
 enum class ShadowStyle { blend, missing_light };
 enum class MirrorClip { none, clip_distance, oblique };
-enum class Shows { color, depth, stencil, facing, overdraw, difference };
-enum class DepthScale { window, linear };
 enum class Theme { dark, light, projector };
 
 struct CameraParams {
@@ -45,22 +43,6 @@ struct ProjectionParams {
 
     Lens lens() const { return {type == ProjectionType::orthographic, fovy, height, near, far}; }
     bool operator==(const ProjectionParams&) const = default;
-};
-
-struct DepthOffset {
-    double factor = 0.0, units = 0.0;
-    bool operator==(const DepthOffset&) const = default;
-};
-
-struct DepthParams {
-    bool test = true;
-    CompareFunc func = CompareFunc::less;
-    bool write = true;
-    bool clear = true;
-    DepthFormat format = DepthFormat::d24;
-    DepthMapping mapping = DepthMapping::standard;
-    DepthOffset offset;
-    bool operator==(const DepthParams&) const = default;
 };
 
 struct CullParams {
@@ -123,13 +105,6 @@ struct Follow {
     bool operator==(const Follow&) const = default;
 };
 
-struct ViewParams {
-    Shows shows = Shows::color;
-    DepthScale depth_scale = DepthScale::linear;
-    int samples = 4;  ///< 0 or 4
-    bool operator==(const ViewParams&) const = default;
-};
-
 struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
@@ -146,6 +121,12 @@ struct SlipParams {
     bool operator==(const SlipParams&) const = default;
 };
 
+/// What moves by itself while the window is open; pictures without a window show its beginning.
+struct AnimationParams {
+    bool jiggle = false;  ///< the camera trembles by so little that only depth fighting shows it
+    bool operator==(const AnimationParams&) const = default;
+};
+
 struct UiParams {
     Theme theme = Theme::dark;
     double scale = 1.0;
@@ -158,6 +139,7 @@ struct Params {
     CameraParams camera;
     ProjectionParams projection;
     DepthParams depth;
+    CoplanarParams coplanar;
     CullParams cull;
     LightParams light;
     std::vector<LightParams> lights;
@@ -171,6 +153,7 @@ struct Params {
     ViewParams view;
     ObserverParams observer;
     SlipParams slips;
+    AnimationParams animation;
     UiParams ui;
     bool operator==(const Params&) const = default;
 };

@@ -72,6 +72,16 @@ void mend_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
     }
 }
 
+void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
+    if (!span) {
+        return;
+    }
+    mend_vector(*span, glm::dvec2(field.min, field.max), field);
+    if (!(span->x < span->y)) {
+        span.reset();
+    }
+}
+
 void mend_field(const Field& field, Params& params) {
     const FieldRef fallback = default_ref(field);
     std::visit(Overloaded{
@@ -85,6 +95,10 @@ void mend_field(const Field& field, Params& params) {
                    [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
                    [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
                    [&](std::optional<glm::dmat4>* value) { mend_matrix(*value, field); },
+                   [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
+                   [&](std::optional<glm::ivec2>* value) {
+                       if (*value) **value = glm::clamp(**value, glm::ivec2(0), glm::ivec2(static_cast<int>(field.max)));
+                   },
                    [](auto&&) {},
                },
                field.in(params));
@@ -98,7 +112,8 @@ Range component_range(const Field& field, int component) {
 
 std::string_view type_name(const Field& field) {
     static constexpr std::string_view names[] = {"bool", "int",   "number", "vec3",   "vec4",   "color",
-                                                 "enum", "scene", "lights", "planes", "matrix", "follow"};
+                                                 "enum", "scene", "lights", "planes", "matrix", "follow",
+                                                 "range", "pixel"};
     static_assert(std::size(names) == std::variant_size_v<FieldRef>);
     return names[default_ref(field).index()];
 }
@@ -135,6 +150,12 @@ std::string allowed_text(const Field& field) {
             },
             [](std::optional<Follow>*) -> std::string {
                 return "null or {\"object\": name, \"vertex\": whole number}";
+            },
+            [&](std::optional<glm::dvec2>*) -> std::string {
+                return "null or two numbers [nearest, farthest], each " + range + ", the first one less";
+            },
+            [&](std::optional<glm::ivec2>*) -> std::string {
+                return "null or two whole numbers [x, y], each " + range;
             },
         },
         default_ref(field));

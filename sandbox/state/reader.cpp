@@ -73,6 +73,16 @@ FurtherPlane read_further_plane(const Json& value, const Where& where) {
     return plane;
 }
 
+glm::ivec2 read_pixel(const Json& value, const Field& field, const Where& where) {
+    if (!value.is_array() || value.size() != 2) {
+        refuse_value(value, where, allowed_text(field));
+    }
+    const auto whole = [&](std::size_t i) {
+        return read_whole(value[i], where.at(i), static_cast<int>(field.min), static_cast<int>(field.max));
+    };
+    return {whole(0), whole(1)};
+}
+
 Follow read_follow(const Json& value, const Field& field, const Where& where) {
     static const std::vector<std::string> keys = {"object", "vertex"};
     require_object(value, where, allowed_text(field));
@@ -144,6 +154,21 @@ struct FieldReader {
         target->reset();
         if (!value.is_null()) {
             *target = read_follow(value, field, where);
+        }
+    }
+    void operator()(std::optional<glm::dvec2>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            read_vector(target->emplace(), field, value, where);
+            if (!((*target)->x < (*target)->y)) {
+                refuse_value(value, where, allowed_text(field));
+            }
+        }
+    }
+    void operator()(std::optional<glm::ivec2>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_pixel(value, field, where);
         }
     }
 };

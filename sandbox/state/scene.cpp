@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "state/coplanar.h"
 #include "state/json.h"
 #include "state/mesh_cache.h"
 #include "state/presets.h"
@@ -76,14 +77,18 @@ const SceneObject* Scene::find(std::string_view name) const {
     return found == objects.end() ? nullptr : &*found;
 }
 
-Result<Scene> load_scene(const SceneSource& source, const fs::path& base, LoadProgress* progress,
-                         const std::string& origin) {
-    const Result<Described> from = described(source, base, progress, origin);
+Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const CoplanarParams& coplanar,
+                         LoadProgress* progress, const std::string& origin) {
+    Result<Described> from = described(source, base, progress, origin);
     if (!from) {
         return Error{from.error()};
     }
-    const auto count = static_cast<float>(from->scene.objects.size());
     Scene scene;
+    if (from->scene.made_by) {
+        from->scene = coplanar_scene(coplanar);
+        scene.made_from = coplanar;
+    }
+    const auto count = static_cast<float>(from->scene.objects.size());
     for (std::size_t i = 0; i < from->scene.objects.size(); ++i) {
         const ObjectDescription& object = from->scene.objects[i];
         const auto done = static_cast<float>(i);

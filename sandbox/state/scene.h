@@ -4,6 +4,7 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct SceneObject {
 struct Scene {
     std::vector<SceneObject> objects;
     Bounds bounds_world;
+    std::optional<CoplanarParams> made_from = {};  ///< what the formula took that made the objects, if one did
 
     const SceneObject* find(std::string_view name) const;
 };
@@ -41,8 +43,9 @@ struct LoadProgress {
 /// file, or of an OBJ file, which is then shown by itself. The same shape or file is shared between scenes. Safe to
 /// call from several threads. Errors name the scene's file and the field: "room.json: objects[3].file: chair.obj: …";
 /// what is wrong with `source` itself opens with `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file:
-/// …".
-Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base, LoadProgress* progress = nullptr,
+/// …". `coplanar`: the parameters of a scene that its file says is made by a formula.
+Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base,
+                         const CoplanarParams& coplanar = {}, LoadProgress* progress = nullptr,
                          const std::string& origin = "scene");
 
 /// A Wavefront OBJ file: centred and scaled to fit (longest side 2), the file's normals used where every corner has one

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,8 +36,12 @@ struct ObjectDescription {
     bool operator==(const ObjectDescription&) const = default;
 };
 
+/// What a scene can be made by in place of listing its objects: see coplanar.h.
+enum class SceneFormula { coplanar };
+
 struct SceneDescription {
-    std::vector<ObjectDescription> objects;
+    std::vector<ObjectDescription> objects;  ///< none for a scene that a formula makes
+    std::optional<SceneFormula> made_by = {};
     bool operator==(const SceneDescription&) const = default;
 };
 

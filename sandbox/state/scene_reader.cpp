@@ -15,6 +15,7 @@ constexpr Range position_range{-1e6, 1e6};
 constexpr Range angle_range{-3600.0, 3600.0};
 constexpr Range scale_range{1e-6, 1e6};  // of the absolute value: a negative scale mirrors
 constexpr int max_resolution = 64;
+constexpr const char* formulas[] = {"coplanar"};
 
 glm::dvec3 read_scale(const Json& value, const Where& where) {
     const glm::dvec3 scale = read_vec3(value, where, {-scale_range.max, scale_range.max}, "three factors [x, y, z]");
@@ -133,12 +134,20 @@ Json object_as_json(const ObjectDescription& object) {
 }  // namespace
 
 SceneDescription read_scene(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"objects"};
+    static const std::vector<std::string> keys = {"objects", "made_by"};
     require_object(value, where, "an object {\"objects\": […]}");
     for (const auto& item : value.items()) {
         require_known_key(item.key(), where, keys);
     }
     const Where where_objects = where.key("objects");
+    if (value.contains("made_by")) {
+        const Where where_formula = where.key("made_by");
+        const int formula = read_choice(value["made_by"], where_formula, formulas);
+        if (value.contains("objects")) {
+            where_formula.refuse("the scene lists its objects already: it is either made by a formula or has objects");
+        }
+        return {{}, static_cast<SceneFormula>(formula)};
+    }
     if (!value.contains("objects")) {
         where_objects.refuse("is missing: the array of the scene's objects");
     }
@@ -159,6 +168,9 @@ SceneDescription read_scene(const Json& value, const Where& where) {
 }
 
 Json scene_as_json(const SceneDescription& scene) {
+    if (scene.made_by) {
+        return {{"made_by", formulas[static_cast<std::size_t>(*scene.made_by)]}};
+    }
     Json objects = Json::array();
     for (const ObjectDescription& object : scene.objects) {
         objects.push_back(object_as_json(object));

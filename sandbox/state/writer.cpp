@@ -43,6 +43,12 @@ struct FieldWriter {
     Json operator()(const std::optional<Follow>* follow) const {
         return *follow ? Json{{"object", (*follow)->object}, {"vertex", (*follow)->vertex}} : Json(nullptr);
     }
+    Json operator()(const std::optional<glm::dvec2>* range) const {
+        return *range ? Json{(*range)->x, (*range)->y} : Json(nullptr);
+    }
+    Json operator()(const std::optional<glm::ivec2>* pixel) const {
+        return *pixel ? Json{(*pixel)->x, (*pixel)->y} : Json(nullptr);
+    }
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/depth_colors.h"
 #include "state/fields.h"
+#include "ui/depth_views.h"
 #include "ui/look.h"
 #include "ui/view_parts.h"
 #include "ui/views.h"
@@ -12,27 +14,23 @@ namespace {
 
 /// What the picture shows, and what belongs to that.
 void view_choices(Params& params, const Rect& rect) {
-    static constexpr const char* shows[] = {"colour", "depth", "stencil", "facing", "overdraw", "difference"};
+    static constexpr const char* shows[] = {"colour",   "depth",      "stencil", "facing",
+                                            "overdraw", "difference", "fighting"};
     static constexpr const char* show_explanations[] = {
         "The picture as it is meant to be seen.",
         "The depth buffer: black is near, white is far, tinted was never written.",
         "The stencil buffer: where the patch was marked, and where a shadow was counted on it.",
         "Which side of each polygon is seen: front faces and back faces in two colours.",
         "How often each pixel was drawn.",
-        "Where the method and the one it is compared with see different polygons: red."};
+        "Where the method and the one it is compared with see different polygons: red.",
+        "The gap between two flat surfaces in steps of the depth buffer: below 1 they fight."};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
         params.view.shows = static_cast<Shows>(index);
     if (params.view.shows == Shows::depth) {
-        static constexpr const char* scales[] = {"window", "linear"};
-        static constexpr const char* explanations[] = {
-            "Window depth, 0 to 1 as it is stored: most of it is spent close to the eye.",
-            "Eye distance from near to far: as far apart as the surfaces are."};
         ImGui::SameLine(0.0F, px(16.0F));
-        int scale = static_cast<int>(params.view.depth_scale);
-        if (words("##scale", scale, scales, explanations, 1, rect.max.x))
-            params.view.depth_scale = static_cast<DepthScale>(scale);
+        depth_choices(params, rect.max.x);
     } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F)) {  // else it is in the Look menu alone
         static constexpr const char* samples[] = {"MSAA off", "MSAA 4×"};
         static constexpr const char* explanations[] = {"One sample for each pixel: edges show their steps.",
@@ -66,9 +64,18 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
                                        {overdraw_colors[6], "6"},
                                        {overdraw_colors[8], "8 or more times drawn"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::fighting) {
+        const LegendEntry entries[] = {{heat_colors[0], "gap ÷ step: 0"},
+                                       {heat_colors[1], "½"},
+                                       {heat_colors[3], "1"},
+                                       {heat_colors[4], "2"},
+                                       {heat_colors[5], "4 and more"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
-        const LegendEntry entries[] = {{{0, 0, 0}, "near"}, {{255, 255, 255}, "far"}, {unwritten, "never written"}};
+        const DepthColors colors = params.view.depth_colors;
+        const LegendEntry entries[] = {
+            {near_color(colors), "near"}, {far_color(colors), "far"}, {unwritten, "never written"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
 }
@@ -98,6 +105,23 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
         }
     }
     return found;
+}
+
+/// A click on the pinned pixel lets it go.
+void pin(Params& params, glm::ivec2 pixel) {
+    if (params.view.pixel == pixel)
+        params.view.pixel.reset();
+    else
+        params.view.pixel = pixel;
+}
+
+/// A ring around the pinned pixel, as large as it takes to be seen.
+void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
+    const Rect& rect = overlay.rect();
+    const ImVec2 at(rect.min.x + static_cast<float>(pixel.x) + 0.5F, rect.min.y + static_cast<float>(pixel.y) + 0.5F);
+    if (!rect.contains(at)) return;
+    overlay.draw()->AddCircle(at, px(7.0F), palette().ground, 0, px(4.0F));
+    overlay.draw()->AddCircle(at, px(7.0F), palette().point, 0, px(2.0F));
 }
 
 /// Pressing takes a handle or begins to look; dragging moves it; a click that stayed in place picks a vertex.
@@ -130,7 +154,10 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
             PolygonLink& link = state.laboratory.next_link;
             link.selected_fragment = state.laboratory.link.hovered_fragment;
             link.selected_node = state.laboratory.tree_index.node_of(link.selected_fragment);
-            if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos)) session.params.follow = follow;
+            if (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells))
+                pin(session.params, *state.hovered_pixel);
+            else if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos))
+                session.params.follow = follow;
         }
         state.grip = {};
         state.looking = false;
@@ -147,6 +174,14 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 
 }  // namespace
 
+void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
+                      const Pictures& pictures) {
+    if (layout.beside.empty()) return;
+    const widgets::Group group("beside");
+    draw_beside_half(session, derived, layout.beside, pictures.beside);
+    if (ImGui::IsItemHovered()) state.hovered = ViewName::camera;
+}
+
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
@@ -155,12 +190,18 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     Params& params = session.params;
     view_choices(params, rect);
 
-    picture_item("camera view", rect, pictures.camera);
+    const BesideParams& beside = params.view.beside;
+    const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
+    if (has_divider) {
+        draw_picture(rect, pictures.camera);
+        draw_beside_divider(session, derived, rect, pictures.beside);
+    }
+    picture_item("camera view", rect, has_divider ? nullptr : pictures.camera);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (over) state.hovered = ViewName::camera;
     state.hovered_pixel.reset();
-    if (over) state.hovered_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
+    if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     const HandlePlaces places = handle_places(params, derived);
@@ -171,6 +212,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     camera_legend(overlay, params, pictures.hidden);
     if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
     draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
+    if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
     if (!state.handles) return;
     draw_handles(overlay, places, params, derived, hovered);
     draw_followed(overlay, params, derived);

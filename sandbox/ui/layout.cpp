@@ -11,6 +11,17 @@ Rect rounded(float left, float top, float right, float bottom) {
             {std::round(std::max(left, right)), std::round(std::max(top, bottom))}};
 }
 
+void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
+    if (!arrangement.halves) return;
+    layout.beside = layout.camera;
+    const float middle = (layout.camera.min.x + layout.camera.max.x) * 0.5F;
+    // Both of the same size, so that the same pixels lie at the same places.
+    const float width = std::floor((layout.camera.width() - std::max(gap, 2.0F)) * 0.5F);
+    layout.camera.max.x = layout.camera.min.x + width;
+    layout.beside.min.x = std::max(middle, layout.beside.max.x - width);
+    layout.beside.max.x = layout.beside.min.x + width;
+}
+
 }  // namespace
 
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
@@ -48,9 +59,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     switch (arrangement.maximised) {
         case ViewName::camera:
             layout.camera = whole;
+            divide_camera(layout, arrangement, gap);
             return layout;
-        case ViewName::observer:
-            layout.observer = whole;
+        case ViewName::lower_left:
+            layout.lower_left = whole;
             return layout;
         case ViewName::lower_right:
             layout.lower_right = whole;
@@ -62,8 +74,9 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
     const float split_y = bottom - lower;
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
+    divide_camera(layout, arrangement, gap);
     const float split_x = left + (right - left) * arrangement.lower_split;
-    layout.observer = rounded(left, split_y, split_x - gap * 0.5F, bottom);
+    layout.lower_left = rounded(left, split_y, split_x - gap * 0.5F, bottom);
     layout.lower_right = rounded(split_x + gap * 0.5F, split_y, right, bottom);
     return layout;
 }

@@ -19,7 +19,7 @@ struct Rect {
     }
 };
 
-enum class ViewName { none, camera, observer, lower_right };
+enum class ViewName { none, camera, lower_left, lower_right };
 
 /// What a person has arranged; sizes in design pixels.
 struct Arrangement {
@@ -27,19 +27,21 @@ struct Arrangement {
     bool matrices_folded = false;
     bool prefers_matrices = false;  ///< where there is room for one column only
     ViewName maximised = ViewName::none;
-    bool bare = false;  ///< the maximised view and nothing else: no bars, no header
+    bool halves = false;  ///< two pictures in the place of the camera's
+    bool bare = false;    ///< the maximised view and nothing else: no bars, no header
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
-    float lower_split = 0.5F;  ///< share of the observer's width
+    float lower_split = 0.5F;  ///< share of the left one's width
 };
 
 struct Layout {
     Rect top_bar, status_bar;
-    Rect panel, matrices;                ///< empty when folded
-    Rect camera, observer, lower_right;  ///< pictures, without their header lines; empty when hidden
-    float header_height = 0.0F;          ///< above each picture
-    bool matrices_fit = true;            ///< false: the window is too narrow for both columns
+    Rect panel, matrices;                  ///< empty when folded
+    Rect camera, lower_left, lower_right;  ///< pictures, without their header lines; empty when hidden
+    Rect beside;                           ///< a second picture right of the camera's, which then has the other half
+    float header_height = 0.0F;            ///< above each picture
+    bool matrices_fit = true;              ///< false: the window is too narrow for both columns
 };
 
 /// `scale`: pixels per design pixel.

@@ -1,69 +1,16 @@
-// The two views below the camera's: the observer, and what a topic wants beside it.
+// The two views below the camera's: each shows a topic, and its headline is the list of them.
 #include <algorithm>
-#include <cmath>
 
-#include "state/fields.h"
+#include "ui/depth_views.h"
+#include "ui/fighting_view.h"
 #include "ui/look.h"
+#include "ui/pixel_view.h"
+#include "ui/precision_view.h"
 #include "ui/view_parts.h"
 #include "ui/views.h"
 
 namespace viewing {
 namespace {
-
-/// x, y and z from the world's origin, one unit long.
-void world_axes(Overlay& overlay) {
-    static constexpr const char* names[] = {"x", "y", "z"};
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::dvec3 tip(0.0);
-        tip[axis] = 1.0;
-        overlay.arrow(glm::dvec3(0.0), tip, palette().quiet, 1.5F);
-        overlay.label(tip, names[axis], palette().quiet);
-    }
-}
-
-void frustum_lines(Overlay& overlay, const Params& params, const Derived& derived) {
-    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
-        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
-        overlay.line(corners[corner], corners[corner + 4], palette().camera, 1.5F);
-    }
-    const ImU32 faint = (palette().camera & ~IM_COL32_A_MASK) | (28U << IM_COL32_A_SHIFT);
-    overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
-    overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
-    const glm::dvec3 eye(derived.world_from_view[3]);
-    if (params.projection.type == ProjectionType::perspective)
-        for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
-    overlay.dot(eye, palette().camera, 5.0F);
-    overlay.label(eye, "camera", palette().camera);
-    overlay.label((corners[0] + corners[1]) * 0.5, "near", palette().camera);
-    overlay.label((corners[4] + corners[5]) * 0.5, "far", palette().camera);
-}
-
-void patch_outline(Overlay& overlay, const Derived& derived) {
-    const std::array<glm::dvec3, 4> corners = derived.patch.corners();
-    for (std::size_t corner = 0; corner < 4; ++corner)
-        overlay.line(corners[corner], corners[(corner + 1) % 4], palette().plane, 1.5F);
-}
-
-void observer_mouse(ViewState& state, Session& session) {
-    const ImGuiIO& io = ImGui::GetIO();
-    ObserverParams& observer = session.params.observer;
-    if (ImGui::IsItemActive() && state.grip.handle == Handle::none) {
-        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-            const double degrees_per_px = 0.4 / widgets::CurrentContext().scale;
-            observer.yaw -= io.MouseDelta.x * degrees_per_px;
-            observer.pitch = std::clamp(observer.pitch - io.MouseDelta.y * degrees_per_px, -89.0, 89.0);
-        } else {
-            const glm::dmat4 turned = rotation_from_angles({observer.yaw, observer.pitch, 0.0});
-            const double step = observer.distance * 0.002 / widgets::CurrentContext().scale;
-            observer.target +=
-                glm::dvec3(turned[0]) * (-io.MouseDelta.x * step) + glm::dvec3(turned[1]) * (io.MouseDelta.y * step);
-        }
-    }
-    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) observer.distance *= std::pow(0.88, io.MouseWheel);
-    clamp_to_ranges(session.params);
-}
 
 void passes_list(const FramePlan& plan, const Rect& rect) {
     const widgets::Context& context = widgets::CurrentContext();
@@ -87,111 +34,66 @@ void passes_list(const FramePlan& plan, const Rect& rect) {
     ImGui::PopStyleColor();
 }
 
-/// Another method brings what is to be seen of it: the tree, the order, or the depth buffer again.
-void follow_method(ViewState& state, VisibilityMethod method) {
-    if (state.topic_for == method) return;
-    state.topic_for = method;
-    state.topic = method == VisibilityMethod::bsp ? LowerTopic::tree
-                  : is_drawn_by_gl_alone(method)  ? LowerTopic::depth
-                                                  : LowerTopic::order;
-}
-
-/// What black and white stand for in the depth picture beside the camera's.
-void draw_depth_legend(const Session& session, const Derived& derived, const Rect& rect) {
-    const glm::dvec2 range = fitting_range(session.params, derived, session.scene());
-    const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
-    const LegendEntry entries[] = {{{0, 0, 0}, near.c_str()},
-                                   {{255, 255, 255}, far.c_str()},
-                                   {ground_of(session.params.ui.theme).unwritten, "never written"}};
-    draw_legend(ImGui::GetWindowDrawList(), rect, entries);
+/// The headline: which topic it is, as a list of all of them.
+void topic_choice(Params& params, Slot slot, const Rect& rect) {
+    view_header(rect, "");
+    const Topic shown = topic_of(params, slot);
+    int topic = static_cast<int>(shown);
+    if (widgets::Choice("##topic", topic, topic_names(), 0, std::min(px(190.0F), rect.width())))
+        choose_topic(params, slot, static_cast<Topic>(topic));
+    widgets::Tooltip(
+        "What this view shows",
+        "The observer, who sees the camera from outside; the world moving while the camera stays; the depth buffer and "
+        "what can be told of it: histogram, precision, codes, one pixel, a block of them, depth fighting; the frame as "
+        "GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
+    ImGui::SameLine(0.0F, px(12.0F));
 }
 
 }  // namespace
 
-void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        const Pictures& pictures) {
+void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
+                     const Rect& rect, const Pictures& pictures) {
     if (rect.empty()) return;
-    const widgets::Group group("observer");
-    view_header(rect, "Observer");
-    header_note("camera frustum, light, plane", rect.max.x);
-    picture_item("observer view", rect, pictures.observer);
-    const bool over = ImGui::IsItemHovered();
-    if (over) state.hovered = ViewName::observer;
-
-    const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
-    Overlay overlay(ImGui::GetWindowDrawList(), rect, observer.clip_from_world);
-    const HandlePlaces places = handle_places(session.params, derived);
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    Handle hovered = state.grip.handle;
-    if (hovered == Handle::none && over) hovered = handle_at(overlay, places, mouse);
-    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && hovered != Handle::none)
-        state.grip = take(overlay, places, hovered, session.params, mouse);
-    if (ImGui::IsItemActive() && state.grip.handle != Handle::none)
-        drag(session.params, overlay, state.grip, mouse, ImGui::GetIO().KeyShift);
-    observer_mouse(state, session);
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
-
-    patch_outline(overlay, derived);
-    frustum_lines(overlay, session.params, derived);
-    draw_laboratory_observer(state.laboratory, pictures.hidden, overlay);
-    draw_handles(overlay, places, session.params, derived, hovered);
-    draw_followed(overlay, session.params, derived);
-}
-
-void draw_lower_right_view(ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                           const Rect& rect, const Pictures& pictures) {
-    if (rect.empty()) return;
-    const widgets::Group group("lower");
-    follow_method(state, session.params.visibility.method);
-    static constexpr const char* topics[] = {"Depth buffer", "Moving the world", "GL calls, pass by pass",
-                                             "BSP tree",     "Drawing order",    "Costs as they grow"};
-    ImGui::SetCursorScreenPos({rect.min.x, rect.min.y - px(25.0F)});
-    int topic = static_cast<int>(state.topic);
-    if (widgets::Choice("##topic", topic, topics, 0, std::min(px(190.0F), rect.width())))
-        state.topic = static_cast<LowerTopic>(topic);
-    widgets::Tooltip(
-        "What this view shows",
-        "The camera's depth buffer; the world moving while the camera stays; or the passes of the frame with "
-        "what GL is told in each. Of the hidden-surface methods: the tree, the order in which polygons are drawn, and "
-        "what each method costs as a scene grows.");
-
-    const bool over = ImGui::IsMouseHoveringRect(rect.min, rect.max);
-    switch (state.topic) {
-        case LowerTopic::passes:
+    const widgets::Group group(slot == Slot::left ? "left" : "lower");
+    topic_choice(session.params, slot, rect);
+    const Topic topic = topic_of(session.params, slot);
+    const ImTextureID picture = pictures.lower[static_cast<std::size_t>(slot)];
+    if (ImGui::IsMouseHoveringRect(rect.min, rect.max) && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
+        state.hovered = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
+    switch (topic) {
+        case Topic::automatic:
+            break;
+        case Topic::observer:
+            header_note("camera frustum, light, plane", rect.max.x);
+            return draw_observer_view(state, session, derived, rect, picture, pictures.hidden);
+        case Topic::depth:
+            return draw_depth_picture(session, derived, rect, picture);
+        case Topic::histogram:
+            return draw_histogram_view(session, pictures.depth.depth_counts, rect);
+        case Topic::precision:
+            return draw_precision_view(session, derived, rect, pictures.depth.pixel ? -pictures.depth.pixel->eye_z : 0.0);
+        case Topic::codes:
+            return draw_codes_view(session, derived, rect);
+        case Topic::pixel:
+            return draw_pixel_view(session, derived, pictures.depth, rect);
+        case Topic::cells:
+            state.cells = cell_block_size(rect);
+            return draw_cell_view(session, pictures.depth, plan, rect, state.call_player);
+        case Topic::fighting:
+            return draw_fighting_view(session, pictures.depth.fighting.get(), rect);
+        case Topic::moving_world:
+            return draw_moving_world_view(session, state, derived, rect, picture);
+        case Topic::passes:
             return passes_list(plan, rect);
-        case LowerTopic::tree:
-            if (over) state.hovered = ViewName::lower_right;
+        case Topic::tree:
             return draw_tree_view(state.laboratory, session, pictures.hidden, rect);
-        case LowerTopic::order:
-            if (over) state.hovered = ViewName::lower_right;
+        case Topic::order:
             return draw_order_view(state.laboratory, session, pictures.hidden, rect);
-        case LowerTopic::growth:
-            if (over) state.hovered = ViewName::lower_right;
+        case Topic::growth:
             return draw_growth_view(state.laboratory, session, rect);
-        case LowerTopic::depth:
-        case LowerTopic::moving_world:
+        default:
             break;
     }
-    picture_item("lower view", rect, pictures.lower_right);
-    if (ImGui::IsItemHovered()) state.hovered = ViewName::lower_right;
-    if (state.topic == LowerTopic::depth) {
-        draw_depth_legend(session, derived, rect);
-        if (session.params.visibility.method != VisibilityMethod::depth_buffer)
-            widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)},
-                              palette().text, "This method draws with GL's depth test off: no depth is written.");
-        return;
-    }
-    observer_mouse(state, session);
-    const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
-    Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
-    world_axes(overlay);
-    patch_outline(overlay, derived);
-    frustum_lines(overlay, session.params, derived);
-    const glm::dvec3 light = handle_places(session.params, derived).light;
-    overlay.dot(light, palette().light, 6.0F);
-    overlay.label(light, "l", palette().light);
-    widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,
-                      "the camera stays, the world moves by V = C⁻¹: the same picture");
 }
 
 }  // namespace viewing

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/controls.h"
+#include "ui/depth_panel.h"
 #include "ui/links.h"
 #include "ui/look.h"
 
@@ -151,20 +152,9 @@ void hidden_surfaces_section(Session& session, const Derived& derived, Laborator
     ImGui::TextUnformatted("Front face");
     beside(second);
     control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
-    control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"});
+    if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"}))
+        params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_laboratory_panel(laboratory, session, hidden);
-    if (details("Depth format and mapping")) {
-        static constexpr const char* formats[] = {"4 bit",  "5 bit",  "6 bit",  "7 bit",  "8 bit",  "9 bit",
-                                                  "10 bit", "11 bit", "12 bit", "16 bit", "24 bit", "32 bit float"};
-        control(params, "depth.format", {.width = 130.0F, .names = formats});
-        control(params, "depth.mapping", {.width = 130.0F});
-        for (const SceneObject& object : session.scene().objects)
-            if (object.description.decal) {
-                control(params, "depth.offset.factor", {.label = "decal factor"});
-                control(params, "depth.offset.units", {.label = "decal units"});
-                break;
-            }
-    }
     tell_problems(derived, "depth");
     tell_problems(derived, "visibility");
 }
@@ -264,6 +254,7 @@ void draw_panel(Session& session, const Derived& derived, LaboratoryState& labor
     camera_section(session, derived);
     projection_section(session, derived);
     hidden_surfaces_section(session, derived, laboratory, hidden);
+    draw_depth_section(session);
     light_section(session, derived);
     plane_section(session, derived);
     shadow_and_reflection_section(session, derived);

@@ -14,6 +14,7 @@ namespace viewing {
 struct Session::LoadJob {
     SceneSource source;
     std::filesystem::path base;
+    CoplanarParams coplanar;
     LoadProgress progress;
     std::future<Result<Scene>> result;
 
@@ -49,7 +50,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 Result<Session> Session::make(const LoadedState& state) {
-    Result<Scene> scene = load_scene(state.params.scene, state.base);
+    Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
     if (!scene) return Error{scene.error()};
     return Session(state, std::move(*scene));
 }
@@ -59,14 +60,17 @@ void Session::update_scene() {
     if (job_ && (!wanted || job_->source != params.scene || job_->base != base_)) job_.reset();
     if (!wanted) {
         before_replacing_.reset();
+        remake_scene();
         return;
     }
     if (!job_) {
         job_ = std::make_unique<LoadJob>();
         job_->source = params.scene;
         job_->base = base_;
-        job_->result = std::async(std::launch::async,
-                                  [job = job_.get()] { return load_scene(job->source, job->base, &job->progress); });
+        job_->coplanar = params.coplanar;
+        job_->result = std::async(std::launch::async, [job = job_.get()] {
+            return load_scene(job->source, job->base, job->coplanar, &job->progress);
+        });
     }
     // Most scenes are there at once: a short wait spares a frame with the old one.
     if (job_->result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) return;
@@ -82,6 +86,14 @@ void Session::update_scene() {
         message = {loaded.error(), true};
         keep_scene();
     }
+}
+
+void Session::remake_scene() {
+    if (!scene_.made_from || *scene_.made_from == params.coplanar) return;
+    Result<Scene> made = load_scene(SceneDescription{{}, SceneFormula::coplanar}, {}, params.coplanar);
+    if (!made) return report(Error{made.error()});
+    scene_ = std::move(*made);
+    ++scene_version_;
 }
 
 void Session::keep_scene() {

@@ -83,6 +83,8 @@ private:
     /// Turns the camera to the orbit's target when that is out of view: orbiting something unseen helps nobody.
     void aim_at_target();
     bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
+    /// Makes the scene anew at once where a formula made it from other parameters: there is nothing to wait for.
+    void remake_scene();
     /// The scene that is awaited does not come: back to what was before it was named.
     void keep_scene();
 

@@ -4,10 +4,14 @@
 #include <cmath>
 
 namespace viewing {
-void picture_item(const char* name, const Rect& rect, ImTextureID picture) {
-    ImGui::SetCursorScreenPos(rect.min);
+void draw_picture(const Rect& rect, ImTextureID picture) {
     if (picture)
         ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's rows count up
+}
+
+void picture_item(const char* name, const Rect& rect, ImTextureID picture) {
+    ImGui::SetCursorScreenPos(rect.min);
+    draw_picture(rect, picture);
     ImGui::InvisibleButton(
         name, {rect.width(), rect.height()},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
@@ -25,11 +29,15 @@ void view_header(const Rect& rect, const char* title) {
     ImGui::SameLine(0.0F, px(12.0F));
 }
 
-bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
-           int default_index, float right) {
+bool have_room(std::span<const char* const> names, float right) {
     float end = ImGui::GetCursorScreenPos().x;
     for (const char* name : names) end += ImGui::CalcTextSize(name).x + px(2.0F * 8.0F + 2.0F);
-    if (end > right) return widgets::Choice(id, index, names, default_index);  // which has no room to explain
+    return end <= right;
+}
+
+bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
+           int default_index, float right) {
+    if (!have_room(names, right)) return widgets::Choice(id, index, names, default_index);  // has none to explain
     bool changed = false;
     ImGui::PushID(id);
     for (int one = 0; one < static_cast<int>(names.size()); ++one) {

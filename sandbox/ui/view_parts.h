@@ -7,6 +7,9 @@
 
 namespace viewing {
 
+/// Nothing without a picture.
+void draw_picture(const Rect& rect, ImTextureID picture);
+
 /// The picture fills its rectangle exactly, with an invisible button over it for the mouse.
 void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 
@@ -17,6 +20,9 @@ void view_header(const Rect& rect, const char* title);
 /// explains itself by the sentence of the same index.
 bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
            int default_index, float right);
+
+/// Whether they have room from the cursor on to `right`, as words in a row.
+bool have_room(std::span<const char* const> names, float right);
 
 /// A quiet note on the headline; left out where it would go beyond `right`.
 void header_note(const char* text, float right);

@@ -1,48 +1,66 @@
 // The pictures with what is drawn over them and what the mouse does in them.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "ui/cell_view.h"
+#include "ui/depth_data.h"
 #include "ui/handles.h"
 #include "ui/input.h"
 #include "ui/laboratory.h"
 #include "ui/session.h"
+#include "ui/topics.h"
 
 namespace viewing {
 
-/// What the lower right view shows.
-enum class LowerTopic { depth, moving_world, passes, tree, order, growth };
-
 /// Finished pictures to show, null while there is none, and what was found for them.
 struct Pictures {
-    ImTextureID camera = nullptr, observer = nullptr, lower_right = nullptr;
+    ImTextureID camera = nullptr, beside = nullptr;
+    std::array<ImTextureID, 2> lower{};  ///< of each Slot
     HiddenStatus hidden;
+    DepthData depth;
 };
 
 /// What the mouse is doing in the views; kept between frames.
 struct ViewState {
-    LowerTopic topic = LowerTopic::depth;
-    VisibilityMethod topic_for = VisibilityMethod::depth_buffer;  ///< the method that `topic` follows
     bool handles = true;
     Grip grip;
     bool looking = false;                     ///< dragging to turn the camera
     float dragged_px = 0.0F;                  ///< since the press: a click that did not move picks a vertex
     std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, top left origin
+    std::optional<glm::ivec2> told_pixel;     ///< the last one of these, while the pointer is elsewhere
     ViewName hovered = ViewName::none;
     LaboratoryState laboratory;
+    StepPlayer call_player;  ///< of the draw calls
+    glm::ivec2 cells{0};      ///< columns and rows that the cell view had room for
 };
+
+/// Whether something goes on by itself, step by step.
+inline bool is_playing(const ViewState& state) {
+    return state.laboratory.playing || state.call_player.playing;
+}
 
 /// The camera's picture; adds what the mouse did to the motion input.
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                        const Pictures& pictures);
+/// The second picture of the camera's view, whose divider edits its share.
+void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
+                      const Pictures& pictures);
 
-/// The lower right view; `passes` is the frame plan for its list of GL calls.
-void draw_lower_right_view(ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                           const Rect& rect, const Pictures& pictures);
+/// One of the two views below; `plan` is the camera's frame.
+void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
+                     const Rect& rect, const Pictures& pictures);
+
+/// The observer's picture with what is drawn over it; its headline stands already.
+void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                        ImTextureID picture, const HiddenStatus& hidden);
+
+/// The world as it moves before a camera that stays where it is.
+void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
+                            ImTextureID picture);
 
 }  // namespace viewing

@@ -95,15 +95,17 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
     draw_camera_view(views, session, derived, layout.camera, pictures, input, motion);
-    draw_observer_view(views, session, derived, layout.observer, pictures);
-    draw_lower_right_view(views, session, derived, plan, layout.lower_right, pictures);
+    draw_beside_view(views, session, derived, layout, pictures);
+    draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures);
+    draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures);
     if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
     ImGui::End();
 }
 
 void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
-    ImGui::SetCursorScreenPos({layout.camera.min.x, layout.camera.max.y});
-    widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, layout.camera.width(), -1.0F);
+    ImGui::SetCursorScreenPos({layout.lower_left.min.x, layout.camera.max.y});
+    const float length = layout.lower_right.max.x - layout.lower_left.min.x;
+    widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
     if (!layout.panel.empty()) {
         ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
         widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
@@ -113,10 +115,10 @@ void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
         widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
     }
     // Between the lower two the arrangement keeps a share, so that it fits windows of any width.
-    const float whole = (layout.lower_right.max.x - layout.observer.min.x) / widgets.scale;
+    const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets.scale;
     float left = arrangement.lower_split * whole;
-    ImGui::SetCursorScreenPos({layout.observer.max.x + px(2.0F), layout.observer.min.y});
-    if (widgets::Splitter("lower split", true, left, 0.25F * whole, 0.75F * whole, layout.observer.height()))
+    ImGui::SetCursorScreenPos({layout.lower_left.max.x + px(2.0F), layout.lower_left.min.y});
+    if (widgets::Splitter("lower split", true, left, 0.25F * whole, 0.75F * whole, layout.lower_left.height()))
         arrangement.lower_split = left / whole;
 }
 
@@ -156,7 +158,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     widgets::NewFrame(widgets);
     Requests requests;
     handle_keys(session, input, requests);
-    const Layout now = layout(ImGui::GetIO().DisplaySize);
+    const Layout now = layout(ImGui::GetIO().DisplaySize, session.params);
 
     const bool keys_move =
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
@@ -167,6 +169,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
+    if (!is_shown(session.params, Topic::cells)) views.call_player.playing = false;
     LaboratoryState& laboratory = views.laboratory;
     end_laboratory_frame(laboratory, session);
     take_growth_rows(laboratory);
@@ -182,7 +185,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
-    if (!ImGui::IsAnyItemActive() && !session.is_moving() && !laboratory.playing) session.rest();
+    if (!ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views)) session.rest();
     return requests;
 }
 

@@ -38,8 +38,12 @@ public:
     ViewState views;
     widgets::Context widgets;
 
-    /// Where everything is now.
-    Layout layout(ImVec2 window_px) const { return lay_out(window_px, widgets.scale, arrangement); }
+    /// Where everything is for these parameters.
+    Layout layout(ImVec2 window_px, const Params& params) const {
+        Arrangement now = arrangement;
+        now.halves = params.view.beside.shows != Beside::nothing && params.view.beside.layout == BesideLayout::halves;
+        return lay_out(window_px, widgets.scale, now);
+    }
 
     /// Draws one ImGui frame's windows (between NewFrame and Render), edits the session and moves its camera.
     Requests draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,

@@ -151,6 +151,45 @@ TEST_F(Fighting, OfDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
     EXPECT_GT(count("fighting-offset-wrong-sign").wrong_fraction(), 0.99);
 }
 
+TEST_F(Fighting, OfDecalsIsCuredByTheStencilAndNotByEqualDepth) {
+    const FightingCounts equal = count("fighting-decals-equal"), stencil = count("fighting-decals-stencil");
+    ASSERT_EQ(equal.pairs.size(), 4U);
+    ASSERT_EQ(stencil.pairs.size(), 4U);
+    EXPECT_GT(equal.wrong_fraction(), 0.1);
+    EXPECT_LT(equal.wrong_fraction(), 0.9);
+    EXPECT_EQ(stencil.wrong_fraction(), 0.0);
+    EXPECT_EQ(equal.wrong_elsewhere + stencil.wrong_elsewhere, 0);
+    for (const CountedPair& pair : stencil.pairs) EXPECT_GT(pair.pixels, 1000);
+}
+
+TEST_F(Fighting, IsCountedInTheWholeFrameWhateverStepIsShown) {
+    const Scene scene = testing::scene_named("coplanar");
+    Params params = load_state("depth-fighting")->params;
+    const FightingCounts whole = count(params, scene);
+    params.view.call = 3;
+    params.view.triangle = 1;
+    params.view.shows = Shows::fighting;
+    EXPECT_EQ(count(params, scene).wrong_fraction(), whole.wrong_fraction());
+}
+
+TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
+    // Every cure and slip of the presets, with few bits so that rounding plays no part.
+    for (const char* const preset : {"fighting-decals", "fighting-decals-stencil", "fighting-offset-too-little",
+                                     "fighting-16-bit", "fighting-reversed", "fighting-logarithmic"}) {
+        const Result<LoadedState> state = load_state(preset);
+        ASSERT_TRUE(state) << state.error();
+        Params params = state->params;
+        params.depth.format = DepthFormat::d12;
+        const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
+        const Derived derived = derive(params, scene, {size_px, renderer().capabilities().clip_control});
+        for (const CountedPair& counted : count(params, scene).pairs) {
+            const auto predicted = predict_pair(counted.pair, params, derived).wrong_share;
+            ASSERT_TRUE(predicted) << preset;
+            EXPECT_NEAR(counted.wrong_fraction(), *predicted, 0.08) << preset << " z " << counted.pair.center_world.z;
+        }
+    }
+}
+
 TEST_F(Fighting, HasNoSmallestGapWhereDepthDoesNotDecide) {
     for (const char* const setting :
          {"depth.test=false", "depth.func=always", "depth.write=false", "depth.func=never"}) {

@@ -81,14 +81,14 @@ LoadedState opening() {
 
 void derive_numbers(benchmark::State& state) {
     const LoadedState loaded = opening();
-    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base));
+    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base, loaded.params.coplanar));
     for (auto _ : state) benchmark::DoNotOptimize(derive(loaded.params, scene, Viewport{{width, height}, true}));
 }
 BENCHMARK(derive_numbers)->Unit(benchmark::kMicrosecond);
 
 void plan_passes(benchmark::State& state) {
     const LoadedState loaded = opening();
-    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base));
+    const Scene scene = bench::value_of(load_scene(loaded.params.scene, loaded.base, loaded.params.coplanar));
     const Derived derived = derive(loaded.params, scene, Viewport{{width, height}, true});
     for (auto _ : state) benchmark::DoNotOptimize(plan(loaded.params, derived));
 }

@@ -62,7 +62,7 @@ double median_thread_ms(int count, const std::function<void(int)>& work) {
 }
 
 void camera_pictures(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px, bool with_png) {
-    const Scene scene = value_of(load_scene(state.params.scene, state.base));
+    const Scene scene = value_of(load_scene(state.params.scene, state.base, state.params.coplanar));
     const Viewport viewport{size_px, renderer.capabilities().clip_control};
     Params params = state.params;
     params.view.samples = 0;

@@ -324,6 +324,17 @@ TEST_F(Inspect, ListsWhatAMethodSorted) {
     }
 }
 
+TEST_F(Inspect, SaysTheSameWhateverTheColoursShow) {
+    const auto inspected = [this](const std::string& setting) {
+        return expect(0, {"inspect", "--pixel", "160,90", "--size", "320x180", "--set", "visibility.method=painter",
+                          "--set", setting})
+            .json();
+    };
+    const Json expected = inspected("view.shows=color");
+    for (const char* setting : {"view.shows=overdraw", "view.shows=difference", "view.shows=fighting"})
+        EXPECT_EQ(inspected(setting), expected) << setting;
+}
+
 TEST_F(Inspect, TheBackgroundIsNobody) {
     const Json report = expect(0, {"inspect", "--pixel", "0,0", "--size", "64x64", "--set", "camera.pitch=90"}).json();
     EXPECT_TRUE(report.at("fragments").empty());

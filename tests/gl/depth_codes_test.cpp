@@ -1,6 +1,7 @@
 // The codes that really lie in the depth buffer, read back, against the formulas of depth: a square at known distances,
 // over near, far, format and mapping. Formulas are written out here, not taken from the program.
 // VIEWING_LONG_TESTS=N measures N times as many.
+#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -17,12 +18,21 @@ using testing::scene_of;
 
 constexpr glm::ivec2 size_px(8, 8);
 
-/// Window depth of a distance z in front of the eye.
-double formula(DepthMapping mapping, bool orthographic, double n, double f, double z) {
+using Exact = long double;
+
+/// Window depth of a distance z in front of the eye: facts, Depth.
+Exact formula(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
     if (mapping == DepthMapping::logarithmic) return std::log(z / n) / std::log(f / n);
     if (orthographic) return mapping == DepthMapping::reversed ? (f - z) / (f - n) : (z - n) / (f - n);
     if (mapping == DepthMapping::reversed) return n * (f - z) / ((f - n) * z);
     return f / (f - n) - f * n / ((f - n) * z);
+}
+
+/// How much depth changes when z does by a 2²⁴th of itself: float32 keeps eye depth no better.
+Exact change_with_a_place_of_z(DepthMapping mapping, bool orthographic, Exact n, Exact f, Exact z) {
+    const Exact place = std::exp2(Exact(-24));
+    if (mapping == DepthMapping::logarithmic) return place / std::log(f / n);
+    return orthographic ? place * z / (f - n) : place * f * n / ((f - n) * z);
 }
 
 class DepthCodes : public testing::GlTest {
@@ -44,10 +54,16 @@ Params at_origin() {
                                  "reflection.enabled=false", "plane.equation=[0,1,0,1000000]", "plane.extent=0.001"});
 }
 
-/// How far a code may be from the exact value: ±4 codes at 24 bits, where float32 arithmetic and GL's rounding add up
-/// (facts); fewer bits are made in the shader, which rounds to the nearest code.
-double allowed_codes(int bits) {
-    return bits <= 16 ? 0.6 : 4.5;
+/// How far a code may be from the exact value (facts): ±1 at 16 bits, ±4 at 24, where float32 arithmetic adds to GL's
+/// rounding: as many times its error where that is coarser than a code, in a short logarithmic range. Fewer bits are
+/// made in the shader, which rounds to the nearest code.
+Exact allowed_codes(int bits) {
+    return bits < 16 ? 0.6L : bits == 16 ? 1.0L : 4.5L;
+}
+
+/// What is left of the 24 bits of a float where a depth lies.
+Exact last_place(Exact depth) {
+    return std::exp2(std::floor(std::log2(std::max(depth, std::exp2(Exact(-126))))) - 23);
 }
 
 std::string describe(const Params& params, double z) {
@@ -58,55 +74,87 @@ std::string describe(const Params& params, double z) {
            std::to_string(projection.near) + " far " + std::to_string(projection.far) + " z " + std::to_string(z);
 }
 
+/// A state to measure, and what its code should be.
+struct Sample {
+    Params params;
+    double distance = 1.0;
+    Exact depth = 0.0;
+
+    static Sample any(Random& random, DepthFormat format, DepthMapping mapping, bool orthographic) {
+        Sample made{at_origin()};
+        made.params.depth.format = format;
+        made.params.depth.mapping = mapping;
+        made.params.depth.func = CompareFunc::lequal;  // with few bits the cleared value is also the farthest code
+        ProjectionParams& projection = made.params.projection;
+        projection.type = orthographic ? ProjectionType::orthographic : ProjectionType::perspective;
+        projection.near = std::exp(random.number(std::log(1e-3), std::log(10.0)));
+        projection.far = projection.near * std::exp(random.number(std::log(1.5), std::log(1e5)));
+        const double n = projection.near, f = projection.far;
+        made.distance = std::exp(random.number(std::log(n * 1.01), std::log(f * 0.99)));
+        made.depth = formula(mapping, orthographic, n, f, made.distance);
+        return made;
+    }
+
+    bool orthographic() const { return params.projection.type == ProjectionType::orthographic; }
+
+    /// What float32 arithmetic may do to this depth before it is stored: eye depth has 24 bits, and so has the sum that
+    /// turns −1 … 1 into 0 … 1 where that is done. Facts' footnote.
+    Exact arithmetic() const {
+        const DepthMapping mapping = params.depth.mapping;
+        const Exact sum = mapping == DepthMapping::standard ? std::exp2(Exact(-24)) : 0.0L;
+        const ProjectionParams& projection = params.projection;
+        return sum + change_with_a_place_of_z(mapping, orthographic(), projection.near, projection.far, distance);
+    }
+};
+
+/// The worst of one kind of depth.
+struct Worst {
+    Exact off = 0.0;            ///< codes; last places of float32
+    Exact by_arithmetic = 0.0;  ///< where arithmetic is coarser than places: times its error
+    Exact places = 0.0;         ///< and as places
+};
+
 TEST_F(DepthCodes, AreWhatTheFormulaSays) {
     Random random(seed);
     const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    const int trials = 24 * std::max(longer ? std::atoi(longer) : 1, 1);
-    std::map<std::string, double> worst;
+    const int trials = 60 * std::max(longer ? std::atoi(longer) : 1, 1);
+    std::map<std::string, Worst> worst;
     for (int format = 0; format < 12; ++format) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
             for (int trial = 0; trial < trials; ++trial) {
-                Params params = at_origin();
-                params.depth.format = static_cast<DepthFormat>(format);
-                params.depth.mapping = mapping;
-                params.depth.func = CompareFunc::lequal;  // with few bits the cleared value is also the farthest code
-                ProjectionParams& projection = params.projection;
-                const bool orthographic = trial % 4 == 3;
-                projection.type = orthographic ? ProjectionType::orthographic : ProjectionType::perspective;
-                projection.near = std::exp(random.number(std::log(1e-3), std::log(10.0)));
-                projection.far = projection.near * std::exp(random.number(std::log(1.5), std::log(1e5)));
-                const double z =
-                    std::exp(random.number(std::log(projection.near * 1.01), std::log(projection.far * 0.99)));
-                const PixelReport report = measure(params, z);
-                const std::string what = "seed " + std::to_string(seed) + " " + describe(params, z);
+                const Sample sample = Sample::any(random, static_cast<DepthFormat>(format), mapping, trial % 4 == 3);
+                const PixelReport report = measure(sample.params, sample.distance);
+                const std::string what =
+                    "seed " + std::to_string(seed) + " " + describe(sample.params, sample.distance);
                 ASSERT_EQ(report.object, "quad") << what;
-                const double depth = formula(mapping, orthographic, projection.near, projection.far, z);
                 const int bits = report.precision.bits;
-                std::string kind = std::to_string(bits) + " bits, mapping " + std::to_string(static_cast<int>(mapping));
+                Worst& kind =
+                    worst[std::to_string(bits) + " bits, mapping " + std::to_string(static_cast<int>(mapping))];
                 if (!report.precision.is_float) {
                     EXPECT_EQ(bits, format < 9 ? 4 + format : format == 9 ? 16 : 24);
-                    const double codes = std::abs(report.stored - depth * (std::exp2(bits) - 1.0));
-                    EXPECT_LE(codes, allowed_codes(bits)) << what;
-                    worst[kind] = std::max(worst[kind], codes);
-                } else if (mapping == DepthMapping::standard) {
-                    // 2⁻²⁴ is the last place of 0.5 … 1, where standard depth lies mostly.
-                    const double places = std::abs(report.window_depth - depth) * std::exp2(24);
-                    EXPECT_LE(places, 12.0) << what;
-                    worst[kind] = std::max(worst[kind], places);
-                } else {
-                    // Codes are finer here than float32 arithmetic before them: the distance is what counts.
-                    const double off = std::abs(report.eye_z + z) / z;
-                    EXPECT_LE(off,
-                              2e-6 * (mapping == DepthMapping::logarithmic ? std::log(projection.far / projection.near)
-                                      : orthographic                       ? projection.far / z
-                                                                           : 1.0))
-                        << what;
-                    worst[kind] = std::max(worst[kind], off);
+                    const Exact codes = std::abs(report.stored - sample.depth * (std::exp2(Exact(bits)) - 1.0L));
+                    const Exact arithmetic_codes = sample.arithmetic() * std::exp2(Exact(bits));
+                    EXPECT_LE(codes, allowed_codes(bits) * std::max(1.0L, arithmetic_codes)) << what;
+                    kind.off = std::max(kind.off, codes);
+                    continue;
                 }
+                const Exact off = std::abs(std::bit_cast<float>(report.stored) - sample.depth);
+                const Exact place = last_place(sample.depth), arithmetic = sample.arithmetic();
+                EXPECT_LE(off, 12.0L * std::max(place, arithmetic)) << what;
+                if (arithmetic <= place) kind.off = std::max(kind.off, off / place);
+                if (arithmetic <= place) continue;
+                kind.by_arithmetic = std::max(kind.by_arithmetic, off / arithmetic);
+                kind.places = std::max(kind.places, off / place);
             }
         }
     }
-    for (const auto& [kind, value] : worst) std::printf("%s: worst %g\n", kind.c_str(), value);
+    for (const auto& [name, kind] : worst) {
+        std::printf("%s: worst %Lg", name.c_str(), kind.off);
+        if (kind.places > 0.0)
+            std::printf("; %Lg times the arithmetic where that is coarser, which is %Lg places", kind.by_arithmetic,
+                        kind.places);
+        std::printf("\n");
+    }
 }
 
 TEST_F(DepthCodes, ReportTheDistanceBack) {

@@ -120,7 +120,8 @@ protected:
             EXPECT_EQ(report.object, last ? last->object : "") << what;
             if (!last) continue;
             EXPECT_EQ(report.front_facing, last->front_facing) << what;
-            if (!report.has_depth || !frame.passes.back().depth.test || !frame.passes.back().depth.write) continue;
+            const DepthState& depth = frame.passes[last->pass].depth;
+            if (!report.has_depth || !depth.test || !depth.write) continue;
             const double off = std::abs(static_cast<double>(report.stored) - last->stored);
             double& worst = seen.worst[std::to_string(precision.bits) + " bits, mapping " +
                                        std::to_string(static_cast<int>(frame.depth_mapping))];
@@ -140,9 +141,11 @@ protected:
     static double allowed_codes(const FramePlan& frame, bool is_decal, double slope_per_px) {
         const DepthPrecision precision = precision_of(frame.depth_format);
         if (precision.is_float) return 12.0;
-        if (precision.bits < 24) return 1.0;
+        if (precision.bits < 16) return 1.0;
+        const double unit_twice = is_decal ? std::abs(frame.decal_offset.units) : 0.0;
+        if (precision.bits < 24) return 1.0 + unit_twice;
         constexpr double place_px = 160.0 / 16777216.0;
-        return 4.0 + 16777215.0 * slope_per_px * place_px + (is_decal ? std::abs(frame.decal_offset.units) : 0.0);
+        return 4.0 + 16777215.0 * slope_per_px * place_px + unit_twice;
     }
 
     /// What is met 0.04 pixels beside the centre, on four sides.
@@ -223,6 +226,9 @@ TEST_F(Fragments, FollowEveryTest) {
                 setting("depth.test", one_of({"true", "true", "true", "true", "false"})),
                 setting("depth.write", one_of({"true", "true", "true", "false"})),
                 setting("depth.clear", one_of({"true", "true", "true", "false"})),
+                setting("depth.write_while_clearing", one_of({"true", "true", "true", "false"})),
+                setting("depth.logarithm_per_vertex", one_of({"true", "false"})),
+                setting("depth.decals", one_of({"offset", "equal", "stencil"})),
                 setting("cull.enabled", one_of({"true", "false", "false"})),
                 setting("cull.face", one_of({"back", "front", "front_and_back"})),
                 setting("cull.front_face", one_of({"ccw", "cw"})),
@@ -239,6 +245,54 @@ TEST_F(Fragments, FollowEveryTest) {
     tell(seen);
     EXPECT_GT(seen.compared, 600);
     EXPECT_GT(seen.codes_compared, 100);
+}
+
+TEST_F(Fragments, HaveTheDepthOfALogarithmPerVertex) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 3);
+    Seen seen;
+    for (const char* const format : {"d8", "d16", "d24", "d32f"})
+        for (int trial = 0; trial < trials(6); ++trial) {
+            std::vector<std::string> settings{setting("depth.format", format),
+                                              "depth.mapping=logarithmic",
+                                              "depth.logarithm_per_vertex=true",
+                                              "depth.offset.factor=-1",
+                                              "depth.offset.units=-8",
+                                              "camera.pitch=-24",
+                                              "camera.yaw=" + std::to_string(random.number(10, 50)),
+                                              "projection.near=" + std::to_string(random.number(0.01, 2.0))};
+            if (trial % 3 == 2) settings.push_back("projection.type=orthographic");
+            std::string what = "seed " + std::to_string(seed + 3);
+            for (const std::string& text : settings) what += " " + text;
+            SCOPED_TRACE(what);
+            compare(params_with(settings), scene, random, 40, seen);
+        }
+    tell(seen);
+    EXPECT_GT(seen.compared, 500);
+    EXPECT_GT(seen.codes_compared, 400);
+}
+
+TEST_F(Fragments, StopWithTheDrawCall) {
+    const Scene scene = scene_with_decal();
+    Random random(seed + 4);
+    Seen seen;
+    for (int trial = 0; trial < trials(40); ++trial) {
+        // Mirror mask, mirror image, patch, shadow and objects: with four objects, up to 14 calls.
+        const std::vector<std::string> settings{
+            "view.call=" + std::to_string(static_cast<int>(random.number(0, 16))),
+            "view.triangle=" + std::to_string(static_cast<int>(random.number(-1, 14))),
+            trial % 3 == 0 ? "reflection.enabled=true" : "reflection.enabled=false",
+            trial % 4 == 0 ? "depth.clear=false" : "depth.clear=true",
+            trial % 5 == 0 ? "depth.decals=stencil" : "depth.decals=offset",
+            "camera.pitch=-24",
+            "camera.yaw=" + std::to_string(random.number(20, 40))};
+        std::string what = "seed " + std::to_string(seed + 4);
+        for (const std::string& text : settings) what += " " + text;
+        SCOPED_TRACE(what);
+        compare(params_with(settings), scene, random, 30, seen);
+    }
+    tell(seen);
+    EXPECT_GT(seen.compared, 600);
 }
 
 TEST_F(Fragments, AreInTheOrderOfTheMethod) {

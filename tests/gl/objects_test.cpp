@@ -115,9 +115,9 @@ TEST_F(GlObjects, ProgramsSayWhatTheCompilerSays) {
 
 TEST_F(GlObjects, TargetsStartFarAwayAndUnmarked) {
     for (const int samples : {0, 4}) {
-        for (const bool float_depth : {false, true}) {
-            SCOPED_TRACE(std::to_string(samples) + (float_depth ? " float" : " integer"));
-            const gl::Target target({{7, 5}, samples, float_depth});
+        for (const gl::DepthKind kind : {gl::DepthKind::d24_s8, gl::DepthKind::d32f_s8, gl::DepthKind::d16}) {
+            SCOPED_TRACE(std::to_string(samples) + " samples, kind " + std::to_string(static_cast<int>(kind)));
+            const gl::Target target({{7, 5}, samples, kind});
             EXPECT_EQ(target.size_px(), glm::ivec2(7, 5));
             glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
             EXPECT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
@@ -129,11 +129,24 @@ TEST_F(GlObjects, TargetsStartFarAwayAndUnmarked) {
             GLint type = 0;
             glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT,
                                                   GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, &type);
-            EXPECT_EQ(type, float_depth ? GL_FLOAT : GL_UNSIGNED_NORMALIZED);
+            EXPECT_EQ(type, kind == gl::DepthKind::d32f_s8 ? GL_FLOAT : GL_UNSIGNED_NORMALIZED);
+            const auto attached = [](GLenum attachment, GLenum component) {
+                GLint bits = 0;
+                glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, attachment, component, &bits);
+                return bits;
+            };
+            const bool has_stencil = kind != gl::DepthKind::d16;
+            EXPECT_EQ(attached(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE),
+                      kind == gl::DepthKind::d16       ? 16
+                      : kind == gl::DepthKind::d32f_s8 ? 32
+                                                       : 24);
+            EXPECT_EQ(target.has_stencil(), has_stencil);
+            EXPECT_EQ(attached(GL_STENCIL_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE, has_stencil);
             if (samples != 0) continue;
             float depth = 0.0F;
             glReadPixels(3, 2, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
             EXPECT_EQ(depth, 1.0F);
+            if (!has_stencil) continue;
             std::uint8_t stencil = 77;
             glReadPixels(3, 2, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &stencil);
             EXPECT_EQ(stencil, 0);
@@ -143,7 +156,7 @@ TEST_F(GlObjects, TargetsStartFarAwayAndUnmarked) {
 
 TEST_F(GlObjects, SamplesAreResolvedAndReadFromTheTop) {
     for (const int samples : {0, 4}) {
-        const gl::Target target({{3, 4}, samples, false});
+        const gl::Target target({{3, 4}, samples});
         glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
         glClearColor(0.0F, 1.0F, 0.0F, 1.0F);
         glClear(GL_COLOR_BUFFER_BIT);

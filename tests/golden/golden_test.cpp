@@ -98,7 +98,7 @@ constexpr WindowCase windows[] = {
 class Golden : public testing::GlTest {
 protected:
     static Image picture_of(const LoadedState& state, const PictureRequest& request) {
-        const Result<Scene> scene = load_scene(state.params.scene, state.base);
+        const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
         EXPECT_TRUE(scene) << scene.error();
         Result<Image> image = draw_picture(renderer(), state, *scene, request);
         EXPECT_TRUE(image) << image.error();

@@ -24,7 +24,7 @@ protected:
         return *state;
     }
     static Scene scene_of(const LoadedState& state) {
-        const Result<Scene> scene = load_scene(state.params.scene, state.base);
+        const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
         EXPECT_TRUE(scene) << scene.error();
         return *scene;
     }

@@ -62,7 +62,7 @@ public:
     widgets::test::Harness ui{workbench.widgets, [this] { draw(); }};
 
     Params& params() { return session.params; }
-    Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize); }
+    Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session.params); }
     const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
 
     /// Fonts and style for the theme and scale of the state, as the studio does between frames.
@@ -168,8 +168,7 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label :
-             {"camera/Famous slips", "depth/Depth format and mapping", "shadow/Shadow: style and offset"})
+        for (const char* label : {"camera/Famous slips", "Depth buffer", "shadow/Shadow: style and offset"})
             if (!is_folded_out(label)) click(label);
         if (ui.text_of("Observer") == "folded") click("Observer");
     }
@@ -181,7 +180,7 @@ public:
         return place(layout().camera, derived.clip_from_world, world);
     }
     ImVec2 in_observer_view(const glm::dvec3& world) const {
-        const Rect rect = layout().observer;
+        const Rect rect = layout().lower_left;
         return place(rect, derive_observer(session.params.observer, {rect.size_px()}).clip_from_world, world);
     }
     void drag_from(ImVec2 from, float dx, float dy, int steps = 5, int button = 0) {
@@ -204,9 +203,9 @@ private:
                 rect.min.y + rect.height() * static_cast<float>(1.0 - clip.y / clip.w) * 0.5F};
     }
     bool is_folded_out(std::string_view details) const {
-        const std::string_view inside = details == "camera/Famous slips"              ? "camera/walk slows"
-                                        : details == "depth/Depth format and mapping" ? "depth/depth format"
-                                                                                      : "shadow/style/Blend";
+        const std::string_view inside = details == "camera/Famous slips" ? "camera/walk slows"
+                                        : details == "Depth buffer"      ? "buffer/depth format"
+                                                                         : "shadow/style/Blend";
         return ui.has(inside);
     }
     void set_down(Key key, bool down) {

@@ -82,7 +82,7 @@ TEST_F(KeysTest, FoldKeysFoldTheColumns) {
 
 TEST_F(KeysTest, MMaximisesTheViewUnderThePointer) {
     for (const auto& [label, view] : {std::pair{"view/camera view", ViewName::camera},
-                                      {"observer/observer view", ViewName::observer},
+                                      {"left/observer/observer view", ViewName::lower_left},
                                       {"lower/lower view", ViewName::lower_right}}) {
         ui.hover(label);
         desk.press(Key::m);

@@ -15,11 +15,11 @@ protected:
     explicit LaboratoryViews(const std::string& state = "interpenetrating", ImVec2 size = {1600, 640})
         : desk(size, state) {}
 
-    void show(LowerTopic topic, VisibilityMethod method, int step = -1) {
+    void show(Topic topic, VisibilityMethod method, int step = -1) {
         params.visibility.method = method;
         params.visibility.step = step;
         ui.frame();  // another method brings its own topic
-        desk.workbench.views.topic = topic;
+        desk.params().view.lower_right = topic;
         desk.settle();
     }
     LaboratoryState& laboratory() { return desk.workbench.views.laboratory; }

@@ -11,7 +11,7 @@ namespace {
 
 class GrowthView : public LaboratoryViews {
 protected:
-    GrowthView() { show(LowerTopic::growth, VisibilityMethod::depth_buffer); }
+    GrowthView() { show(Topic::growth, VisibilityMethod::depth_buffer); }
 
     std::vector<GrowthRow>& rows() {
         return laboratory().growth_rows[static_cast<std::size_t>(laboratory().growth_scene)];
@@ -71,7 +71,7 @@ TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
     EXPECT_FALSE(rows().empty()) << "rows are shown while it is measured";
     // Its rows are taken whichever view is shown.
     ui.click("lower/Cancel");
-    desk.workbench.views.topic = LowerTopic::depth;
+    desk.params().view.lower_right = Topic::depth;
     wait_until_measured();
     EXPECT_FALSE(laboratory().is_busy());
     EXPECT_FALSE(rows().empty());

@@ -81,13 +81,13 @@ TEST_F(LaboratoryTest, TheDepthBufferGoesStepByStepToo) {
 }
 
 TEST_F(LaboratoryTest, TheViewBelowFollowsTheMethod) {
-    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::depth);
+    EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
     choose("BSP tree");
-    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::tree);
+    EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::tree);
     choose("Newell");
-    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::order);
+    EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::order);
     choose("none");
-    EXPECT_EQ(desk.workbench.views.topic, LowerTopic::depth);
+    EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
 }
 
 TEST_F(LaboratoryTest, AClickPicksThePolygonThatIsSeen) {

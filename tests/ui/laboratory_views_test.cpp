@@ -15,7 +15,7 @@ namespace {
 // ---- the tree --------------------------------------------------------------------------------------
 
 TEST_F(LaboratoryViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
-    show(LowerTopic::tree, VisibilityMethod::painter);
+    show(Topic::tree, VisibilityMethod::painter);
     EXPECT_TRUE(says("Only the BSP tree has a tree to show."));
     ui.click("lower/Use the BSP tree");
     ui.frames(3);
@@ -25,7 +25,7 @@ TEST_F(LaboratoryViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
 }
 
 TEST_F(LaboratoryViews, ANodeUnderThePointerIsLinkedAndTold) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     ui.hover("lower/tree/2");
     ui.frame();
     EXPECT_EQ(laboratory().link.hovered_node, 2);
@@ -36,7 +36,7 @@ TEST_F(LaboratoryViews, ANodeUnderThePointerIsLinkedAndTold) {
 }
 
 TEST_F(LaboratoryViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     ui.click("lower/tree/1");
     ui.frames(10);
     EXPECT_EQ(laboratory().link.selected_node, 1);
@@ -49,7 +49,7 @@ TEST_F(LaboratoryViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
 }
 
 TEST_F(LaboratoryViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     const int count = static_cast<int>(result().fragments->size());
     for (int fragment = 0; fragment < count; ++fragment) {
         const int node = node_that_holds(fragment);
@@ -63,7 +63,7 @@ TEST_F(LaboratoryViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
 }
 
 TEST_F(LaboratoryViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     const Polygon& polygon = result().fragments->front();
     ui.move_to(desk.in_camera_view(centroid(polygon)));
     ui.frames(3);
@@ -73,7 +73,7 @@ TEST_F(LaboratoryViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
 }
 
 TEST_F(LaboratoryViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     const auto places = node_places();
     const std::uint64_t revision = laboratory().tree_revision;
     ASSERT_FALSE(places.empty());
@@ -99,10 +99,10 @@ TEST_F(LaboratoryViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
 }
 
 TEST_F(LaboratoryViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
-    show(LowerTopic::tree, VisibilityMethod::bsp);
+    show(Topic::tree, VisibilityMethod::bsp);
     const auto nodes = static_cast<int>(result().tree->nodes.size());
     for (const int step : {0, 1, nodes, nodes + 1, nodes + 5, 2 * nodes - 1, -1}) {
-        show(LowerTopic::tree, VisibilityMethod::bsp, step);
+        show(Topic::tree, VisibilityMethod::bsp, step);
         const int visited = step < 0 ? nodes : std::max(0, step - nodes);
         std::multiset<int> marks, expected;
         for (const widgets::TreeNode& node : laboratory().tree_index.nodes()) {
@@ -123,7 +123,7 @@ TEST_F(LaboratoryViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
 TEST_F(LaboratoryViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
     for (const BspWalkOrder walk : {BspWalkOrder::back_to_front, BspWalkOrder::front_to_back}) {
         params.visibility.walk = walk;
-        show(LowerTopic::tree, VisibilityMethod::bsp);
+        show(Topic::tree, VisibilityMethod::bsp);
         const glm::dvec3 eye = params.camera.position;
         for (std::size_t i = 0; i < result().tree->nodes.size(); ++i) {
             const std::string told = node_sentence(result(), static_cast<int>(i), laboratory().tree_index);
@@ -143,7 +143,7 @@ TEST_F(LaboratoryViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
 // ---- the order -------------------------------------------------------------------------------------
 
 TEST_F(LaboratoryViews, TheOrderIsOfferedWhereGlDrawsByItself) {
-    show(LowerTopic::order, VisibilityMethod::depth_buffer);
+    show(Topic::order, VisibilityMethod::depth_buffer);
     ui.click("lower/Show their numbers");
     ui.frames(3);
     EXPECT_TRUE(params.visibility.numbers);
@@ -154,10 +154,10 @@ TEST_F(LaboratoryViews, TheOrderIsOfferedWhereGlDrawsByItself) {
 TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
     params.visibility.numbers = true;  // asks for the order where GL draws by itself, too
     for (const VisibilityMethod method : {VisibilityMethod::none, VisibilityMethod::painter, VisibilityMethod::bsp}) {
-        show(LowerTopic::order, method, 0);
+        show(Topic::order, method, 0);
         const int first = method == VisibilityMethod::bsp ? static_cast<int>(result().tree->nodes.size()) : 0;
         for (const int step : {first, first + 1, first + 4}) {
-            show(LowerTopic::order, method, step);
+            show(Topic::order, method, step);
             const OrderRows rows(result(), laboratory().tree_index);
             ASSERT_EQ(rows.count(), static_cast<int>(result().fragments->size()));
             for (int place = 0; place < rows.count(); ++place) {
@@ -167,7 +167,7 @@ TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
             }
             EXPECT_EQ(rows.current(), result().drawn - 1);
         }
-        show(LowerTopic::order, method);
+        show(Topic::order, method);
         const OrderRows all(result(), laboratory().tree_index);
         EXPECT_EQ(all.current(), -1);
         EXPECT_TRUE(all.row(all.count() - 1).is_reached);
@@ -178,7 +178,7 @@ TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
 
 TEST_F(LaboratoryViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
     params.visibility.sort_key = SortKey::nearest;
-    show(LowerTopic::order, VisibilityMethod::painter);
+    show(Topic::order, VisibilityMethod::painter);
     const OrderRows rows(result(), laboratory().tree_index);
     EXPECT_STREQ(rows.detail_title(), "nearest vertex");
     for (int place = 0; place < rows.count(); ++place) {
@@ -191,7 +191,7 @@ TEST_F(LaboratoryViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
 }
 
 TEST_F(LaboratoryViews, ARowIsLinkedWithItsPolygon) {
-    show(LowerTopic::order, VisibilityMethod::painter);
+    show(Topic::order, VisibilityMethod::painter);
     const std::string third = "lower/3 " + OrderRows(result(), laboratory().tree_index).row(2).name;
     ui.hover(third);
     ui.frame();
@@ -203,7 +203,7 @@ TEST_F(LaboratoryViews, ARowIsLinkedWithItsPolygon) {
     ui.click(third);
     EXPECT_EQ(laboratory().link.selected_fragment, -1);
 
-    show(LowerTopic::order, VisibilityMethod::bsp);
+    show(Topic::order, VisibilityMethod::bsp);
     const OrderRows rows(result(), laboratory().tree_index);
     ui.click("lower/2 " + rows.row(1).name);
     EXPECT_EQ(laboratory().link.selected_fragment, result().order[1]);
@@ -216,7 +216,7 @@ protected:
 };
 
 TEST_F(LargeLaboratoryViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScrolledToOnce) {
-    show(LowerTopic::order, VisibilityMethod::painter);
+    show(Topic::order, VisibilityMethod::painter);
     ASSERT_GT(result().order.size(), 2000U);
     const OrderRows rows(result(), laboratory().tree_index);
     const int far_down = rows.count() - 100;
@@ -245,10 +245,10 @@ TEST_F(LargeLaboratoryViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScr
 }
 
 TEST_F(LargeLaboratoryViews, TheCurrentRowIsScrolledTo) {
-    show(LowerTopic::order, VisibilityMethod::painter, 1);
-    show(LowerTopic::order, VisibilityMethod::painter, 1500);
+    show(Topic::order, VisibilityMethod::painter, 1);
+    show(Topic::order, VisibilityMethod::painter, 1500);
     EXPECT_TRUE(says("1500 "));
-    show(LowerTopic::order, VisibilityMethod::painter, 700);
+    show(Topic::order, VisibilityMethod::painter, 700);
     EXPECT_TRUE(says("700 "));
 }
 
@@ -260,7 +260,7 @@ protected:
 };
 
 TEST_F(CycleLaboratoryViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
-    show(LowerTopic::order, VisibilityMethod::newell);
+    show(Topic::order, VisibilityMethod::newell);
     const auto steps = static_cast<int>(result().newell->steps.size());
     ASSERT_GT(steps, 10);
     EXPECT_TRUE(says("apart in depth: "));
@@ -299,7 +299,7 @@ TEST_F(CycleLaboratoryViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
 }
 
 TEST_F(LaboratoryViews, TheCompareOfTheDepthBufferIsTold) {
-    show(LowerTopic::order, VisibilityMethod::software_depth_buffer);
+    show(Topic::order, VisibilityMethod::software_depth_buffer);
     const int steps = result().step_count;
     int kept = 0, written = 0;
     for (int step = 1; step < steps; step += std::max(1, steps / 40)) {
@@ -320,13 +320,13 @@ TEST_F(LaboratoryViews, TheCompareOfTheDepthBufferIsTold) {
     }
     EXPECT_GT(kept, 0);
     EXPECT_GT(written, 0);
-    show(LowerTopic::order, VisibilityMethod::software_depth_buffer, 0);
+    show(Topic::order, VisibilityMethod::software_depth_buffer, 0);
     EXPECT_EQ(OrderRows(result(), laboratory().tree_index).current(), -1);
     EXPECT_FALSE(OrderRows(result(), laboratory().tree_index).row(0).is_reached);
 }
 
 TEST_F(LaboratoryViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
-    show(LowerTopic::order, VisibilityMethod::ray_cast);
+    show(Topic::order, VisibilityMethod::ray_cast);
     EXPECT_TRUE(says("One ray went through every pixel."));
     const IdImage image = result().image;
     std::size_t most = 0;
@@ -346,7 +346,7 @@ TEST_F(LaboratoryViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
 }
 
 TEST_F(LaboratoryViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
-    show(LowerTopic::order, VisibilityMethod::painter);
+    show(Topic::order, VisibilityMethod::painter);
     const SceneSurface& surface = *result().surface;
     const std::string& first = surface.scene.objects[0].description.name;
     EXPECT_EQ(polygon_name(&surface, 0), "polygon 1 of " + first);
@@ -364,15 +364,14 @@ TEST_F(LaboratoryViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
 
 TEST_F(LaboratoryViews, IndicesOfAnotherResultDoNoHarm) {
     const PolygonLink links[] = {{1'000'000, 1'000'000, 1'000'000, 1'000'000}, {-7, -7, -7, -7}, {0, 20, 20, 0}};
-    for (const LowerTopic topic : {LowerTopic::tree, LowerTopic::order, LowerTopic::growth})
+    for (const Topic topic : {Topic::tree, Topic::order, Topic::growth})
         for (const PolygonLink& link : links)
             for (int method = 0; method < 7; ++method)
                 for (const int step : {-1, 0, 20}) {
                     params.visibility.method = static_cast<VisibilityMethod>(method);
                     params.visibility.step = step;
                     for (int frame = 0; frame < 2; ++frame) {
-                        desk.workbench.views.topic = topic;
-                        desk.workbench.views.topic_for = params.visibility.method;
+                        desk.params().view.lower_right = topic;
                         laboratory().link = laboratory().next_link = link;
                         ui.frame();
                     }
@@ -383,19 +382,19 @@ TEST(LaboratoryViewsEmpty, AnEmptySceneHasNothingToDraw) {
     const TemporaryFolder folder;
     std::ofstream("empty.json") << R"({"version": 1, "scene": {"objects": []}})";
     Desk desk({1600, 900}, "empty.json");
-    for (const LowerTopic topic : {LowerTopic::tree, LowerTopic::order, LowerTopic::growth})
+    for (const Topic topic : {Topic::tree, Topic::order, Topic::growth})
         for (int method = 0; method < 7; ++method)
             for (const int step : {-1, 0, 3}) {
                 desk.params().visibility.method = static_cast<VisibilityMethod>(method);
                 desk.params().visibility.step = step;
                 desk.ui.frame();
-                desk.workbench.views.topic = topic;
+                desk.params().view.lower_right = topic;
                 desk.ui.frames(2);
             }
     desk.params().visibility.method = VisibilityMethod::painter;
     desk.params().visibility.step = -1;
     desk.ui.frame();
-    desk.workbench.views.topic = LowerTopic::order;
+    desk.params().view.lower_right = Topic::order;
     desk.ui.frames(3);
     EXPECT_TRUE(desk.ui.has("lower/There is nothing to draw."));
 }
@@ -408,7 +407,7 @@ TEST(LaboratoryViewsLayout, TheTreeAndItsSentencesKeepToTheirPlacesAtEverySize) 
                 desk.params().ui.scale = scale;
                 desk.params().ui.theme = theme;
                 desk.apply_looks();
-                desk.workbench.views.topic = LowerTopic::tree;
+                desk.params().view.lower_right = Topic::tree;
                 desk.params().visibility.step = 20;
                 desk.settle();
                 const Rect rect = desk.layout().lower_right;

@@ -8,7 +8,7 @@ namespace viewing::test {
 namespace {
 
 bool is_picture(const RecordedItem& item) {
-    return item.label == "view/camera view" || item.label == "observer/observer view" ||
+    return item.label == "view/camera view" || item.label == "left/observer/observer view" ||
            item.label == "lower/lower view";
 }
 
@@ -120,7 +120,7 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
                     const Layout layout =
                         lay_out({static_cast<float>(width), static_cast<float>(height)}, scale, arrangement);
                     const Rect* rects[] = {&layout.top_bar, &layout.status_bar, &layout.panel,      &layout.matrices,
-                                           &layout.camera,  &layout.observer,   &layout.lower_right};
+                                           &layout.camera,  &layout.lower_left, &layout.lower_right};
                     for (std::size_t a = 0; a < std::size(rects); ++a)
                         for (std::size_t b = a + 1; b < std::size(rects); ++b) {
                             const Rect &first = *rects[a], &second = *rects[b];

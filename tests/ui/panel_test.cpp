@@ -41,8 +41,15 @@ constexpr Control controls[] = {
     {"depth/Cull face", "cull.enabled"},
     {"depth/face", "cull.face"},
     {"depth/front_face", "cull.front_face"},
-    {"depth/depth format", "depth.format"},
-    {"depth/depth mapping", "depth.mapping"},
+    {"buffer/depth format", "depth.format"},
+    {"buffer/depth mapping", "depth.mapping"},
+    {"buffer/Mask on while clearing", "depth.write_while_clearing"},
+    {"buffer/scale/Window", "view.depth_scale"},
+    {"buffer/scale/Linear", "view.depth_scale"},
+    {"buffer/colors/Grey", "view.depth_colors"},
+    {"buffer/colors/Bands", "view.depth_colors"},
+    {"buffer/beside it", "view.beside.shows"},
+    {"buffer/Jiggle the camera", "animation.jiggle"},
     {"light/position/point", "light.position"},
     {"light/position/parallel", "light.position"},
     {"light/position/x", "light.position"},
@@ -164,11 +171,28 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "projection.height",
                     "depth.offset.factor",
                     "depth.offset.units",
+                    "depth.decals",
+                    "depth.reversed_zero_to_one",
+                    "depth.reversed_clear",
+                    "depth.reversed_offset",
+                    "depth.logarithm_per_vertex",
+                    "coplanar.gap",
+                    "coplanar.tilt",
+                    "coplanar.distance",
                     "shadow.lift",
                     "follow",
                     "view.shows",
-                    "view.depth_scale",
+                    "view.depth_range",
                     "view.samples",
+                    "view.beside.layout",
+                    "view.beside.share",
+                    "view.beside.format",
+                    "view.beside.mapping",
+                    "view.pixel",
+                    "view.call",
+                    "view.triangle",
+                    "view.lower_left",
+                    "view.lower_right",
                     "ui.theme",
                     "ui.scale",
                     "overrides.shadow_from_world",
@@ -214,8 +238,8 @@ TEST_F(PanelTest, DecalsHaveTheirOffset) {
         bool has_decals = false;
         for (const SceneObject& object : desk.session.scene().objects) has_decals |= object.description.decal;
         desk.fold_out_all();
-        EXPECT_EQ(ui.has("depth/decal factor"), has_decals) << scene.name;
-        EXPECT_EQ(ui.has("depth/decal units"), has_decals) << scene.name;
+        EXPECT_EQ(ui.has("buffer/decal factor"), has_decals) << scene.name;
+        EXPECT_EQ(ui.has("buffer/decal units"), has_decals) << scene.name;
     }
     SceneDescription description;
     ObjectDescription& decal = description.objects.emplace_back();
@@ -224,8 +248,8 @@ TEST_F(PanelTest, DecalsHaveTheirOffset) {
     decal.decal = true;
     params.scene = description;
     desk.settle();
-    desk.enter("depth/decal factor", "-2");
-    desk.enter("depth/decal units", "-3");
+    desk.enter("buffer/decal factor", "-2");
+    desk.enter("buffer/decal units", "-3");
     EXPECT_EQ(params.depth.offset, (DepthOffset{-2.0, -3.0}));
 }
 
@@ -288,9 +312,9 @@ TEST_F(PanelTest, CombosChooseByName) {
     EXPECT_EQ(params.cull.face, CullFace::front_and_back);
     desk.choose("depth/front_face", "depth/front_face/GL_CW");
     EXPECT_EQ(params.cull.front_face, FrontFace::cw);
-    desk.choose("depth/depth format", "depth/depth format/16 bit");
+    desk.choose("buffer/depth format", "buffer/depth format/16 bit");
     EXPECT_EQ(params.depth.format, DepthFormat::d16);
-    desk.choose("depth/depth mapping", "depth/depth mapping/reversed");
+    desk.choose("buffer/depth mapping", "buffer/depth mapping/reversed");
     EXPECT_EQ(params.depth.mapping, DepthMapping::reversed);
     desk.choose("shadow/offset", "shadow/offset/lift");
     EXPECT_EQ(params.shadow.offset, ShadowOffset::lift);

@@ -115,7 +115,7 @@ TEST_F(ViewsTest, WithoutHandlesTheMouseLooks) {
 }
 
 TEST_F(ViewsTest, TheObserverOrbitsAlone) {
-    const Rect rect = desk.layout().observer;
+    const Rect rect = desk.layout().lower_left;
     const Params before = params;
     desk.drag_from({rect.min.x + 20.0F, rect.max.y - 20.0F}, 50.0F, -30.0F);
     EXPECT_EQ(differing_fields(before, params), (Paths{"observer.yaw", "observer.pitch"}));
@@ -141,12 +141,12 @@ TEST_F(ViewsTest, HandlesWorkInTheObserverToo) {
 }
 
 TEST_F(ViewsTest, AMaximisedObserverLetsGoOfItsHandle) {
-    ui.hover("observer/observer view");
+    ui.hover("left/observer/observer view");
     desk.press(Key::m);
-    ASSERT_EQ(desk.workbench.arrangement.maximised, ViewName::observer);
+    ASSERT_EQ(desk.workbench.arrangement.maximised, ViewName::lower_left);
     desk.drag_from(desk.in_observer_view(light()), 25.0F, -15.0F);
     const Params before = params;
-    const Rect rect = desk.layout().observer;
+    const Rect rect = desk.layout().lower_left;
     desk.drag_from({rect.min.x + 20.0F, rect.max.y - 20.0F}, 50.0F, -30.0F);
     EXPECT_EQ(differing_fields(before, params), (Paths{"observer.yaw", "observer.pitch"}));
 }

@@ -64,11 +64,11 @@ TEST(FightingPairs, KnowWhatLiesOnWhat) {
     const glm::dvec3 center = pair_of(square(0.0), square(0.1, 1.0)).center_world;
     EXPECT_NEAR(glm::distance(center, {0.5, 0.0, 0.0}), 0.0, 1e-9) << "of the first, where the second covers it";
     EXPECT_EQ(pair_of(square(0.0), square(0.0)).offset, 0.0);
-    EXPECT_FALSE(pair_of(square(0.0), square(0.0)).first_lies_on_top);
+    EXPECT_FALSE(pair_of(square(0.0), square(0.0)).first_lies_on_top());
     SceneObject decal = square(0.0);
     decal.description.decal = true;
-    EXPECT_TRUE(pair_of(decal, square(0.0)).first_lies_on_top);
-    EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top);
+    EXPECT_TRUE(pair_of(decal, square(0.0)).first_lies_on_top());
+    EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
 TEST(FightingOnset, IsAboutAStepWhereCodesAreWide) {
@@ -153,6 +153,56 @@ TEST(FightingPrediction, CountsTiesAsWrongWhereTheWrongOneWinsThem) {
     EXPECT_GT(*share_of(front_first, "depth.func=lequal"), 0.9);
     for (const char* const undecided : {"depth.func=always", "depth.test=false", "depth.write=false"})
         EXPECT_FALSE(share_of(back_first, undecided)) << undecided;
+}
+
+/// A poster on a wall, seen from above, from 20 units; 8 bits unless the settings say otherwise.
+std::optional<double> share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
+    std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",
+                                 "projection.far=100"};
+    all.insert(all.end(), settings.begin(), settings.end());
+    const Params params = params_with(all);
+    SceneObject poster = square(height);
+    poster.description.decal = true;
+    const Scene scene = scene_of({square(0.0), poster});
+    return predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {})).wrong_share;
+}
+
+TEST(FightingPrediction, OfDecalsKnowsTheCures) {
+    EXPECT_EQ(share_of_decal({}), 1.0);
+    EXPECT_FALSE(share_of_decal({"depth.decals=equal"}));
+    EXPECT_EQ(share_of_decal({"depth.decals=stencil"}), 0.0);
+    EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, 0.1), 0.0);
+    EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, -0.1), 1.0) << "painted over the wall that hides it";
+}
+
+TEST(FightingPrediction, OfAnOffsetIsThatOfItsCodes) {
+    // Of 8 bits the sandbox moves depth by itself: a unit is a code.
+    EXPECT_NEAR(*share_of_decal({"depth.offset.units=-0.25"}), 0.75, 1e-9);
+    EXPECT_EQ(share_of_decal({"depth.offset.units=-1"}), 0.0);
+    EXPECT_EQ(share_of_decal({"depth.offset.units=1"}), 1.0);
+    EXPECT_FALSE(share_of_decal({"depth.offset.factor=-1"})) << "which goes by the slope";
+    // GL leaves open how many codes a unit is, at least one.
+    EXPECT_FALSE(share_of_decal({"depth.format=d16", "depth.offset.units=-0.5"}));
+    EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2"}), 0.0);
+    EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=2"}), 1.0);
+    EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2", "depth.mapping=reversed"}), 0.0);
+    EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2", "depth.mapping=reversed",
+                              "depth.reversed_offset=false"}),
+              1.0);
+    EXPECT_FALSE(share_of_decal({"depth.format=d24", "depth.offset.units=-1"})) << "rounding may take it away";
+}
+
+TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
+    for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
+             {"depth.format=d24"},
+             {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"},
+             {"depth.mapping=reversed", "depth.reversed_clear=false"},
+             {"depth.clear=false"},
+             {"depth.write_while_clearing=false"},
+             {"projection.far=15"}})
+        EXPECT_FALSE(share_of_decal(settings)) << settings.front();
+    EXPECT_TRUE(share_of_decal({"depth.mapping=logarithmic"}));
+    EXPECT_TRUE(share_of_decal({"depth.mapping=reversed"}));
 }
 
 TEST(FightingPrediction, MeasuresAlongTheLineOfSight) {

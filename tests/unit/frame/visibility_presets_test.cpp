@@ -26,7 +26,7 @@ public:
         EXPECT_TRUE(loaded) << preset << ": " << loaded.error();
         if (!loaded) return;
         params = loaded->params;
-        const Result<Scene> scene = load_scene(params.scene, loaded->base);
+        const Result<Scene> scene = load_scene(params.scene, loaded->base, params.coplanar);
         EXPECT_TRUE(scene) << preset << ": " << scene.error();
         if (!scene) return;
         std::vector<MeshInstance> instances;

@@ -222,6 +222,12 @@ TEST(BadStates, Objects) {
         {box(R"("shape": "triangle", "vertices": [[5,5,5],[5,5,5],[5,5,5]])"), "scene.objects[1].vertices", "no area"},
         {box(R"("shape": "triangle", "vertices": [[1e6,0,0],[999999.999,0,0],[1e6,0.5,0]])"),
          "scene.objects[1].vertices", "no area"},
+        {R"({"scene": {"made_by": "coplaner"}})", "scene.made_by", "must be one of coplanar"},
+        {R"({"scene": {"made_by": "coplaner"}})", "scene.made_by", "did you mean coplanar?"},
+        {R"({"scene": {"made_by": 3}})", "scene.made_by", "must be one of coplanar"},
+        {R"({"scene": {"made_by": "coplanar", "objects": []}})", "scene.made_by", "lists its objects already"},
+        {R"({"scene": {"made_bye": "coplanar"}})", "scene.made_bye", "did you mean made_by?"},
+        {R"({"scene": {}})", "scene.objects", "is missing"},
     });
 }
 

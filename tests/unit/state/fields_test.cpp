@@ -32,6 +32,15 @@ constexpr std::string_view contract_paths[] = {
     "depth.mapping",
     "depth.offset.factor",
     "depth.offset.units",
+    "depth.decals",
+    "depth.write_while_clearing",
+    "depth.reversed_zero_to_one",
+    "depth.reversed_clear",
+    "depth.reversed_offset",
+    "depth.logarithm_per_vertex",
+    "coplanar.gap",
+    "coplanar.tilt",
+    "coplanar.distance",
     "cull.enabled",
     "cull.face",
     "cull.front_face",
@@ -72,7 +81,19 @@ constexpr std::string_view contract_paths[] = {
     "visibility.numbers",
     "view.shows",
     "view.depth_scale",
+    "view.depth_colors",
+    "view.depth_range",
     "view.samples",
+    "view.beside.shows",
+    "view.beside.layout",
+    "view.beside.share",
+    "view.beside.format",
+    "view.beside.mapping",
+    "view.pixel",
+    "view.call",
+    "view.triangle",
+    "view.lower_left",
+    "view.lower_right",
     "observer.target",
     "observer.yaw",
     "observer.pitch",
@@ -82,6 +103,7 @@ constexpr std::string_view contract_paths[] = {
     "slips.pole_flip",
     "slips.swapped_order",
     "slips.camera_as_view",
+    "animation.jiggle",
     "ui.theme",
     "ui.scale",
 };
@@ -120,8 +142,13 @@ TEST(Fields, EnumsHaveTheContractsNames) {
     EXPECT_EQ(names("visibility.splitter"), (Names{"first", "random", "fewest_splits", "balanced"}));
     EXPECT_EQ(names("visibility.walk"), (Names{"back_to_front", "front_to_back"}));
     EXPECT_EQ(names("visibility.compare_with"), names("visibility.method"));
-    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw", "difference"}));
+    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}));
     EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
+    EXPECT_EQ(names("view.depth_colors"), (Names{"grey", "bands"}));
+    EXPECT_EQ(names("view.beside.shows"), (Names{"nothing", "depth", "other_depth"}));
+    EXPECT_EQ(names("view.beside.layout"), (Names{"halves", "divider"}));
+    EXPECT_EQ(names("view.beside.format"), names("depth.format"));
+    EXPECT_EQ(names("depth.decals"), (Names{"offset", "equal", "stencil"}));
     EXPECT_EQ(names("ui.theme"), (Names{"dark", "light", "projector"}));
 }
 

@@ -232,6 +232,16 @@ TEST(Scene, ComesBackAsItWas) {
     EXPECT_EQ(*again, *scene);
 }
 
+TEST(Scene, MadeByAFormulaComesBackAsThat) {
+    const Result<SceneDescription> scene = parse_scene(R"({"title": "T", "made_by": "coplanar"})", "s.json");
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(scene->made_by, SceneFormula::coplanar);
+    EXPECT_TRUE(scene->objects.empty());
+    const std::string written = write_scene(*scene);
+    EXPECT_EQ(written.find("objects"), std::string::npos);
+    EXPECT_EQ(*parse_scene(written, "again"), *scene);
+}
+
 TEST(Scene, IsWrittenAsItWasGiven) {
     EXPECT_NE(write_state(read(R"({"scene": "my/room.json"})")).find(R"("scene": "my/room.json")"), std::string::npos);
     const std::string inline_scene = write_state(read(R"({"scene": {"objects": [{"name": "b", "shape": "box"}]}})"));

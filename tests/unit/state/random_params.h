@@ -113,6 +113,17 @@ private:
             if (coin()) {
                 **follow = Follow{"box", whole(0, 1'000'000)};
             }
+        } else if (const auto* span = std::get_if<std::optional<glm::dvec2>*>(&ref)) {
+            (*span)->reset();
+            if (coin()) {
+                const double nearest = uniform(0.01, 1.0);
+                **span = glm::dvec2(nearest, nearest + uniform(0.01, 1e6));
+            }
+        } else if (const auto* pixel = std::get_if<std::optional<glm::ivec2>*>(&ref)) {
+            (*pixel)->reset();
+            if (coin()) {
+                **pixel = glm::ivec2(whole(0, 16383), whole(0, 16383));
+            }
         }
     }
 

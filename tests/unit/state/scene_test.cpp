@@ -198,9 +198,9 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     const SceneDescription missing = scene_of_mesh(folder_ / "none.obj");
     const std::string path = (folder_ / "none.obj").string();
     EXPECT_EQ(load_scene(missing, "").error(), "scene.objects[0].file: " + path + ": no such file");
-    EXPECT_EQ(load_scene(missing, "", nullptr, "mine.json: scene").error(),
+    EXPECT_EQ(load_scene(missing, "", {}, nullptr, "mine.json: scene").error(),
               "mine.json: scene.objects[0].file: " + path + ": no such file");
-    EXPECT_EQ(load_scene(path, "", nullptr, "--mesh").error(), "--mesh: " + path + ": no such file");
+    EXPECT_EQ(load_scene(path, "", {}, nullptr, "--mesh").error(), "--mesh: " + path + ": no such file");
 }
 
 TEST_F(SceneFiles, LoadingCanBeCancelled) {
@@ -208,7 +208,7 @@ TEST_F(SceneFiles, LoadingCanBeCancelled) {
     scene.objects[0].file = write("t.obj", triangle_obj).string();
     LoadProgress progress;
     progress.cancelled = true;
-    EXPECT_NE(load_scene(scene, "", &progress).error().find("cancelled"), std::string::npos);
+    EXPECT_NE(load_scene(scene, "", {}, &progress).error().find("cancelled"), std::string::npos);
 }
 
 TEST(Presets, AllLoadWithTheirScenes) {
@@ -222,7 +222,7 @@ TEST(Presets, AllLoadWithTheirScenes) {
         EXPECT_TRUE(preset.about.ends_with("."));
         const Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
-        const Result<Scene> scene = load_scene(state->params.scene, state->base);
+        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
         EXPECT_TRUE(preset.name == "opening" || state->params != Params{}) << "differs from the opening state";
         Params clamped = state->params;
@@ -291,7 +291,7 @@ TEST_F(SceneFiles, StatesAreFoundByPath) {
     ASSERT_TRUE(state) << state.error();
     EXPECT_EQ(state->params.camera.yaw, 5.0);
     EXPECT_EQ(state->base, folder_);
-    EXPECT_TRUE(load_scene(state->params.scene, state->base));
+    EXPECT_TRUE(load_scene(state->params.scene, state->base, state->params.coplanar));
 
     EXPECT_EQ(load_state((folder_ / "no.json").string()).error(), (folder_ / "no.json").string() + ": no such file");
     EXPECT_NE(load_state(folder_.string()).error().find("is a directory"), std::string::npos);

@@ -1,0 +1,26 @@
+#include "frame/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace viewing {
+
+bool is_animated(const Params& params) {
+    return params.animation.jiggle;
+}
+
+Params animated(const Params& params, double time_s) {
+    Params now = params;
+    if (params.animation.jiggle) {
+        // Two tones that never meet again: it does not look like a pendulum.
+        const double tau = 2.0 * std::numbers::pi;
+        const double away = 0.5 * (std::sin(0.61 * tau * time_s) + std::sin(0.97 * tau * time_s));
+        const glm::dmat3 world_from_view(rotation_from_angles(params.camera.angles()));
+        const double distance = std::max(glm::distance(params.camera.position, params.camera.target), 1.0);
+        now.camera.position += world_from_view * glm::dvec3(away * 1e-3 * distance, 0.0, 0.4e-3 * away * distance);
+    }
+    return now;
+}
+
+}  // namespace viewing

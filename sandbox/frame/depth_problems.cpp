@@ -1,0 +1,94 @@
+// The switches of the depth buffer, each with the sentence that says what it does to the picture. Part of problems.h.
+#include <algorithm>
+
+#include "frame/problems.h"
+
+namespace viewing {
+namespace {
+
+/// Adds sentences to the group "depth".
+class Sayer {
+public:
+    explicit Sayer(std::vector<Problem>& problems) : problems_(problems) {}
+    void operator()(bool is_so, const char* sentence) {
+        if (is_so) problems_.push_back({sentence, "depth"});
+    }
+
+private:
+    std::vector<Problem>& problems_;
+};
+
+void say_tests(Sayer& say, const DepthParams& depth) {
+    if (!depth.test) {
+        say(true,
+            "depth test off: whatever is drawn last wins, and no depth is written either, so the depth buffer "
+            "stays as it was cleared");
+        return;
+    }
+    say(depth.func == CompareFunc::always,
+        "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same");
+    say(depth.func == CompareFunc::notequal,
+        "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already");
+    say(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes");
+    const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
+    say(wants_farther || depth.func == CompareFunc::equal,
+        wants_farther
+            ? "only what is farther passes, and nothing is farther than what the buffer is cleared to"
+            : "GL_EQUAL: only what has the stored depth passes, and the buffer was just cleared to the far plane");
+    say(!depth.write,
+        "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later");
+}
+
+void say_clears(Sayer& say, const DepthParams& depth) {
+    say(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now");
+    say(depth.clear && !depth.write_while_clearing,
+        "glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on hiding what "
+        "is drawn now");
+}
+
+void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) {
+    say(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
+        "the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide or show what "
+        "they should not");
+    if (depth.mapping != DepthMapping::reversed) return;
+    say(!derived.clip_zero_to_one,
+        depth.reversed_zero_to_one
+            ? "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds a float's "
+              "fine steps near 0 away, so nothing is won"
+            : "reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's fine steps "
+              "near "
+              "0 away, so nothing is won");
+    say(!depth.reversed_clear,
+        "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
+        "drawn");
+    say(!depth.reversed_offset,
+        "with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it should pull "
+        "nearer");
+}
+
+void say_decals(Sayer& say, const Params& params, const Derived& derived, const Scene& scene) {
+    const DecalMethod method = params.depth.decals;
+    if (method == DecalMethod::offset) return;
+    const auto is_decal = [](const SceneObject& object) { return object.description.decal; };
+    if (std::ranges::none_of(scene.objects, is_decal)) return;
+    say(method == DecalMethod::equal,
+        "GL_EQUAL: a decal passes only where its triangles round to the very depth of what they lie on; with triangles "
+        "of its own it stipples");
+    for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
+        if (is_decal(scene.objects[i]) && derived.object_marks[i] == 0)
+            return say(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
+}
+
+}  // namespace
+
+void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                         const Scene& scene) {
+    if (params.visibility.method != VisibilityMethod::depth_buffer) return;
+    Sayer say(problems);
+    say_tests(say, params.depth);
+    say_clears(say, params.depth);
+    say_mappings(say, params.depth, derived);
+    say_decals(say, params, derived, scene);
+}
+
+}  // namespace viewing

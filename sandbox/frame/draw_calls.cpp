@@ -1,0 +1,74 @@
+#include "frame/draw_calls.h"
+
+#include <algorithm>
+
+namespace viewing {
+namespace {
+
+constexpr int patch_triangles = 2;
+
+int triangles_of(const SceneObject& object) {
+    return static_cast<int>(object.mesh->triangle_count());
+}
+
+bool is_drawn_as_it_comes(const Pass& pass) {
+    return pass.subject != Subject::ordered && pass.subject != Subject::pixels;
+}
+
+/// Nothing of a call is all of the one before.
+DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls) {
+    while (limit.triangles == 0 && limit.call > 0)
+        limit.triangles = calls[static_cast<std::size_t>(--limit.call)].triangles;
+    return limit;
+}
+
+}  // namespace
+
+bool is_chosen(Chosen chosen, const SceneObject& object) {
+    return chosen == Chosen::all || object.description.decal == (chosen == Chosen::decals);
+}
+
+int triangles_drawn(const DrawLimit& limit, int call, int triangles) {
+    if (limit.call < 0 || call < limit.call) return triangles;
+    if (call > limit.call) return 0;
+    return limit.triangles < 0 ? triangles : std::min(limit.triangles, triangles);
+}
+
+int call_count(const Pass& pass, const Scene& scene) {
+    if (pass.subject == Subject::patch) return 1;
+    if (pass.subject != Subject::objects) return 0;
+    return static_cast<int>(std::ranges::count_if(
+        scene.objects, [&](const SceneObject& object) { return is_chosen(pass.chosen, object); }));
+}
+
+std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
+    if (!std::ranges::all_of(plan.passes, is_drawn_as_it_comes)) return {};
+    std::vector<DrawCall> calls;
+    for (std::size_t number = 0; number < plan.passes.size(); ++number) {
+        const Pass& pass = plan.passes[number];
+        if (pass.subject == Subject::patch) calls.push_back({number, -1, patch_triangles});
+        if (pass.subject != Subject::objects) continue;
+        for (std::size_t index = 0; index < scene.objects.size(); ++index)
+            if (is_chosen(pass.chosen, scene.objects[index]))
+                calls.push_back({number, static_cast<int>(index), triangles_of(scene.objects[index])});
+    }
+    return calls;
+}
+
+std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
+    const std::string object =
+        call.object < 0 ? "plane" : scene.objects.at(static_cast<std::size_t>(call.object)).description.name;
+    return object + ", pass " + std::to_string(call.pass + 1) + ": " + plan.passes.at(call.pass).name;
+}
+
+DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls) {
+    if (calls.empty()) return {0, 0};
+    const int last = static_cast<int>(calls.size()) - 1;
+    DrawLimit step{limit.call < 0 ? last : std::min(limit.call, last), 0};
+    step.triangles = triangles_drawn(limit, step.call, calls[static_cast<std::size_t>(step.call)].triangles);
+    step = without_empty_call(step, calls);
+    step.triangles = std::max(step.triangles - 1, 0);
+    return without_empty_call(step, calls);
+}
+
+}  // namespace viewing

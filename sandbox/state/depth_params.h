@@ -1,0 +1,45 @@
+// The part of the parameters that says how depth is stored and compared, and what fights over it. Read params.h for
+// the rest.
+#pragma once
+
+#include "geometry/projection.h"
+
+namespace viewing {
+
+enum class CompareFunc { never, less, equal, lequal, greater, notequal, gequal, always };
+enum class DepthFormat { d4, d5, d6, d7, d8, d9, d10, d11, d12, d16, d24, d32f };
+enum class DecalMethod { offset, equal, stencil };
+
+struct DepthOffset {
+    double factor = 0.0, units = 0.0;
+    bool operator==(const DepthOffset&) const = default;
+};
+
+struct DepthParams {
+    bool test = true;
+    CompareFunc func = CompareFunc::less;
+    bool write = true;
+    bool clear = true;
+    DepthFormat format = DepthFormat::d24;
+    DepthMapping mapping = DepthMapping::standard;
+    DepthOffset offset;
+    DecalMethod decals = DecalMethod::offset;  ///< what keeps objects marked "decal" from fighting with what they lie on
+
+    // Switches that are right as they are, and show what breaks without.
+    bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, which then clears no depth
+    bool reversed_zero_to_one = true;  ///< off: reversed depth keeps the clip range −1 … 1
+    bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
+    bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth, and push away
+    bool logarithm_per_vertex = false;
+    bool operator==(const DepthParams&) const = default;
+};
+
+/// The pairs of quads in the scene `coplanar`.
+struct CoplanarParams {
+    double gap = 0.01;      ///< world units, along the normal
+    double tilt = 8.0;      ///< degrees that a pair is turned out of the picture's plane
+    double distance = 4.0;  ///< of the nearest pair from the eye; the others keep their proportions
+    bool operator==(const CoplanarParams&) const = default;
+};
+
+}  // namespace viewing

@@ -1,0 +1,59 @@
+// The part of the parameters that says what the views show. Read params.h for the rest.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "state/depth_params.h"
+
+namespace viewing {
+
+enum class Shows { color, depth, stencil, facing, overdraw, difference, fighting };
+enum class DepthScale { window, linear };
+enum class DepthColors { grey, bands };
+enum class Beside { nothing, depth, other_depth };
+enum class BesideLayout { halves, divider };
+
+/// What one of the two views below the camera's shows; `automatic` goes by the hidden-surface method.
+enum class Topic {
+    automatic,
+    observer,
+    depth,
+    histogram,
+    precision,
+    codes,
+    pixel,
+    cells,
+    fighting,
+    moving_world,
+    passes,
+    tree,
+    order,
+    growth
+};
+
+/// A second picture in the camera's view.
+struct BesideParams {
+    Beside shows = Beside::nothing;
+    BesideLayout layout = BesideLayout::halves;
+    double share = 0.5;                             ///< of the divider: the part left of it
+    DepthFormat format = DepthFormat::d32f;         ///< of other_depth
+    DepthMapping mapping = DepthMapping::reversed;  ///< of other_depth
+    bool operator==(const BesideParams&) const = default;
+};
+
+struct ViewParams {
+    Shows shows = Shows::color;
+    DepthScale depth_scale = DepthScale::linear;
+    DepthColors depth_colors = DepthColors::grey;
+    std::optional<glm::dvec2> depth_range;  ///< eye distances that are black and white; none: near and far
+    int samples = 4;                        ///< 0 or 4
+    BesideParams beside;
+    std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one
+    int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them
+    int triangle = -1;                ///< and after so many of its triangles; −1: all of them
+    Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
+    bool operator==(const ViewParams&) const = default;
+};
+
+}  // namespace viewing

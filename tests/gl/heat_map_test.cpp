@@ -1,0 +1,122 @@
+// The heat map as GL draws it: the colour of a pixel against the ratio of gap and step worked out here, from the facts'
+// formula for the step and a ray through the pixel.
+#include <cmath>
+
+#include "gl/gl_test.h"
+
+namespace viewing {
+namespace {
+
+using testing::Rgb;
+
+constexpr glm::ivec2 size_px(320, 240);
+constexpr double near = 0.5, far = 200.0, fovy_deg = 40.0;
+
+class HeatMapPicture : public testing::GlTest {
+protected:
+    /// Quads that face the camera, which looks from the origin along −z, `gap` apart, and one alone beside them.
+    static Scene facing_pair(double distance, double gap) {
+        const auto quad = [](const char* name, const glm::dvec3& at, double side) {
+            SceneObject made = testing::object(name, quad_mesh(), at);
+            made.world_from_model = world_from_model(at, {0.0, 90.0, 0.0}, glm::dvec3(side));
+            return made;
+        };
+        return testing::scene_of({quad("back", {0.0, 0.0, -distance}, 0.2 * distance),
+                                  quad("front", {0.0, 0.0, -distance + gap}, 0.2 * distance),
+                                  testing::object("box", box_mesh(), {0.3 * distance, 0.0, -distance})});
+    }
+    static Params params_for(const char* format) {
+        Params params = testing::params_with(
+            {"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "camera.roll=0", "projection.near=0.5",
+             "projection.far=200", "view.shows=fighting", "view.samples=0", std::string("depth.format=") + format});
+        params.plane.extent = 1e-3;
+        return params;
+    }
+    static Image picture(const Params& params, const Scene& scene) {
+        return draw(plan(params, derive_for(params, scene, size_px)), scene, size_px);
+    }
+};
+
+/// Of the legend: what lies between two of its colours is mixed.
+Rgb expected(double ratio) {
+    const glm::dvec3 stops[] = {{0x8e, 0x1b, 0x12}, {0xc0, 0x36, 0x1e}, {0xe4, 0x57, 0x2e},
+                                {0xee, 0xa2, 0x4a}, {0xf3, 0xcb, 0x85}, {0xc3, 0xe0, 0xf0}};
+    if (ratio < 0.5) return Rgb(glm::round(glm::mix(stops[0], stops[1], ratio / 0.5)));
+    if (ratio < 1.0) return Rgb(glm::round(glm::mix(stops[1], stops[2], (ratio - 0.5) / 0.5)));
+    if (ratio < 2.0) return Rgb(glm::round(glm::mix(stops[3], stops[4], std::log2(ratio))));
+    if (ratio < 4.0) return Rgb(glm::round(glm::mix(stops[4], stops[5], std::log2(ratio) - 1.0)));
+    return Rgb(stops[5]);
+}
+
+TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
+    // Sixteen bits: the step is one code but for a hundredth. The sight line to a pixel makes a longer gap of none of
+    // these: seen from the front, the gap in eye distance is the gap along the normal.
+    const Params params = params_for("d16");
+    for (const double distance : {5.0, 20.0, 60.0}) {
+        const double step = distance * distance * (far - near) / (far * near * 65535.0);
+        for (const double ratio : {0.05, 0.3, 0.7, 0.9, 1.2, 1.7, 3.0, 8.0}) {
+            const double gap = ratio * step;
+            if (gap > 0.03 * distance) continue;
+            const Image image = picture(params, facing_pair(distance, gap));
+            const Rgb seen = testing::rgb_at(image, {size_px.x / 2 + 10, size_px.y / 2 - 10});
+            EXPECT_LE(testing::worst_channel(seen, expected(ratio)), 6) << "z " << distance << " ratio " << ratio;
+        }
+    }
+}
+
+TEST_F(HeatMapPicture, GoesByTheGapAlongTheRay) {
+    // Turned by 60° about the upright axis: in eye distance the gap is twice as wide at the picture's middle, and at a
+    // pixel beside it what the ray through it says.
+    const double distance = 20.0, turn = glm::radians(60.0), gap = 0.012;
+    Scene scene = facing_pair(distance, 0.0);
+    const glm::dvec3 normal(std::sin(turn), 0.0, std::cos(turn));
+    for (int object = 0; object < 2; ++object) {
+        const glm::dvec3 at = glm::dvec3(0.0, 0.0, -distance) + normal * (object * gap);
+        scene.objects[static_cast<std::size_t>(object)].world_from_model =
+            world_from_model(at, {60.0, 90.0, 0.0}, glm::dvec3(4.0));
+    }
+    scene.objects.pop_back();
+    const Image image = picture(params_for("d16"), scene);
+    for (const int x : {size_px.x / 2 - 15, size_px.x / 2, size_px.x / 2 + 15}) {
+        const double half = std::tan(glm::radians(fovy_deg / 2.0));
+        const double across = (2.0 * (x + 0.5) - size_px.x) / size_px.y * half;
+        const glm::dvec3 sight(across, 0.0, -1.0);  // for each unit of eye distance
+        const double z = -normal.z * distance / glm::dot(normal, sight);
+        const double step = z * z * (far - near) / (far * near * 65535.0);
+        const double ratio = gap / std::abs(glm::dot(normal, sight)) / step;
+        EXPECT_LE(testing::worst_channel(testing::rgb_at(image, {x, size_px.y / 2}), expected(ratio)), 6)
+            << "x " << x << " ratio " << ratio;
+    }
+}
+
+TEST_F(HeatMapPicture, LeavesWhatIsInNoPairGrey) {
+    const Image image = picture(params_for("d24"), facing_pair(10.0, 0.01));
+    const Derived derived = derive_for(params_for("d24"), Scene{}, size_px);
+    const Rgb box = testing::rgb_at(image, testing::pixel_of({3.0, 0.0, -9.5}, derived, size_px));
+    EXPECT_EQ(box.r, box.g);
+    EXPECT_EQ(box.g, box.b);
+    EXPECT_NE(box, testing::rgb_at(image, {2, 2})) << "not the background";
+}
+
+TEST_F(HeatMapPicture, IsTheSameWhateverTheMethod) {
+    Params params = params_for("d24");
+    params.reflection.enabled = params.shadow.enabled = false;
+    const Scene scene = facing_pair(10.0, 0.002);
+    const Image plain = picture(params, scene);
+    params.visibility.method = VisibilityMethod::painter;
+    params.reflection.enabled = params.shadow.enabled = true;
+    EXPECT_EQ(testing::pixels_beyond(picture(params, scene), plain, 0), 0);
+}
+
+TEST_F(HeatMapPicture, SurvivesAPlanThatWasDerivedForColors) {
+    Params params = params_for("d24");
+    const Scene scene = facing_pair(10.0, 0.002);
+    params.view.shows = Shows::color;
+    const Derived derived = derive_for(params, scene, size_px);
+    params.view.shows = Shows::fighting;
+    const Rgb seen = testing::rgb_at(draw(plan(params, derived), scene, size_px), {size_px.x / 2, size_px.y / 2});
+    EXPECT_EQ(seen.r, seen.g) << "grey";
+}
+
+}  // namespace
+}  // namespace viewing

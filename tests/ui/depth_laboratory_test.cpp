@@ -1,0 +1,157 @@
+// The depth laboratory's controls: what the panel's section edits, the second picture, the topics below, the pinned
+// pixel and the range of the histogram.
+#include <string>
+#include <vector>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class DepthLaboratory : public UiTest {
+protected:
+    /// One use of a control changes this field and no other.
+    void expect_edits(const std::string& label, const std::string& field, bool is_number = false) {
+        SCOPED_TRACE(label);
+        const Params before = params;
+        is_number ? desk.drag(label, 30.0F) : desk.click(label);
+        EXPECT_EQ(differing_fields(before, params), Paths{field});
+    }
+    void open_section() {
+        desk.fold_out_all();
+        desk.settle();
+    }
+};
+
+TEST_F(DepthLaboratory, EachMappingHasItsSwitches) {
+    params.depth.mapping = DepthMapping::reversed;
+    open_section();
+    expect_edits("buffer/Clip range 0 … 1", "depth.reversed_zero_to_one");
+    expect_edits("buffer/Clear to 0", "depth.reversed_clear");
+    expect_edits("buffer/Turn the offset's sign", "depth.reversed_offset");
+    EXPECT_FALSE(ui.has("buffer/Per vertex"));
+    params.depth.mapping = DepthMapping::logarithmic;
+    desk.settle();
+    expect_edits("buffer/Per vertex", "depth.logarithm_per_vertex");
+    EXPECT_FALSE(ui.has("buffer/Clear to 0"));
+}
+
+TEST_F(DepthLaboratory, ASwitchThatBreaksThePictureSaysWhy) {
+    const auto sentences = [&] {
+        desk.settle();
+        std::vector<std::string> all;
+        for (const Problem& problem : desk.derived.problems) all.push_back(problem.sentence);
+        return all;
+    };
+    EXPECT_EQ(sentences(), std::vector<std::string>{});
+    for (const auto& [path, value] :
+         std::vector<std::pair<std::string, std::string>>{{"depth.test", "false"},
+                                                          {"depth.func", "always"},
+                                                          {"depth.func", "never"},
+                                                          {"depth.func", "greater"},
+                                                          {"depth.write", "false"},
+                                                          {"depth.clear", "false"},
+                                                          {"depth.write_while_clearing", "false"}}) {
+        SCOPED_TRACE(path + "=" + value);
+        const std::vector<std::string> setting{path + "=" + value};
+        const Result<Params> broken = apply_settings(Params{}, setting);
+        ASSERT_TRUE(broken);
+        params = *broken;
+        EXPECT_EQ(sentences().size(), 1U);
+    }
+}
+
+TEST_F(DepthLaboratory, TheCoplanarSceneHasItsSliders) {
+    open_section();
+    EXPECT_FALSE(ui.has("buffer/gap"));
+    params.scene = std::string("coplanar");
+    open_section();
+    expect_edits("buffer/gap", "coplanar.gap", true);
+    expect_edits("buffer/tilt", "coplanar.tilt", true);
+    expect_edits("buffer/distance", "coplanar.distance", true);
+}
+
+TEST_F(DepthLaboratory, DecalsHaveThreeWays) {
+    params.scene = std::string("decals");
+    open_section();
+    expect_edits("buffer/decals/GL_EQUAL", "depth.decals");
+    EXPECT_EQ(params.depth.decals, DecalMethod::equal);
+    EXPECT_FALSE(ui.has("buffer/decal factor"));
+    expect_edits("buffer/decals/Stencil", "depth.decals");
+    EXPECT_EQ(params.depth.decals, DecalMethod::stencil);
+}
+
+TEST_F(DepthLaboratory, ASecondPictureHasAHalfOfItsOwn) {
+    const Rect whole = desk.layout().camera;
+    params.view.beside.shows = Beside::depth;
+    desk.settle();
+    const Layout layout = desk.layout();
+    EXPECT_EQ(layout.camera.size_px(), layout.beside.size_px());
+    EXPECT_EQ(layout.camera.min.x, whole.min.x);
+    EXPECT_NEAR(layout.beside.max.x, whole.max.x, 2.0F);
+    EXPECT_LT(layout.camera.max.x, layout.beside.min.x);
+    EXPECT_TRUE(ui.has("beside/beside view"));
+    params.view.beside.layout = BesideLayout::divider;
+    desk.settle();
+    EXPECT_TRUE(desk.layout().beside.empty());
+    EXPECT_EQ(desk.layout().camera.size_px(), whole.size_px());
+}
+
+TEST_F(DepthLaboratory, TheDividerIsDraggedAndTheCameraStays) {
+    params.view.beside.shows = Beside::other_depth;
+    params.view.beside.layout = BesideLayout::divider;
+    desk.settle();
+    const Params before = params;
+    const Rect rect = desk.layout().camera;
+    desk.drag_from({(rect.min.x + rect.max.x) * 0.5F, rect.min.y + 0.8F * rect.height()}, 100.0F, 0.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"view.beside.share"});
+    EXPECT_NEAR(params.view.beside.share, 0.5 + 100.0 / rect.width(), 0.01);
+}
+
+TEST_F(DepthLaboratory, AClickPinsThePixelWhileAViewTellsOfIt) {
+    const Rect rect = desk.layout().camera;
+    const ImVec2 place(rect.min.x + 40.0F, rect.max.y - 30.0F);
+    desk.click_at(place);
+    EXPECT_EQ(params.view.pixel, std::nullopt);
+    params.view.lower_right = Topic::pixel;
+    params.follow.reset();
+    desk.settle();
+    desk.click_at(place);
+    ASSERT_TRUE(params.view.pixel);
+    EXPECT_EQ(*params.view.pixel, glm::ivec2(40, static_cast<int>(rect.height()) - 30));
+    EXPECT_EQ(params.follow, std::nullopt);
+    desk.click_at(place);
+    EXPECT_EQ(params.view.pixel, std::nullopt);
+}
+
+TEST_F(DepthLaboratory, EveryTopicFitsInBothSlots) {
+    for (const Slot slot : {Slot::left, Slot::right}) {
+        for (int topic = 0; topic < static_cast<int>(topic_names().size()); ++topic) {
+            SCOPED_TRACE(topic_names()[static_cast<std::size_t>(topic)]);
+            choose_topic(params, slot, static_cast<Topic>(topic));
+            desk.settle();
+            EXPECT_NE(topic_of(params, slot), Topic::automatic);
+            EXPECT_NE(topic_of(params, Slot::left), topic_of(params, Slot::right));
+        }
+    }
+}
+
+TEST_F(DepthLaboratory, WhatTheOtherViewShowsComesOver) {
+    params.view.lower_left = Topic::precision;
+    choose_topic(params, Slot::right, Topic::precision);
+    EXPECT_EQ(topic_of(params, Slot::right), Topic::precision);
+    EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // what the right one showed
+}
+
+TEST_F(DepthLaboratory, AnotherMethodBringsItsTopicBack) {
+    params.view.lower_right = Topic::codes;
+    desk.settle();
+    desk.click("depth/method");
+    ui.frames(2);
+    ui.click("depth/method/BSP tree");
+    desk.settle();
+    EXPECT_EQ(topic_of(params, Slot::right), Topic::tree);
+}
+
+}  // namespace
+}  // namespace viewing::test

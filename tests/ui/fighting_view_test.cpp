@@ -1,0 +1,109 @@
+// The view of depth fighting in a window of its own, with reports made here: what it says, what it leaves out where it
+// is narrow, and that everything stays inside.
+#include "ui/fighting_view.h"
+
+#include <algorithm>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class FightingView : public ::testing::Test {
+protected:
+    Session session = session_of("depth-fighting");
+    widgets::Context context;
+    Rect rect{{20, 20}, {620, 250}};
+    std::shared_ptr<FightingReport> report;
+    widgets::test::Harness ui{context, [this] { draw(); }, {1000, 700}};
+
+    FightingView() {
+        context.palette = widgets::palette_of(widgets::ThemeKind::dark);
+        context.scale = 1.0F;
+        context.fonts = load_fonts(1.0F);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+        widgets::ApplyStyle(context);
+    }
+
+    void draw() {
+        ImGui::SetNextWindowPos({0, 0});
+        ImGui::SetNextWindowSize({1000, 700});
+        ImGui::Begin("view", nullptr, ImGuiWindowFlags_NoDecoration);
+        draw_fighting_view(session, report.get(), rect);
+        ImGui::End();
+    }
+
+    /// The six pairs, of which the last one is wrong at a quarter of its pixels.
+    void make_report() {
+        const Derived derived = derive(session.params, session.scene(), {});
+        FightingCounts counts;
+        for (const FlatPair& pair : near_coplanar_pairs(session.scene())) counts.pairs.push_back({pair, 0, 12000});
+        counts.pairs.back().wrong = 3000;
+        counts.wrong_elsewhere = 77;
+        counts.pixels_elsewhere = 1000;
+        report = std::make_shared<FightingReport>(
+            fighting_report(std::move(counts), session.params, derived, session.scene(), {640, 360}));
+        report->minimum_gap = MinimumGap{.distance = 14.0, .predicted = {0.05, 0.01, true}, .gap = 0.036};
+    }
+    bool says(std::string_view part) const {
+        return std::ranges::any_of(
+            context.recorded, [part](const RecordedItem& item) { return item.label.find(part) != std::string::npos; });
+    }
+};
+
+TEST_F(FightingView, SaysThatItCountsBeforeThereIsAnything) {
+    ui.frames(2);
+    EXPECT_TRUE(says("Counting…"));
+}
+
+TEST_F(FightingView, HasARowForEachPairAndTheTotals) {
+    make_report();
+    ui.frames(3);
+    EXPECT_TRUE(says("back / front quad at 4: 0.0 %"));
+    EXPECT_TRUE(says("back / front quad at 84: 25.0 %"));
+    EXPECT_TRUE(says("all pairs 4.2 % wrong"));
+    EXPECT_TRUE(says("77 bleed through"));
+    EXPECT_TRUE(says("640 × 360 pixels"));
+    EXPECT_TRUE(says("predicted 0.06"));
+    EXPECT_TRUE(says("counted 0.036"));
+    EXPECT_TRUE(says("onset"));
+}
+
+TEST_F(FightingView, TellsWhatIsStillCounted) {
+    make_report();
+    report->counts_are_behind = report->gap_is_behind = true;
+    ui.frames(3);
+    EXPECT_TRUE(says("counting…"));
+    EXPECT_TRUE(says("searching"));
+    EXPECT_FALSE(says("all pairs"));
+    EXPECT_TRUE(says("back / front quad at 84: 25.0 %")) << "the old ones, greyed";
+}
+
+TEST_F(FightingView, LeavesColumnsOutWhereItIsNarrowAndKeepsTheCounts) {
+    make_report();
+    for (const float width : {180.0F, 230.0F, 300.0F, 420.0F, 620.0F, 900.0F}) {
+        rect.max.x = rect.min.x + width;
+        ui.frames(4);
+        EXPECT_TRUE(says("back / front quad at 84: 25.0 %")) << width;
+        EXPECT_EQ(says("onset"), width >= 300.0F) << width;
+        EXPECT_EQ(says("wrong pixels"), width >= 420.0F) << width;
+        for (const RecordedItem& item : context.recorded) {
+            EXPECT_GE(item.min.x, rect.min.x) << item.label << " at " << width;
+            EXPECT_LE(item.max.x, rect.max.x + 1.0F) << item.label << " at " << width;
+        }
+    }
+}
+
+TEST_F(FightingView, OffersASceneThatFights) {
+    session.params.scene = std::string("torus-and-boxes");
+    report = std::make_shared<FightingReport>();
+    ui.frames(2);
+    EXPECT_TRUE(says("nothing fights"));
+    ui.click("fighting/Open coplanar");
+    EXPECT_EQ(std::get<std::string>(session.params.scene), "coplanar");
+}
+
+}  // namespace
+}  // namespace viewing::test

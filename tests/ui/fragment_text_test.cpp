@@ -1,0 +1,300 @@
+// What the pixel view and the cell view say, apart from where they draw it: tests in words, numbers in cells, steps.
+#include "ui/fragment_text.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "ui/cell_text.h"
+#include "ui/draw_steps.h"
+#include "ui/pixel_numbers.h"
+
+namespace viewing {
+namespace {
+
+constexpr DepthPrecision bits_8{8, false}, bits_24{24, false}, float_32{32, true};
+
+std::uint32_t bits_of(float value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+/// As FragmentFinder would make it: `with` stands in the buffer.
+Fragment fragment(std::uint32_t stored, std::uint32_t with, CompareFunc func = CompareFunc::less) {
+    Fragment made;
+    made.object = "box";
+    made.triangle = 2;
+    made.stored = stored;
+    made.compared_with = with;
+    made.depth.func = func;
+    made.tie = stored == with;
+    made.passes = made.drawn = compare(func, stored, with);
+    return made;
+}
+
+// ---- codes and compares ------------------------------------------------------------------------------
+
+TEST(FragmentText, CodesCanBeReadAloud) {
+    EXPECT_EQ(code_text(15'955'400, bits_24), "15,955,400");
+    EXPECT_EQ(code_text(15, bits_8), "15");
+    EXPECT_EQ(code_text(bits_of(0.5F), float_32), "0.500000000");
+    EXPECT_EQ(bits_text(0x3f000000U), "0x3f000000");
+}
+
+TEST(FragmentText, TheCompareIsWrittenOut) {
+    EXPECT_EQ(compare_text(CompareFunc::less, 15'955'400, 16'777'215, bits_24), "15,955,400 < 16,777,215");
+    EXPECT_EQ(compare_text(CompareFunc::lequal, 9, 9, bits_8), "9 ≤ 9");
+    EXPECT_EQ(compare_text(CompareFunc::equal, 9, 7, bits_8), "9 = 7");
+    EXPECT_EQ(compare_text(CompareFunc::notequal, 9, 7, bits_8), "9 ≠ 7");
+    EXPECT_EQ(compare_text(CompareFunc::gequal, 9, 7, bits_8), "9 ≥ 7");
+    EXPECT_EQ(compare_text(CompareFunc::greater, bits_of(0.25F), bits_of(0.0F), float_32), "0.250 > 0.000");
+    EXPECT_EQ(compare_text(CompareFunc::always, 9, 7, bits_8), "GL_ALWAYS");
+    EXPECT_EQ(compare_text(CompareFunc::never, 9, 7, bits_8), "GL_NEVER");
+}
+
+TEST(FragmentText, FloatsOfACompareLookEqualOnlyWhereTheyAre) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> exponent(-40.0F, 0.0F);
+    for (int i = 0; i < 2000; ++i) {
+        const std::uint32_t a = bits_of(std::exp2(exponent(random))), b = a + static_cast<std::uint32_t>(random() % 3);
+        const std::string text = compare_text(CompareFunc::less, a, b, float_32);
+        const std::size_t middle = text.find(" < ");
+        ASSERT_NE(middle, std::string::npos);
+        EXPECT_EQ(text.substr(0, middle) == text.substr(middle + 3), a == b) << text;
+    }
+}
+
+// ---- what the tests make of a fragment -----------------------------------------------------------------
+
+TEST(FragmentText, EveryTestHasItsWords) {
+    EXPECT_EQ(test_text(fragment(15'955'400, 16'777'215), bits_24).whole(), "15,955,400 < 16,777,215  passes");
+    EXPECT_EQ(test_text(fragment(9, 7), bits_8).whole(), "9 < 7  fails");
+    EXPECT_EQ(test_text(fragment(812, 812), bits_24).whole(), "812 < 812  tie: fails");
+    EXPECT_EQ(test_text(fragment(812, 812, CompareFunc::lequal), bits_24).whole(), "812 ≤ 812  tie: passes");
+    EXPECT_EQ(test_text(fragment(812, 812, CompareFunc::always), bits_24).whole(), "GL_ALWAYS  passes");
+    EXPECT_EQ(test_text(fragment(8, 812, CompareFunc::never), bits_24).whole(), "GL_NEVER  fails");
+
+    Fragment other = fragment(8, 812);
+    other.drawn = false;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "8 < 812  passes, no colour");
+    other = fragment(8, 812);
+    other.stencil_fails = true;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "stencil fails");
+    other.culled = true;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "culled");
+    other = fragment(900, 812);
+    other.depth.test = false;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  not sent");
+    other.passes = other.drawn = true;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  drawn");
+}
+
+TEST(FragmentText, TheLastOneThatIsDrawnIsSeen) {
+    EXPECT_EQ(seen_fragment({}), -1);
+    EXPECT_EQ(seen_fragment({fragment(9, 7)}), -1);
+    EXPECT_EQ(seen_fragment({fragment(9, 15), fragment(5, 9), fragment(7, 5)}), 1);
+}
+
+TEST(FragmentText, ACellSaysWhatBecomesOfIt) {
+    BufferCell before, after;
+    before.stored = 15;
+    after.stored = 9;
+    EXPECT_EQ(cell_sentence(fragment(9, 15), before, after, bits_8),
+              "box, triangle 3: 9 < 15, so colour and depth are replaced.");
+    EXPECT_EQ(cell_sentence({}, before, before, bits_8), "This triangle does not cover the pixel.");
+    EXPECT_EQ(cell_sentence({}, before, after, bits_8), "This triangle changes colour and depth.");
+    before.stored = 7;
+    EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
+              "box, triangle 3: 9 < 7 is false: the pixel stays.")
+        << "what was read back counts";
+    before.stored = 9;
+    EXPECT_EQ(cell_sentence(fragment(9, 15), before, before, bits_8),
+              "box, triangle 3: 9 < 9 is false, a tie: the pixel stays.");
+
+    Fragment sent = fragment(9, 15);
+    sent.depth.write = false;
+    before.stored = 15;
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+              "box, triangle 3: 9 < 15, so the colour is replaced, the mask keeps the depth.");
+    sent = fragment(9, 15);
+    sent.drawn = false;
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+              "box, triangle 3: 9 < 15, so the depth is replaced, the colour is not.");
+    sent = fragment(9, 15, CompareFunc::always);
+    EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
+              "box, triangle 3: GL_ALWAYS, so colour and depth are replaced.");
+    sent = fragment(9, 15, CompareFunc::never);
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8), "box, triangle 3: GL_NEVER, so the pixel stays.");
+    sent.stencil_fails = true;
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+              "box, triangle 3: the stencil test fails, so the pixel stays.");
+    sent.culled = true;
+    sent.front_facing = false;
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+              "box, triangle 3 is culled: it turns its back to the camera.");
+    sent = fragment(20, 15);
+    sent.depth.test = false;
+    sent.passes = sent.drawn = true;
+    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+              "box, triangle 3: the depth test is off, so the colour is replaced and the depth is not.");
+}
+
+// ---- numbers in cells -------------------------------------------------------------------------------------
+
+CellBlock block_of(const std::vector<double>& depths, const DepthPrecision& precision) {
+    CellBlock block{{10, 20}, {static_cast<int>(depths.size()), 1}, {}};
+    for (const double depth : depths) {
+        BufferCell cell;
+        const double greatest = std::exp2(precision.bits) - 1.0;
+        cell.stored = precision.is_float ? bits_of(static_cast<float>(depth))
+                                         : static_cast<std::uint32_t>(std::llround(depth * greatest));
+        cell.window_depth = precision.is_float ? static_cast<float>(depth) : cell.stored / greatest;
+        block.cells.push_back(cell);
+    }
+    return block;
+}
+
+TEST(CellText, SmallFormatsShowTheirCodes) {
+    const CellTexts cells = cell_texts(block_of({0.0, 0.2, 1.0}, {4, false}), {4, false}, 1.0, 4);
+    EXPECT_EQ(cells.texts, (std::vector<std::string>{"0", "3", "15"}));
+    EXPECT_EQ(cells.note, "stored code, 0 … 15");
+    EXPECT_EQ(cell_texts(block_of({0.5}, {16, false}), {16, false}, 1.0, 5).texts[0], "32768");
+}
+
+TEST(CellText, WindowDepthsGetAsManyDecimalsAsTheyNeed) {
+    EXPECT_EQ(cell_texts(block_of({0.25, 0.5, 1.0}, bits_24), bits_24, 1.0, 5).texts,
+              (std::vector<std::string>{"0.25", "0.50", "1.00"}));
+    EXPECT_EQ(cell_texts(block_of({0.25, 0.251, 1.0}, bits_24), bits_24, 1.0, 5).texts,
+              (std::vector<std::string>{"0.250", "0.251", "1.000"}));
+    EXPECT_EQ(cell_texts(block_of({0.25, 0.251}, bits_24), bits_24, 1.0, 5).note, "window depth");
+}
+
+TEST(CellText, NeighboursAreCountedFromTheLeastOne) {
+    const CellBlock block = block_of({0.5, 0.50001, 1.0}, bits_24);
+    const CellTexts cells = cell_texts(block, bits_24, 1.0, 5);
+    EXPECT_EQ(cells.texts, (std::vector<std::string>{"0", "167", "clear"}));
+    EXPECT_EQ(cells.note, "stored code minus 8,388,608");
+}
+
+TEST(CellText, EqualTextsAreEqualCodesUnlessTheNoteSaysSo) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (const DepthPrecision& precision : {bits_8, DepthPrecision{16, false}, bits_24, float_32})
+        for (int i = 0; i < 300; ++i) {
+            const double least = share(random), width = std::pow(10.0, -6.0 * share(random)) * (1.0 - least);
+            std::vector<double> depths;
+            for (int cell = 0; cell < 20; ++cell) depths.push_back(cell % 5 == 0 ? 1.0 : least + width * share(random));
+            const CellBlock block = block_of(depths, precision);
+            const int room = 4 + i % 6;
+            const CellTexts cells = cell_texts(block, precision, 1.0, room);
+            ASSERT_EQ(cells.texts.size(), depths.size());
+            std::set<std::pair<std::string, std::uint32_t>> pairs;
+            std::set<std::string> texts;
+            for (std::size_t cell = 0; cell < depths.size(); ++cell) {
+                pairs.emplace(cells.texts[cell], block.cells[cell].stored);
+                texts.insert(cells.texts[cell]);
+                if (cells.texts[cell] == "clear") continue;
+                EXPECT_LE(cells.texts[cell].size(), static_cast<std::size_t>(room)) << cells.texts[cell];
+            }
+            if (cells.note == "window depth, shortened") continue;
+            EXPECT_EQ(pairs.size(), texts.size()) << cells.note;
+        }
+}
+
+TEST(CellText, ABlockOfNothingHasNoTexts) {
+    EXPECT_TRUE(cell_texts({}, bits_24, 1.0, 5).texts.empty());
+}
+
+// ---- steps --------------------------------------------------------------------------------------------------
+
+TEST(DrawSteps, AreTheTrianglesOneByOne) {
+    const std::vector<DrawCall> calls = {{0, 0, 3}, {0, 1, 0}, {1, 0, 2}, {2, -1, 1}};
+    ASSERT_EQ(step_count(calls), 6);
+    std::vector<DrawLimit> expected = {{0, 0}};
+    for (int call = 0; call < 4; ++call)
+        for (int triangle = 1; triangle <= calls[static_cast<std::size_t>(call)].triangles; ++triangle)
+            expected.push_back({call, triangle});
+    for (int step = 0; step <= 6; ++step) {
+        EXPECT_EQ(limit_of(step, calls), expected[static_cast<std::size_t>(step)]);
+        EXPECT_EQ(step_of(limit_of(step, calls), calls), step);
+        EXPECT_EQ(step_of(step_before(limit_of(step, calls), calls), calls), std::max(step - 1, 0));
+    }
+    EXPECT_EQ(limit_of(-1, calls), DrawLimit());
+    EXPECT_EQ(limit_of(100, calls), (DrawLimit{3, 1}));
+    EXPECT_EQ(step_of({}, calls), -1);
+    EXPECT_EQ(step_of({2, -1}, calls), 5);
+    EXPECT_EQ(step_of({2, 99}, calls), 5);
+    EXPECT_EQ(step_of({99, 0}, calls), 6);
+}
+
+TEST(DrawSteps, WholeCallsLeadToTheEndAndBack) {
+    const std::vector<DrawCall> calls = {{0, 0, 3}, {1, 0, 2}};
+    EXPECT_EQ(next_call({0, 0}, calls), (DrawLimit{0, -1}));
+    EXPECT_EQ(next_call({0, 2}, calls), (DrawLimit{1, -1}));
+    EXPECT_EQ(next_call({1, -1}, calls), DrawLimit());
+    EXPECT_EQ(previous_call({}, calls), (DrawLimit{1, -1}));
+    EXPECT_EQ(previous_call({1, 1}, calls), (DrawLimit{0, -1}));
+    EXPECT_EQ(previous_call({0, -1}, calls), (DrawLimit{0, 0}));
+    EXPECT_EQ(previous_call({}, {}), DrawLimit());
+    EXPECT_EQ(next_call({}, {}), DrawLimit());
+    EXPECT_EQ(limit_of(3, {}), DrawLimit());
+}
+
+// ---- the numbers of a pixel -----------------------------------------------------------------------------------
+
+const PixelNumber& named(const std::vector<PixelNumber>& numbers, const std::string& name) {
+    for (const PixelNumber& number : numbers)
+        if (number.name == name) return number;
+    throw std::runtime_error("no number " + name);
+}
+
+TEST(PixelNumbers, KeepTheirPlacesWithAndWithoutASign) {
+    PixelReport pixel;
+    pixel.written = pixel.has_depth = true;
+    pixel.stored = 15'955'400;
+    pixel.window_depth = 15'955'400 / 16'777'215.0;
+    pixel.ndc_z = 2.0 * pixel.window_depth - 1.0;
+    pixel.eye_z = -5.5;
+    pixel.step = 1.511e-3;
+    pixel.world = {1.0, -2.0, 0.25};
+    const std::vector<PixelNumber> numbers = pixel_numbers(pixel, {}, {});
+    EXPECT_EQ(named(numbers, "stored").value, " 15,955,400");
+    EXPECT_EQ(named(numbers, "stored").unit, "of 2²⁴ − 1");
+    EXPECT_EQ(named(numbers, "z_{window}").value, " 0.951016006");
+    EXPECT_EQ(named(numbers, "z_{ndc}").value, " 0.902032012");
+    EXPECT_EQ(named(numbers, "eye z").value, "−5.5000");
+    EXPECT_EQ(named(numbers, "step Δz").value, " 0.00151");
+    EXPECT_EQ(named(numbers, "stencil").value, " 0");
+    EXPECT_EQ(named(numbers, "world").value, " 1.000  −2.000   0.250");
+}
+
+TEST(PixelNumbers, SayNothingThatIsNotKnown) {
+    PixelReport pixel;
+    pixel.precision = float_32;
+    pixel.stored = bits_of(1.0F);
+    const std::vector<PixelNumber> numbers = pixel_numbers(pixel, {}, {});
+    EXPECT_EQ(named(numbers, "stored").value, " 0x3f800000");
+    for (const char* name : {"eye z", "step Δz", "world"}) EXPECT_EQ(named(numbers, name).value, " —");
+    const auto complains = [&] {
+        const std::string explanation = named(pixel_numbers(pixel, {}, {}), "eye z").explanation;
+        return explanation.starts_with("What was drawn here has written no depth.");
+    };
+    EXPECT_FALSE(complains());
+    pixel.written = true;
+    EXPECT_TRUE(complains());
+    pixel.has_depth = true;
+    EXPECT_FALSE(complains());
+}
+
+TEST(PixelNumbers, StepsHaveThreeFigures) {
+    EXPECT_EQ(step_text(152.6), "153");
+    EXPECT_EQ(step_text(1.524), "1.52");
+    EXPECT_EQ(step_text(0.001511), "0.00151");
+    EXPECT_EQ(step_text(8.583e-6), "8.58·10⁻⁶");
+    EXPECT_EQ(step_text(0.0), "0.00");
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,119 @@
+// The views of the depth buffer's precision as a person meets them: near and far on the chart, the advice, the codes.
+#include <algorithm>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class PrecisionView : public ::testing::Test {
+protected:
+    Desk desk{{1600, 1100}, "depth-fighting"};
+    widgets::test::Harness& ui = desk.ui;
+    Params& params = desk.session.params;
+
+    void show(Topic topic) {
+        params.view.lower_right = topic;
+        desk.settle();
+    }
+    bool has(std::string_view label) const {
+        return std::ranges::any_of(desk.recorded(), [&](const RecordedItem& item) { return item.label == label; });
+    }
+    std::string trouble() const {
+        for (const RecordedItem& item : desk.recorded())
+            if (item.label == "lower/trouble") return item.text;
+        return "";
+    }
+};
+
+TEST_F(PrecisionView, NearIsDraggedOnTheChartInOneStep) {
+    show(Topic::precision);
+    const Params before = params;
+    ui.drag("lower/precision/near", 60.0F, 0.0F);
+    desk.settle();
+    EXPECT_EQ(differing_fields(before, params), (Paths{"projection.near"}));
+    EXPECT_GT(params.projection.near, 3.0 * before.projection.near);
+    ui.drag("lower/precision/near", 5000.0F, 0.0F);
+    desk.settle();
+    EXPECT_LT(params.projection.near, params.projection.far);
+    desk.undo();
+    desk.undo();
+    EXPECT_EQ(params, before);
+}
+
+TEST_F(PrecisionView, RaisingNearIsOneClick) {
+    show(Topic::precision);
+    const Params before = params;
+    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.9: with near = 3.5 the step")) << trouble();
+    ui.click("lower/raise near");
+    desk.settle();
+    EXPECT_EQ(differing_fields(before, params), (Paths{"projection.near"}));
+    EXPECT_EQ(params.projection.near, 3.5);
+    EXPECT_EQ(trouble(), "");
+    EXPECT_FALSE(has("lower/raise near"));
+    desk.undo();
+    EXPECT_EQ(params, before);
+
+    params.projection.near = 10.0;
+    desk.settle();
+    EXPECT_TRUE(trouble().starts_with("near = 10 cuts into ")) << trouble();
+    ui.click("lower/lower near");
+    desk.settle();
+    EXPECT_EQ(params.projection.near, 3.5);
+}
+
+TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {
+    show(Topic::precision);
+    EXPECT_TRUE(std::ranges::any_of(desk.recorded(), [](const RecordedItem& item) {
+        return item.label.starts_with("lower/precision/mark/") && item.label.find("quad at 4") != std::string::npos;
+    }));
+    EXPECT_TRUE(has("lower/precision/name/near"));
+    EXPECT_TRUE(has("lower/precision/name/far"));
+}
+
+TEST_F(PrecisionView, CodesAreToldInASentence) {
+    show(Topic::codes);
+    const auto says = [&](std::string_view start) {
+        return std::ranges::any_of(desk.recorded(), [&](const RecordedItem& item) {
+            return std::string_view(item.label).starts_with("lower/" + std::string(start));
+        });
+    };
+    EXPECT_TRUE(says("A tick stands for 262,144 codes. Half of all codes lie between near and z = 0.002."));
+    EXPECT_TRUE(has("lower/codes/tick/64"));
+    params.depth.format = DepthFormat::d4;
+    desk.settle();
+    EXPECT_TRUE(says("Every code has its tick."));
+    EXPECT_TRUE(has("lower/codes/tick/15"));
+    EXPECT_FALSE(has("lower/codes/tick/16"));
+    params.depth.format = DepthFormat::d32f;
+    desk.settle();
+    EXPECT_TRUE(says("A tick stands for"));
+}
+
+/// Whatever the state, in the smallest view there is.
+TEST_F(PrecisionView, HoldsInSmallViewsAndForAnyLens) {
+    ImGui::GetIO().DisplaySize = {700, 480};
+    for (const Topic topic : {Topic::precision, Topic::codes}) {
+        for (const char* format : {"d4", "d16", "d24", "d32f"}) {
+            for (const char* mapping : {"standard", "reversed", "logarithmic"}) {
+                for (const char* lens : {R"("near": 1e-6, "far": 1e9)", R"("near": 999999, "far": 1e9)",
+                                         R"("type": "orthographic", "near": 0.5, "far": 0.50001)"}) {
+                    SCOPED_TRACE(std::string(format) + " " + mapping + " " + lens);
+                    const Result<Params> state =
+                        parse_state(std::string(R"({"scene": "coplanar", "depth": {"format": ")") + format +
+                                        R"(", "mapping": ")" + mapping + R"("}, "projection": {)" + lens + "}}",
+                                    "lens");
+                    ASSERT_TRUE(state) << state.error();
+                    params.depth = state->depth;
+                    params.projection = state->projection;
+                    show(topic);
+                    EXPECT_TRUE(has(topic == Topic::precision ? "lower/precision/chart" : "lower/codes/ticks"));
+                    EXPECT_EQ(params.projection, state->projection) << "showing it changes nothing";
+                }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace viewing::test

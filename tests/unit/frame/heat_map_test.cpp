@@ -1,0 +1,101 @@
+// The table that the heat map's shader reads, against the formulas of frame/fighting.h and the facts, and its colours.
+#include "frame/heat_map.h"
+
+#include "frame/fighting.h"
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::params_with;
+using testing::scene_of;
+
+HeatMap map_of(const std::vector<std::string>& settings, const Scene& scene = {}) {
+    const Params params = params_with(settings);
+    return heat_map(params, derive(params, scene, {}), scene);
+}
+
+double lightness(const Color& color) {
+    const auto linear = [](std::uint8_t byte) { return std::pow(byte / 255.0, 2.2); };
+    return std::cbrt(0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b));
+}
+
+TEST(HeatMap, OnsetIsTheStepOfTheFactsAt16Bits) {
+    // Δz = z² (f − n) / (f n (2¹⁶ − 1)), with float32's arithmetic far below it.
+    const HeatMap map = map_of({"projection.near=0.5", "projection.far=200", "depth.format=d16"});
+    EXPECT_NEAR(map.distance_of(0), 0.5, 1e-12);
+    EXPECT_NEAR(map.distance_of(HeatMap::entry_count - 1), 200.0, 1e-9);
+    for (const double z : {1.0, 4.0, 14.0, 44.0}) {
+        const double step = z * z * (200.0 - 0.5) / (200.0 * 0.5 * 65535.0);
+        EXPECT_NEAR(map.onset_at(z), step, 0.03 * step) << z;
+    }
+}
+
+TEST(HeatMap, LiesNearTheFormulaBetweenItsEntriesToo) {
+    Random random(seed);
+    for (const char* const format : {"depth.format=d8", "depth.format=d16", "depth.format=d24", "depth.format=d32f"}) {
+        for (const char* const mapping : {"standard", "reversed", "logarithmic"}) {
+            const std::vector<std::string> settings{"projection.near=0.1", "projection.far=500", format,
+                                                    std::string("depth.mapping=") + mapping};
+            const HeatMap map = map_of(settings);
+            const Params params = params_with(settings);
+            const DepthCoding coding = depth_coding(params, derive(params, Scene{}, {}));
+            for (int trial = 0; trial < 100; ++trial) {
+                const double z = 0.1 * std::pow(5000.0, random.number(0.3, 1.0));
+                const FightingOnset onset = fighting_onset(coding, z);
+                if (!onset.is_reachable) continue;
+                EXPECT_GT(map.onset_at(z), 0.5 * onset.gap()) << format << " " << mapping << " z " << z;
+                EXPECT_LT(map.onset_at(z), 2.0 * onset.gap()) << format << " " << mapping << " z " << z;
+            }
+        }
+    }
+}
+
+TEST(HeatMap, IsPositiveAndFiniteForAnyLens) {
+    for (const char* const near : {"projection.near=0.001", "projection.near=39.9"})
+        for (const char* const format : {"depth.format=d4", "depth.format=d24", "depth.format=d32f"})
+            for (const char* const type : {"projection.type=perspective", "projection.type=orthographic"}) {
+                const HeatMap map = map_of({near, "projection.far=40", format, type});
+                for (const double z : {-1.0, 0.0, 1e-9, 0.5, 39.95, 40.0, 1e9}) {
+                    EXPECT_GT(map.onset_at(z), 0.0);
+                    EXPECT_TRUE(std::isfinite(map.onset_at(z)));
+                }
+            }
+}
+
+TEST(HeatMap, LeavesNoRoomWhereNoGapIsWideEnough) {
+    // With four bits the first codes reach far: just behind near nothing before a surface has another code.
+    const HeatMap map = map_of({"projection.near=1", "projection.far=100", "depth.format=d4"});
+    for (const double z : {1.0, 1.01, 1.03}) EXPECT_GT(map.onset_at(z), z - 1.0) << z;
+}
+
+TEST(HeatMap, GivesEachObjectItsNarrowestGap) {
+    const auto square = [](double height) { return object("square", quad_mesh(), {0.0, height, 0.0}); };
+    const Scene scene = scene_of({square(0.0), square(0.1), square(0.13), object("box", box_mesh(), {5.0, 0.0, 0.0})});
+    const HeatMap map = map_of({"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0"}, scene);
+    ASSERT_EQ(map.gap_of_object.size(), 4U);
+    EXPECT_NEAR(map.gap_of_object[0]->gap, 0.1, 1e-9);
+    EXPECT_NEAR(map.gap_of_object[1]->gap, 0.03, 1e-9);
+    EXPECT_NEAR(map.gap_of_object[2]->gap, 0.03, 1e-9);
+    EXPECT_FALSE(map.gap_of_object[3]);
+    EXPECT_NEAR(std::abs(map.gap_of_object[0]->normal_view.z), 1.0, 1e-9) << "seen from above";
+}
+
+TEST(HeatMap, ColorsAreInOrderWithoutColor) {
+    double before = 0.0;
+    for (const double ratio : {0.0, 0.2, 0.5, 0.7, 0.99, 1.0, 1.5, 2.0, 3.0, 4.0}) {
+        const double now = lightness(heat_color(ratio));
+        EXPECT_GT(now, before) << ratio;
+        before = now;
+    }
+    EXPECT_EQ(heat_color(4.0), heat_color(1e9));
+    EXPECT_EQ(heat_color(-1.0), heat_color(0.0));
+    EXPECT_EQ(heat_color(0.5), heat_colors[1]);
+    EXPECT_EQ(heat_color(2.0), heat_colors[4]);
+    EXPECT_GT(lightness(heat_color(1.0)), lightness(heat_color(0.9999)) + 0.05) << "an edge where fighting begins";
+}
+
+}  // namespace
+}  // namespace viewing

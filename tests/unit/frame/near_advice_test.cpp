@@ -1,0 +1,194 @@
+// What is in view against random points on the triangles, and when near should be another.
+#include "frame/near_advice.h"
+
+#include <algorithm>
+
+#include "unit/frame/frame_test.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::scene_of;
+
+/// From the origin along −z, with the plane out of sight.
+Params looking(double near, double far = 100.0) {
+    Params params;
+    params.camera.position = {0.0, 0.0, 0.0};
+    params.camera.yaw = params.camera.pitch = 0.0;
+    params.projection.near = near;
+    params.projection.far = far;
+    params.plane.equation = {0.0, 0.0, 1.0, -50.0};  // behind the eye
+    return params;
+}
+
+/// A unit box: its front face is `z` before the eye.
+SceneObject box_at(double z, double x = 0.0, const std::string& name = "box") {
+    return object(name, box_mesh(), {x, 0.0, -z - 1.0});
+}
+
+std::optional<NearAdvice> advice(const Params& params, const Scene& scene) {
+    return near_advice(params, derive(params, scene, {}), scene);
+}
+
+TEST(SeenThings, ReachAsFarAsWhatIsInView) {
+    const Params params = looking(0.1);
+    const Scene scene = scene_of({box_at(4.0), box_at(-9.0, 0.0, "behind"), box_at(4.0, 30.0, "beside"),
+                                  box_at(120.0, 0.0, "beyond far"), box_at(99.0, 0.0, "across far")});
+    const std::vector<SeenThing> seen = seen_things(params, derive(params, scene, {}), scene);
+    ASSERT_EQ(seen.size(), 2U);
+    EXPECT_EQ(seen[0].name, "box");
+    EXPECT_NEAR(seen[0].nearest, 4.0, 1e-9);
+    EXPECT_NEAR(seen[0].farthest, 6.0, 1e-9);
+    EXPECT_EQ(seen[1].name, "across far");
+    EXPECT_NEAR(seen[1].nearest, 99.0, 1e-9);
+    EXPECT_NEAR(seen[1].farthest, 100.0, 1e-9);
+}
+
+TEST(SeenThings, OfThePlaneIsItsPatch) {
+    Params params = looking(0.1);
+    params.projection.fovy = 90.0;
+    params.plane = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind to 10 before it
+    const Scene scene;
+    const std::vector<SeenThing> seen = seen_things(params, derive(params, scene, {}), scene);
+    ASSERT_EQ(seen.size(), 1U);
+    EXPECT_TRUE(seen[0].is_plane);
+    EXPECT_NEAR(seen[0].nearest, 2.0, 1e-9) << "where the lower edge of a view of 90° meets it";
+    EXPECT_NEAR(seen[0].farthest, 10.0, 1e-9);
+}
+
+/// Points of the triangles that the picture shows, and the nearest and farthest of them.
+TEST(SeenThings, HoldEveryPointOfTheirTrianglesInView) {
+    Random random(seed);
+    for (int trial = 0; trial < 60; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        const auto corner = [&] {
+            return glm::dvec3{random.number(-8, 8), random.number(-8, 8), random.number(-20, 6)};
+        };
+        const std::array<glm::dvec3, 3> corners{corner(), corner(), corner()};
+        Params params = looking(0.1, 15.0);
+        params.projection.type = trial % 3 == 0 ? ProjectionType::orthographic : ProjectionType::perspective;
+        const Scene scene = scene_of({object("triangle", triangle_mesh(corners), glm::dvec3(0.0))});
+        const Derived derived = derive(params, scene, {});
+        double nearest = 1e300, farthest = -1e300;
+        for (int i = 0; i < 20'000; ++i) {
+            double u = random.number(0, 1), v = random.number(0, 1);
+            if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
+            const glm::dvec3 point = corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]);
+            const glm::dvec4 clip = derived.clip_from_world * glm::dvec4(point, 1.0);
+            const bool in_sides = std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+            if (!in_sides || point.z > 0.0 || point.z < -15.0) continue;
+            nearest = std::min(nearest, -point.z);
+            farthest = std::max(farthest, -point.z);
+        }
+        const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+        if (nearest > farthest) continue;  // too little of it in view for points at random
+        ASSERT_EQ(seen.size(), 1U);
+        EXPECT_LE(seen[0].nearest, nearest + 1e-6);
+        EXPECT_GE(seen[0].farthest, farthest - 1e-6);
+        EXPECT_NEAR(seen[0].nearest, nearest, 0.6) << "and not much more";
+        EXPECT_NEAR(seen[0].farthest, farthest, 0.6);
+    }
+}
+
+TEST(DistanceMarks, AreGroupedWhereTheyAreClosest) {
+    const std::vector<SeenThing> seen = {
+        {"d", 40.0, 41.0}, {"a", 1.0, 2.0}, {"b", 1.01, 2.0}, {"c", 10.0, 11.0}, {"e", 50.0, 60.0, true}};
+    const std::vector<DistanceMark> four = distance_marks(seen, 8);
+    ASSERT_EQ(four.size(), 4U);
+    EXPECT_EQ(four[0].label, "a +1") << "told apart by nobody";
+    EXPECT_EQ(four[0].z, 1.0);
+    EXPECT_EQ(four[3].label, "e");
+    EXPECT_TRUE(four[3].is_plane);
+    const std::vector<DistanceMark> three = distance_marks(seen, 3);
+    ASSERT_EQ(three.size(), 3U);
+    EXPECT_EQ(three[2].label, "d +1");
+    ASSERT_EQ(distance_marks(seen, 1).size(), 1U);
+    EXPECT_EQ(distance_marks(seen, 0).at(0).label, "a +4");
+    EXPECT_TRUE(distance_marks({}, 8).empty());
+}
+
+TEST(NearAdvice, SaysWhatIsToBeWon) {
+    const std::optional<NearAdvice> found = advice(looking(0.01), scene_of({box_at(4.0), box_at(78.0)}));
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->cuts);
+    EXPECT_EQ(found->near, 3.6);
+    EXPECT_EQ(found->sentence.substr(0, 64), "Nothing is nearer than 4: with near = 3.6 the step at z = 80 wou");
+    // The step goes by 1/n − 1/f: 99.99 against 0.2678.
+    const std::size_t end = found->sentence.find(" times finer.");
+    ASSERT_NE(end, std::string::npos) << found->sentence;
+    EXPECT_NEAR(std::stod(found->sentence.substr(found->sentence.rfind(' ', end - 1))), 373.4, 0.05 * 373.4);
+}
+
+TEST(NearAdvice, IsNoneWhereNearIsFine) {
+    const Scene scene = scene_of({box_at(4.0)});
+    EXPECT_FALSE(advice(looking(3.0), scene));
+    EXPECT_FALSE(advice(looking(2.0), scene)) << "a factor 2";
+    EXPECT_TRUE(advice(looking(0.7), scene)) << "a factor 5.3";
+    EXPECT_FALSE(advice(looking(0.001), Scene{})) << "nothing in view";
+    EXPECT_FALSE(advice(looking(0.001), scene_of({box_at(-9.0)}))) << "behind the eye";
+
+    Params params = looking(0.001);
+    params.projection.type = ProjectionType::orthographic;
+    EXPECT_FALSE(advice(params, scene));
+    params = looking(0.001);
+    params.depth.mapping = DepthMapping::logarithmic;
+    EXPECT_FALSE(advice(params, scene)) << "near costs little";
+    params.projection.near = 5.0;
+    EXPECT_TRUE(advice(params, scene)) << "but it can still be too large";
+    params.projection.near = 0.001;
+    params.depth.mapping = DepthMapping::reversed;
+    params.depth.format = DepthFormat::d32f;
+    EXPECT_FALSE(advice(params, scene)) << "near costs nothing";
+    params.depth.reversed_zero_to_one = false;
+    EXPECT_TRUE(advice(params, scene)) << "but in a clip range of −1 to 1 it does";
+}
+
+TEST(NearAdvice, SaysWhatIsCut) {
+    const std::optional<NearAdvice> found = advice(looking(5.0), scene_of({box_at(4.0)}));
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->cuts);
+    EXPECT_EQ(found->near, 3.6);
+    EXPECT_EQ(found->sentence.substr(0, 52), "near = 5 cuts into box, which comes as near as 4: ne");
+    EXPECT_NE(found->sentence.find("1.4 times coarser."), std::string::npos) << found->sentence;
+
+    const std::optional<NearAdvice> inside = advice(looking(0.5), scene_of({box_at(-1.0)}));
+    EXPECT_FALSE(inside) << "in the middle of a box all of its faces are a step away";
+    const std::optional<NearAdvice> through = advice(looking(0.5), scene_of({object("wall", box_mesh(), {1, 0, 0})}));
+    ASSERT_TRUE(through);
+    EXPECT_FALSE(through->near);
+    EXPECT_EQ(through->sentence,
+              "near = 0.5 cuts into wall, which reaches up to the eye: no near would keep it whole.");
+}
+
+TEST(NearAdvice, NeverCutsWhatIsInView) {
+    Random random(seed);
+    int given = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
+        Params params = looking(std::exp(random.number(std::log(1e-5), std::log(20.0))), 60.0);
+        params.camera.yaw = random.number(-180, 180);
+        params.camera.pitch = random.number(-80, 80);
+        params.plane = {{0.0, 1.0, 0.0, 1.5}, 6.0};
+        std::vector<SceneObject> objects;
+        for (int i = 0; i < 6; ++i)
+            objects.push_back(box_at(random.number(-20, 20), random.number(-20, 20), "box " + std::to_string(i)));
+        const Scene scene = scene_of(std::move(objects));
+        const Derived derived = derive(params, scene, {});
+        const std::optional<NearAdvice> found = near_advice(params, derived, scene);
+        if (!found || !found->near) continue;
+        ++given;
+        EXPECT_GT(*found->near, 0.0);
+        EXPECT_LT(*found->near, params.projection.far);
+        EXPECT_EQ(found->cuts, *found->near < params.projection.near);
+        for (const SeenThing& thing : seen_things(params, derived, scene)) EXPECT_LT(*found->near, thing.nearest);
+        // Followed, it is content.
+        params.projection.near = *found->near;
+        EXPECT_FALSE(near_advice(params, derive(params, scene, {}), scene));
+    }
+    EXPECT_GT(given, 100);
+}
+
+}  // namespace
+}  // namespace viewing
