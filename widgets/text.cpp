@@ -1,5 +1,6 @@
 // Text that is not a control: notes, troubles, values, the label behind a control, tooltips.
 #include <algorithm>
+#include <string>
 
 #include "widgets/inner.h"
 
@@ -7,11 +8,26 @@ namespace widgets {
 
 namespace {
 
+/// The text with line breaks at blanks alone, so that each line is at most so wide where it can be. ImGui would break
+/// within "0.5" too.
+std::string BrokenAtBlanks(std::string_view text, float width) {
+    std::string broken, line;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
+        const std::string longer = line.empty() ? std::string(word) : line + ' ' + std::string(word);
+        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+        if (!fits) broken += line + '\n';
+        line = fits ? longer : std::string(word);
+    }
+    return broken + line;
+}
+
 /// Wrapped at the window's edge, in one colour, and recorded.
 void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(text);
+    ImGui::PushTextWrapPos(0.0F);  // words that are wider than a line
+    ImGui::TextUnformatted(BrokenAtBlanks(text, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     inner::RecordRect(recorded_as, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text);

@@ -151,10 +151,7 @@ Status Studio::draw_views(const Layout& layout, bool is_interactive) {
 }
 
 FramePlan Studio::inspected_plan() const {
-    Params params = params_;
-    if (params.view.shows == Shows::overdraw || params.view.shows == Shows::difference)
-        params.view.shows = Shows::color;
-    return plan(params, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
+    return plan(probed(params_), derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
 }
 
 std::vector<std::string> Studio::pixel_parts() {
@@ -256,8 +253,9 @@ Requests Studio::frame(const Surroundings& surroundings) {
     DepthData depth = inspector_.data();
     const bool tells_fighting = is_shown(params_, Topic::fighting);
     if (tells_fighting)  // of the state at rest, also while something moves by itself
-        depth.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px,
-                                          !surroundings.shows_time, !session.is_moving() && !ImGui::IsAnyItemActive());
+        depth.fighting =
+            fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px,
+                             !surroundings.shows_time, !session.is_moving() && !ImGui::IsAnyItemActive());
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     char time[32];
     std::snprintf(time, sizeof time, "%5.1f ms", frame_ms_);

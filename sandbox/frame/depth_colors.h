@@ -5,7 +5,6 @@
 
 #include "state/scene_description.h"
 #include "state/view_params.h"
-#include "state/view_params.h"
 
 namespace viewing {
 

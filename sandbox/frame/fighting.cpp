@@ -247,8 +247,9 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
         coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
     const double towards_eye = -glm::dot(normal_view, sight);
     made.slant = std::abs(towards_eye);
-    made.wrong_share =
-        wrong_share_of(pair, params, derived, made.onset, pair.gap() / std::max(made.slant, 1e-12), towards_eye);
+    const double gap = pair.gap() / std::max(made.slant, 1e-12);  // in eye distance
+    if (made.distance >= coding.lens.near && made.distance <= coding.lens.far)
+        made.wrong_share = wrong_share_of(pair, params, derived, made.onset, gap, towards_eye);
     return made;
 }
 

@@ -22,8 +22,8 @@ enum class Subject {
 
 /// How its fragments get their colour.
 enum class Shading {
-    lit,    ///< ambient, diffuse and a modest highlight
-    unlit,  ///< ambient only
+    lit,     ///< ambient, diffuse and a modest highlight
+    unlit,   ///< ambient only
     flat,    ///< one colour
     facing,  ///< front and back faces in two colours
     heat     ///< gaps of flat pairs in steps of the depth buffer: FramePlan::heat

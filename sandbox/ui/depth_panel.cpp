@@ -33,7 +33,7 @@ void decal_controls(Params& params) {
 void coplanar_controls(Params& params) {
     control(params, "coplanar.gap", {.decimals = 4, .slider = true, .min = 0.0, .max = 0.1});
     control(params, "coplanar.tilt", {.decimals = 1, .slider = true, .min = 0.0, .max = 60.0});
-    control(params, "coplanar.distance", {.decimals = 1, .slider = true, .min = 1.0, .max = 100.0});
+    control(params, "coplanar.distance", {.decimals = 1, .slider = true, .min = 1.0, .max = 40.0});
 }
 
 void beside_controls(Params& params) {

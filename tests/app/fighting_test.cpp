@@ -181,8 +181,11 @@ TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
         Params params = state->params;
         params.depth.format = DepthFormat::d12;
         const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
-        const Derived derived = derive(params, scene, {size_px, renderer().capabilities().clip_control});
-        for (const CountedPair& counted : count(params, scene).pairs) {
+        const glm::ivec2 large_px = 2 * size_px;  // so that the stripes are many pixels wide
+        const Derived derived = derive(params, scene, {large_px, renderer().capabilities().clip_control});
+        const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), large_px);
+        ASSERT_TRUE(counts) << counts.error();
+        for (const CountedPair& counted : counts->pairs) {
             const auto predicted = predict_pair(counted.pair, params, derived).wrong_share;
             ASSERT_TRUE(predicted) << preset;
             EXPECT_NEAR(counted.wrong_fraction(), *predicted, 0.08) << preset << " z " << counted.pair.center_world.z;

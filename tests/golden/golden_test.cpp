@@ -93,6 +93,11 @@ constexpr WindowCase windows[] = {
     {"window-small", "opening", {800, 600}},
     {"window-projector", "projector", {1600, 900}},
     {"window-light", "light-theme", {1600, 900}},
+    {"window-depth-buffer", "depth-buffer", {1600, 900}},
+    {"window-depth-cells", "depth-cells", {1600, 900}},
+    {"window-depth-precision", "depth-precision", {1600, 900}},
+    {"window-fighting-map", "fighting-map", {1600, 900}},
+    {"window-fighting-divider", "fighting-divider", {1280, 720}},
 };
 
 class Golden : public testing::GlTest {

@@ -350,6 +350,7 @@ TEST_F(DepthViews, StayInsideAtEverySizeAndTheme) {
 }
 
 TEST_F(DepthViews, CellsAreLargeEnoughForTheirNumbers) {
+    resize(400, 300);  // a frame, which brings the fonts
     for (float width = 240; width <= 1600; width += 31)
         for (float height = 150; height <= 900; height += 29) {
             const Rect view{{10, 10}, {10 + width, 10 + height}};

@@ -193,13 +193,13 @@ TEST(FightingPrediction, OfAnOffsetIsThatOfItsCodes) {
 }
 
 TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
-    for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
-             {"depth.format=d24"},
-             {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"},
-             {"depth.mapping=reversed", "depth.reversed_clear=false"},
-             {"depth.clear=false"},
-             {"depth.write_while_clearing=false"},
-             {"projection.far=15"}})
+    for (const std::vector<std::string>& settings :
+         std::vector<std::vector<std::string>>{{"depth.format=d24"},
+                                               {"depth.mapping=logarithmic", "depth.logarithm_per_vertex=true"},
+                                               {"depth.mapping=reversed", "depth.reversed_clear=false"},
+                                               {"depth.clear=false"},
+                                               {"depth.write_while_clearing=false"},
+                                               {"projection.far=15"}})
         EXPECT_FALSE(share_of_decal(settings)) << settings.front();
     EXPECT_TRUE(share_of_decal({"depth.mapping=logarithmic"}));
     EXPECT_TRUE(share_of_decal({"depth.mapping=reversed"}));

@@ -86,6 +86,11 @@ inline std::map<std::string, std::string> fields_of(const FramePlan& plan) {
                            text_of(plan.lens.height) + " " + text_of(plan.lens.near) + " " + text_of(plan.lens.far);
     fields["frame.clip_zero_to_one"] = std::to_string(plan.clip_zero_to_one);
     fields["frame.shows"] = std::to_string(static_cast<int>(plan.shows));
+    fields["frame.mask_on_while_clearing"] = std::to_string(plan.mask_on_while_clearing);
+    fields["frame.logarithm_per_vertex"] = std::to_string(plan.logarithm_per_vertex);
+    fields["frame.depth_colors"] = std::to_string(static_cast<int>(plan.depth_colors));
+    fields["frame.limit"] = std::to_string(plan.limit.call) + " " + std::to_string(plan.limit.triangles);
+    fields["frame.shown_range"] = text_of(plan.shown_range.x) + " " + text_of(plan.shown_range.y);
     fields["frame.depth_scale"] = std::to_string(static_cast<int>(plan.depth_scale));
     fields["frame.samples"] = std::to_string(plan.samples);
     fields["frame.patch"] = text_of_matrix(plan.patch.world_from_patch()) + text_of(plan.patch.extent);

@@ -149,7 +149,19 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"depth.func=always"}, depth_but_patch},
         {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
         {{"depth.clear=false"}, {"frame.clear_depth"}},
-        {{"depth.format=d16"}, {"frame.depth_format"}},
+        {{"depth.format=d16"}, {"frame.depth_format", "frame.samples"}},  // its masks are no samples
+        {{"depth.format=d32f"}, {"frame.depth_format"}},
+        {{"depth.write_while_clearing=false"}, {"frame.mask_on_while_clearing"}},
+        {{"depth.logarithm_per_vertex=true"}, {"frame.logarithm_per_vertex"}},
+        {{"depth.reversed_clear=false", "depth.reversed_offset=false", "depth.reversed_zero_to_one=false"}, {}},
+        {{"view.depth_colors=bands"}, {"frame.depth_colors"}},
+        {{"view.depth_range=[1,9]"}, {"frame.shown_range"}},
+        {{"view.call=2"}, {"frame.limit"}},
+        {{"view.call=2", "view.triangle=5"}, {"frame.limit"}},
+        {{"view.pixel=[3,4]"}, {}},
+        {{"view.beside.shows=depth"}, {}},
+        {{"coplanar.gap=1"}, {}},
+        {{"animation.jiggle=true"}, {}},
         {{"depth.mapping=logarithmic"}, {"frame.depth_mapping"}},
         {{"depth.mapping=reversed"}, reversed},
         {{"depth.offset.factor=-2"}, {"frame.decal_offset"}},
@@ -240,6 +252,57 @@ TEST(PlanDepth, ReversedTurnsComparisonsOffsetsAndClearRound) {
     EXPECT_EQ(standard.decal_offset, (DepthOffset{-2, 3}));
     EXPECT_EQ(reversed.decal_offset, (DepthOffset{2, -3}));
     EXPECT_EQ(*pass_named(reversed, "Shadow").offset, (DepthOffset{1, 1}));
+}
+
+TEST(PlanDepth, ReversedHasThreeSwitchesOfItsOwn) {
+    const std::string reversed = "depth.mapping=reversed";
+    const FramePlan right = plan_with({reversed});
+    EXPECT_TRUE(right.clip_zero_to_one);
+    EXPECT_EQ(differences(right, plan_with({reversed, "depth.reversed_clear=false"})),
+              (std::set<std::string>{"frame.clear_depth"}));
+    const FramePlan unturned = plan_with({reversed, "depth.reversed_offset=false", "depth.offset.units=3"});
+    EXPECT_EQ(unturned.decal_offset, (DepthOffset{0, 3}));
+    EXPECT_EQ(*pass_named(unturned, "Shadow").offset, (DepthOffset{-1, -1}));
+    const FramePlan plain = plan_with({reversed, "depth.reversed_zero_to_one=false"});
+    EXPECT_FALSE(plain.clip_zero_to_one);
+    EXPECT_EQ(plain.passes.front().clip_from_world,
+              plan_of(params_with({reversed}), false).passes.front().clip_from_world);
+}
+
+/// A wall with two posters, one of them nearer to the eye, and a box.
+Scene scene_with_decals() {
+    const Result<Scene> scene = load_scene(SceneSource(std::string("decals")), {});
+    EXPECT_TRUE(scene);
+    return *scene;
+}
+
+TEST(PlanDecals, HaveAPassOfTheirOwnUnlessAnOffsetMovesThem) {
+    const Scene scene = scene_with_decals();
+    const auto frame_with = [&](const char* setting) {
+        const Params params = params_with({setting, "depth.offset.units=-1"});
+        return plan(params, derive(params, scene, Viewport{{160, 90}}));
+    };
+    EXPECT_EQ(names_of_passes(frame_with("depth.decals=offset")).back(), "Objects");
+    const FramePlan equal = frame_with("depth.decals=equal");
+    EXPECT_EQ(pass_named(equal, "Objects").chosen, Chosen::bases);
+    const Pass& by_depth = pass_named(equal, "Decals");
+    EXPECT_EQ(by_depth.chosen, Chosen::decals);
+    EXPECT_EQ(by_depth.depth, (DepthState{true, CompareFunc::equal, false}));
+    EXPECT_EQ(*by_depth.offset, DepthOffset{});
+
+    const FramePlan stencil = frame_with("depth.decals=stencil");
+    EXPECT_FALSE(pass_named(stencil, "Decals").depth.test);
+    EXPECT_TRUE(pass_named(stencil, "Objects").marks_objects);
+    // Walls, posters and posts by turns: a poster has its wall's mark and no other's, a post has none.
+    ASSERT_EQ(stencil.object_marks.size(), 12U);
+    std::set<int> marks;
+    for (std::size_t wall = 0; wall < 12; wall += 3) {
+        EXPECT_GT(stencil.object_marks[wall], 2);
+        EXPECT_EQ(stencil.object_marks[wall + 1], stencil.object_marks[wall]);
+        EXPECT_EQ(stencil.object_marks[wall + 2], 0);
+        marks.insert(stencil.object_marks[wall]);
+    }
+    EXPECT_EQ(marks.size(), 4U);
 }
 
 TEST(PlanDepth, ReversedKeepsTheClipDistanceInPlaceOfTheObliquePlane) {

@@ -91,7 +91,18 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "offset": {
       "factor": 0,
       "units": 0
-    }
+    },
+    "decals": "offset",
+    "write_while_clearing": true,
+    "reversed_zero_to_one": true,
+    "reversed_clear": true,
+    "reversed_offset": true,
+    "logarithm_per_vertex": false
+  },
+  "coplanar": {
+    "gap": 0.01,
+    "tilt": 8,
+    "distance": 4
   },
   "cull": {
     "enabled": false,
@@ -148,7 +159,21 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
   "view": {
     "shows": "color",
     "depth_scale": "linear",
-    "samples": 4
+    "depth_colors": "grey",
+    "depth_range": null,
+    "samples": 4,
+    "beside": {
+      "shows": "nothing",
+      "layout": "halves",
+      "share": 0.5,
+      "format": "d32f",
+      "mapping": "reversed"
+    },
+    "pixel": null,
+    "call": -1,
+    "triangle": -1,
+    "lower_left": "automatic",
+    "lower_right": "automatic"
   },
   "observer": {
     "target": [0, 1, 1],
@@ -162,6 +187,9 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "pole_flip": false,
     "swapped_order": false,
     "camera_as_view": false
+  },
+  "animation": {
+    "jiggle": false
   },
   "ui": {
     "theme": "dark",
