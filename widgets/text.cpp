@@ -60,6 +60,11 @@ void Trouble(const char* sentence) {
     WrappedText("trouble", sentence, palette.trouble);
 }
 
+float TroubleHeight(const char* sentence, float width) {
+    const float beside_sign = width - ImGui::GetFontSize() * 0.95F - inner::Px(6);
+    return ImGui::CalcTextSize(BrokenAtBlanks(sentence, beside_sign).c_str(), nullptr, false, beside_sign).y;
+}
+
 void ValueText(const char* text, Role role) {
     const inner::FontScope font(CurrentContext().fonts.number);
     ImGui::PushStyleColor(ImGuiCol_Text, CurrentContext().palette.of(role));

@@ -134,6 +134,7 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 
 void Note(const char* text);                               ///< small and quiet, wraps
 void Trouble(const char* sentence);                        ///< one sentence in the trouble colour with a sign, wraps
+float TroubleHeight(const char* sentence, float width);    ///< of a Trouble in the current font, that has such a width
 void ValueText(const char* text, Role role = Role::none);  ///< monospaced
 
 /// Which role a letter has in a symbol: "l" → light.

@@ -105,7 +105,7 @@ public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
         if (!advice.near) return;
         const float width = ImGui::CalcTextSize(button()).x + px(24.0F);
-        if (room_ - width >= px(300.0F))
+        if (room_ - width >= px(240.0F))
             button_width_ = width;
         else
             button_height_ = ImGui::GetTextLineHeight() + px(10.0F);
@@ -127,11 +127,9 @@ public:
 
 private:
     const char* button() const { return advice_.cuts ? "lower near" : "raise near"; }
-    /// Of the words beside the sign.
     float sentence_height() const {
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
-        const float width = std::max(room_ - button_width_ - ImGui::GetFontSize() - px(6.0F), 1.0F);
-        const float height = ImGui::CalcTextSize(advice_.sentence.c_str(), nullptr, false, width).y;
+        const float height = widgets::TroubleHeight(advice_.sentence.c_str(), room_ - button_width_);
         ImGui::PopFont();
         return height + px(4.0F);
     }

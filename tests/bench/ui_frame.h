@@ -50,14 +50,14 @@ public:
     /// All that derive and plan are asked for when everything is drawn anew: the camera's view twice (now and before
     /// the latest edit), the observer's, and the depth view's.
     void derive_and_plan() {
-        const Layout layout = workbench_.layout(ImGui::GetIO().DisplaySize);
+        const Layout layout = workbench_.layout(ImGui::GetIO().DisplaySize, session_.params);
         const Params& params = session_.params;
         const Scene& scene = session_.scene();
         const Viewport camera{glm::max(layout.camera.size_px(), glm::ivec2(1)), true};
         derived_ = derive(params, scene, camera);
         before_ = derive(session_.before_latest_edit(), scene, camera);
         plan_ = plan(params, derived_);
-        observed_ = plan_observer(params, derived_, derive_observer(params.observer, {layout.observer.size_px()}));
+        observed_ = plan_observer(params, derived_, derive_observer(params.observer, {layout.lower_left.size_px()}));
         Params depth = params;
         depth.view.shows = Shows::depth;
         depth_ = plan(depth, derive(depth, scene, {layout.lower_right.size_px(), true}));
