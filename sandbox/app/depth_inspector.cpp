@@ -23,22 +23,20 @@ std::optional<Fragment> latest_of(const std::vector<Fragment>& fragments, const 
 Status DepthInspector::prepare(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                                glm::ivec2 size_px, const DepthWishes& wishes) {
     if (!fresh_.now) {
-        data_.calls = draw_calls(frame, scene);
         if (Status done = now_.prepare(renderer, frame, scene, derived, size_px); !done) return done;
         fresh_.now = true;
     }
     const bool has_step = frame.limit.call >= 0 && wishes.cells.x > 0;
     if (has_step && !fresh_.before) {
         FramePlan earlier = frame;
-        earlier.limit = step_before(frame.limit, data_.calls);
+        earlier.limit = step_before(frame.limit, draw_calls(frame, scene));
         if (Status done = before_.prepare(renderer, earlier, scene, derived, size_px); !done) return done;
         fresh_.before = true;
     }
     return std::monostate{};
 }
 
-void DepthInspector::read_cells(const FramePlan& frame, const Scene& scene, glm::ivec2 size_px,
-                                const DepthWishes& wishes) {
+void DepthInspector::read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes) {
     const glm::ivec2 cells = glm::min(wishes.cells, size_px);
     const glm::ivec2 first = first_pixel_of(*wishes.pixel, cells, size_px);
     data_.now = now_.block(first, cells);
@@ -65,28 +63,20 @@ Result<PixelReport> DepthInspector::at(Renderer& renderer, const FramePlan& fram
 Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
                               const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes) {
     if (fresh_.told == wishes) return std::monostate{};
-    const DepthWishes nothing;
-    if (wishes == nothing) {
-        data_ = {};
-        fresh_.told = wishes;
-        return std::monostate{};
-    }
-    if (Status done = prepare(renderer, frame, scene, derived, size_px, wishes); !done) return done;
-    if (!finder_ || finder_version_ != scene_version) {
-        finder_ = std::make_unique<FragmentFinder>(scene);
-        finder_version_ = scene_version;
-    }
-    data_.pixel.reset();
-    data_.fragments.clear();
-    data_.now = data_.before = {};
-    data_.incoming.clear();
+    const DepthCounts counted = fresh_.counts ? std::move(data_.depth_counts) : DepthCounts{};
+    data_ = {};
+    if (wishes.calls) data_.calls = draw_calls(frame, scene);
+    if (wishes.pixel || wishes.counts)
+        if (Status done = prepare(renderer, frame, scene, derived, size_px, wishes); !done) return done;
     if (wishes.pixel) {
+        if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
+        finder_version_ = scene_version;
         data_.pixel = now_.at(*wishes.pixel, scene);
         if (wishes.fragments) data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
-        if (wishes.cells.x > 0) read_cells(frame, scene, size_px, wishes);
+        if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
     }
-    if (wishes.counts && !fresh_.counts) {
-        data_.depth_counts = now_.count_depths();
+    if (wishes.counts) {
+        data_.depth_counts = fresh_.counts ? counted : now_.count_depths();
         fresh_.counts = true;
     }
     fresh_.told = wishes;

@@ -7,8 +7,8 @@
 namespace viewing {
 
 void FightingCounter::start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait) {
-    if (asked_ && asked_->scene_version != question.scene_version) report_.reset();  // its objects are others
     asked_ = question;
+    task_ = {};  // what was counted for the question before would be taken for this one's
     derived_ = derive(question.params, scene, {question.size_px, renderer.capabilities().clip_control});
     search_.emplace(renderer, question.params, derived_.facts.target_distance);
     const Result<IdImage> drawn = objects_by_gl(renderer, question.params, scene, question.size_px);
@@ -31,7 +31,6 @@ void FightingCounter::take(Result<FightingCounts> counts, const Scene& scene) {
                                                                asked_->params, derived_, scene, asked_->size_px));
     report_->problem = std::move(problem);
     report_->minimum_gap = gap;
-    report_->gap_is_behind = true;
 }
 
 void FightingCounter::search(Renderer& renderer, bool may_wait) {
@@ -43,7 +42,6 @@ void FightingCounter::search(Renderer& renderer, bool may_wait) {
     if (!search_->is_done()) return;
     if (done) report_->minimum_gap = search_->found();
     if (!done) report_->problem = done.error();
-    report_->gap_is_behind = false;
     search_.reset();
 }
 
@@ -51,12 +49,17 @@ std::shared_ptr<const FightingReport> FightingCounter::update(Renderer& renderer
                                                               const Scene& scene, int scene_version, glm::ivec2 size_px,
                                                               bool may_wait, bool is_at_rest) {
     const Question question{counted_params(state), scene_version, size_px};
-    const bool is_new = !asked_ || *asked_ != question;
-    if (is_new && report_) report_->counts_are_behind = report_->gap_is_behind = true;
-    if (is_new && (may_wait || is_at_rest)) start(renderer, scene, question, may_wait);
-    if (!asked_ || *asked_ != question) return report_;
-    if (auto counts = task_.take()) take(*std::move(counts), scene);
-    if (search_ && !task_.is_running() && (may_wait || is_at_rest)) search(renderer, may_wait);
+    const bool may_work = may_wait || is_at_rest;
+    if (asked_ != question && may_work) start(renderer, scene, question, may_wait);
+    const bool is_asked = asked_ == question;
+    if (is_asked) {
+        if (auto counts = task_.take()) take(*std::move(counts), scene);
+        if (search_ && !task_.is_running() && may_work) search(renderer, may_wait);
+    }
+    if (report_) {
+        report_->counts_are_behind = !is_asked || task_.is_running();
+        report_->gap_is_behind = report_->counts_are_behind || search_;
+    }
     return report_;
 }
 

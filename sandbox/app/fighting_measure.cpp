@@ -11,7 +11,7 @@ class ExactVisibility {
 public:
     ExactVisibility(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px,
                     WorkProgress* progress)
-        : solver_(scene) {
+        : solver_(scene), progress_(progress) {
         HiddenRequest request = hidden_request(params, derived, size_px);
         request.visibility.method = VisibilityMethod::ray_cast;
         result_ = solver_.solve(request, progress);
@@ -29,13 +29,13 @@ public:
             if (met[pixel] != 0) objects_.ids[pixel] = seen;
     }
 
-    /// 1 for the pixels whose rays meet both objects, where one of them is seen.
+    /// 1 for the pixels whose rays meet both objects, where one of them is seen; not all of them once it is cancelled.
     std::vector<std::uint8_t> where_both_are_met(const FlatPair& pair) const {
         const RayScene first(polygons_of_object(pair.first)), second(polygons_of_object(pair.second));
         const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
         RayCounters counters;
         std::vector<std::uint8_t> met(objects_.ids.size(), 0);
-        for (int y = 0; y < objects_.height; ++y) {
+        for (int y = 0; y < objects_.height && !is_cancelled(progress_); ++y) {
             for (int x = 0; x < objects_.width; ++x) {
                 const int seen = objects_.id(x, y);
                 if (seen != pair.first && seen != pair.second) continue;
@@ -58,6 +58,7 @@ private:
     }
 
     HiddenSurfaceSolver solver_;
+    WorkProgress* progress_;
     std::shared_ptr<const HiddenResult> result_;
     IdImage objects_;
 };
@@ -112,8 +113,8 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
     FightingCounts counts;
     std::vector<std::uint8_t> of_pairs(seen.ids.size(), 0);
     for (const FlatPair& pair : pairs) {
-        if (is_cancelled(progress)) return Error{"The count was cancelled."};
         const std::vector<std::uint8_t> met = exact.where_both_are_met(pair);
+        if (is_cancelled(progress)) return Error{"The count was cancelled."};
         CountedPair counted{.pair = pair};
         for (int y = 0; y < seen.height; ++y) {
             for (int x = 0; x < seen.width; ++x) {

@@ -10,19 +10,21 @@ namespace viewing {
 namespace {
 
 constexpr glm::ivec2 size_px(48, 48);
-constexpr double most_turned_deg = 8.0;  ///< away from the eye, as the pairs of the scene `coplanar` are
-constexpr double share_of_view = 0.6;    ///< of its half height: half the side of a quad
-constexpr double share_of_room = 0.9;    ///< of the way to the near plane: the widest gap tried
-constexpr double narrowest = 1e-12;      ///< of the distance: the smallest gap tried
-constexpr int places = 8;                ///< of the pair for each gap
-constexpr int halvings = 4;              ///< of the factor 2 between too narrow and wide enough
+constexpr double most_turned_deg = 8.0;      ///< away from the eye, as the pairs of the scene `coplanar` are
+constexpr double share_of_view = 0.6;        ///< of its half height: half the side of a quad
+constexpr double share_of_room = 0.9;        ///< of the way to the near plane: the widest gap tried
+constexpr double narrowest = 1e-12;          ///< of the distance: the smallest gap tried
+constexpr double widest_narrow_code = 1e-5;  ///< of the distance
+constexpr int places = 8;                    ///< of the pair for each gap
+constexpr int halvings = 4;                  ///< of the factor 2 between too narrow and wide enough
 
-/// The state with a camera at the origin, looking along −z, and nothing that moves depth.
+/// The state with a camera at the origin, looking along −z, and nothing that moves depth or keeps it from being
+/// cleared.
 Params plain(const Params& state) {
     Params params;
     params.projection = state.projection;
     params.depth = state.depth;
-    params.depth.clear = true;
+    params.depth.clear = params.depth.write_while_clearing = params.depth.reversed_clear = true;
     params.camera.position = glm::dvec3(0.0);
     params.camera.yaw = params.camera.pitch = params.camera.roll = 0.0;
     return params;
@@ -68,7 +70,8 @@ struct MinimumGapSearch::Implementation {
         // Rounding differs from place to place: each is many units in the last place from the next and, where codes are
         // as narrow as float32's numbers, elsewhere within its code. Wide codes are left where they are.
         const double code = found.predicted.quantisation;  // 0 where a float's numbers are finer than a double's
-        const bool is_narrow = (coding.precision.is_float || coding.precision.bits >= 24) && code > 0.0;
+        const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
+        const bool is_narrow = is_fine && code > 0.0 && code < widest_narrow_code * found.distance;
         for (int place = 0; place < places; ++place) {
             const double shift = place * 1.3e-6 * found.distance;
             shifts.push_back(is_narrow ? code * (std::floor(shift / code) + std::fmod(place * 0.37, 1.0)) : shift);

@@ -10,10 +10,10 @@
 
 namespace viewing {
 
-/// Searches with GL at the state's lens, depth format, mapping, test, function and mask; its offset and scene play no
-/// part. The pair stands where depth tells the least apart: at the far end of a code, the one nearest to `distance`. A
-/// gap is wide enough when no pixel is wrong whichever quad is drawn first. Goes on picture by picture, so that a
-/// window can do something else in between.
+/// Searches with GL at the state's lens, depth format, mapping, test, function and mask; its offset and scene, and
+/// whether it clears rightly, play no part. The pair stands where depth tells the least apart: at the far end of a
+/// code, the one nearest to `distance`. A gap is wide enough when no pixel is wrong whichever quad is drawn first. Goes
+/// on picture by picture, so that a window can do something else in between.
 class MinimumGapSearch {
 public:
     MinimumGapSearch(const Renderer& renderer, const Params& state, double distance);

@@ -163,24 +163,21 @@ std::vector<std::string> Studio::pixel_parts() {
     return report ? describe(*report) : std::vector<std::string>{};
 }
 
-Status Studio::inspect(const Layout& layout) {
-    const glm::ivec2 size = camera_.size_px();
-    if (layout.camera.empty() || size.x < 1) return std::monostate{};
+Status Studio::inspect() {
     DepthWishes wishes;
     const bool tells_pixel = is_shown(params_, Topic::pixel), tells_cells = is_shown(params_, Topic::cells);
     if (tells_pixel || tells_cells || is_shown(params_, Topic::precision)) {
-        wishes.pixel = params_.view.pixel ? params_.view.pixel : workbench.views.told_pixel;
-        if (wishes.pixel) wishes.pixel = glm::clamp(*wishes.pixel, glm::ivec2(0), size - 1);
+        wishes.pixel = params_.view.pixel;
+        if (const auto pointed = workbench.views.told_pixel; pointed && !wishes.pixel)
+            wishes.pixel = glm::min(*pointed, camera_px_ - 1);  // it may have shrunk since
+        if (wishes.pixel && !glm::all(glm::lessThan(*wishes.pixel, camera_px_))) wishes.pixel.reset();
     }
     wishes.fragments = tells_pixel;
+    wishes.calls = tells_cells;
     if (tells_cells && wishes.pixel) wishes.cells = workbench.views.cells;
     wishes.counts = is_shown(params_, Topic::histogram);
-    if (wishes == DepthWishes{}) {
-        inspector_.forget();
-        return std::monostate{};
-    }
-    return inspector_.update(renderer_, inspected_plan(), session.scene(), session.scene_version(), derived_, size,
-                             wishes);
+    return inspector_.update(renderer_, inspected_plan(), session.scene(), session.scene_version(), derived_,
+                             camera_px_, wishes);
 }
 
 Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
@@ -223,8 +220,8 @@ Requests Studio::frame(const Surroundings& surroundings) {
     params_ = animated(session.params, animation_s_);
 
     const Layout layout = workbench.layout(io.DisplaySize, params_);
-    const glm::ivec2 camera_px = glm::max(layout.camera.size_px(), glm::ivec2(1));
-    const Viewport viewport{camera_px, renderer_.capabilities().clip_control};
+    if (!layout.camera.empty()) camera_px_ = layout.camera.size_px();  // else another view has the whole window
+    const Viewport viewport{camera_px_, renderer_.capabilities().clip_control};
     const auto report = [this](const Status& done) {
         if (!done) session.message = {done.error(), true};
     };
@@ -237,11 +234,11 @@ Requests Studio::frame(const Surroundings& surroundings) {
                  layout.lower_right.size_px(),
                  drawn_.hidden};
     if (wanted != drawn_) derived_ = derive(params_, session.scene(), viewport);
-    if (wanted != drawn_ || hidden_is_behind_) report(update_hidden(camera_px, surroundings.shows_time));
+    if (wanted != drawn_ || hidden_is_behind_) report(update_hidden(camera_px_, surroundings.shows_time));
     wanted.hidden = hidden_;
     const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
     if (wanted != drawn_ || catch_up) {
-        before_ = derive(session.before_latest_edit(), session.scene(), viewport);
+        before_ = derive(animated(session.before_latest_edit(), animation_s_), session.scene(), viewport);
         plan_ = plan(params_, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
         report(draw_views(layout, surroundings.shows_time));
         drawn_ = wanted;
@@ -249,12 +246,12 @@ Requests Studio::frame(const Surroundings& surroundings) {
         if (!moves) settling_ = std::max(settling_, 2);
     }
 
-    report(inspect(layout));
+    if (!views_are_behind_) report(inspect());
     DepthData depth = inspector_.data();
     const bool tells_fighting = is_shown(params_, Topic::fighting);
     if (tells_fighting)  // of the state at rest, also while something moves by itself
         depth.fighting =
-            fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px,
+            fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px_,
                              !surroundings.shows_time, !session.is_moving() && !ImGui::IsAnyItemActive());
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     char time[32];

@@ -55,12 +55,13 @@ private:
     std::vector<std::string> pixel_parts();
     /// The camera's frame with its colours, to be read.
     FramePlan inspected_plan() const;
-    Status inspect(const Layout& layout);
+    Status inspect();
     /// Asks the worker for what the camera view needs; what is not there in a moment is taken when it comes.
     Status update_hidden(glm::ivec2 camera_px, bool is_interactive);
 
     Renderer& renderer_;
     std::string renderer_name_;
+    glm::ivec2 camera_px_{1280, 720};  ///< of the camera's view when it was shown last
     View camera_, beside_;
     std::array<View, 2> lower_;  ///< of each Slot
     gl::ColorTarget window_;

@@ -7,13 +7,13 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
-#include "frame/fragments.h"
+#include "frame/reconcile.h"
 #include "render/probe.h"
 
 namespace viewing {
 namespace {
 
-/// What only a surface has is null for the background, and what its depth says where it wrote none.
+/// What only a surface has is null for the background, and what depth says where it is that of a cleared buffer.
 Json report_as_json(const PixelReport& report) {
     const auto of_surface = [&report](Json value) { return report.written ? std::move(value) : Json(); };
     const auto of_depth = [&report](Json value) { return report.has_depth ? std::move(value) : Json(); };
@@ -32,7 +32,7 @@ Json report_as_json(const PixelReport& report) {
             {"world", of_depth(as_json(report.world))}};
 }
 
-/// In drawing order; "culled" and "tie" stand only where they are true.
+/// In drawing order; "culled", "tie" and "rounding" stand only where they are true.
 Json as_json(const std::vector<Fragment>& fragments) {
     Json list = Json::array();
     for (const Fragment& fragment : fragments) {
@@ -41,6 +41,7 @@ Json as_json(const std::vector<Fragment>& fragments) {
                       {"passes", fragment.passes}, {"drawn", fragment.drawn}};
         if (fragment.culled) entry["culled"] = true;
         if (fragment.tie) entry["tie"] = true;
+        if (fragment.decided_by_rounding) entry["rounding"] = true;
         list.push_back(std::move(entry));
     }
     return list;
@@ -72,7 +73,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const PixelReport report = probe.at(pixel, scene);
     headless.require_no_errors();
     Json json = report_as_json(report);
-    json["fragments"] = as_json(FragmentFinder(scene).at(*frame, pixel, size_px));
+    std::vector<Fragment> fragments = FragmentFinder(scene).at(*frame, pixel, size_px);
+    reconcile(fragments, report);
+    json["fragments"] = as_json(fragments);
     print(print_document(json) + "\n");
     return ExitStatus::done;
 }
@@ -88,12 +91,13 @@ constinit const Command inspect_command{
     "the eye's space, the width of one stored code there (step), the stencil "
     "value, and whose surface it is. \"object\" is "
     "null for the background and \"plane\" for the plane's patch; eye_z, step and world "
-    "are null where no depth was written. "
+    "are null where the depth is that of a cleared buffer. "
     "\"fragments\" are all surfaces on the pixel's ray in drawing order, computed: "
     "the code that each stores, whether it "
     "passes the tests at its turn and whether its colour is drawn; the last one "
-    "drawn is what is seen. \"culled\" and \"tie\" "
-    "(the same code as the one it is compared with) stand only where they are true. "
+    "drawn is what is seen. \"culled\", \"tie\" "
+    "(the same code as the one it is compared with) and \"rounding\" (surfaces so close that GL's "
+    "rounding decides, not the codes) stand only where they are true. "
     "Mirror image and shadows are left out.",
     "inspect --pixel 640,360\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",

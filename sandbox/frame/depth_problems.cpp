@@ -30,16 +30,22 @@ void say_tests(Sayer& say, const DepthParams& depth) {
     say(depth.func == CompareFunc::notequal,
         "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already");
     say(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes");
+    const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
-    say(wants_farther || depth.func == CompareFunc::equal,
-        wants_farther
-            ? "only what is farther passes, and nothing is farther than what the buffer is cleared to"
-            : "GL_EQUAL: only what has the stored depth passes, and the buffer was just cleared to the far plane");
+    say(wants_farther && !clears_to_near,
+        "only what is farther passes, and nothing is farther than what the buffer is cleared to");
+    say(depth.func == CompareFunc::equal, "GL_EQUAL: only what has the very depth that is stored already passes");
     say(!depth.write,
         "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later");
 }
 
+/// Whether surfaces are compared by being nearer, as they should be.
+bool wants_nearer(const DepthParams& depth) {
+    return depth.test && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);
+}
+
 void say_clears(Sayer& say, const DepthParams& depth) {
+    if (!wants_nearer(depth)) return;
     say(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now");
     say(depth.clear && !depth.write_while_clearing,
         "glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on hiding what "
@@ -54,11 +60,11 @@ void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) 
     say(!derived.clip_zero_to_one,
         depth.reversed_zero_to_one
             ? "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds a float's "
-              "fine steps near 0 away, so nothing is won"
+              "fine steps near 0 away, and little is won"
             : "reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's fine steps "
               "near "
-              "0 away, so nothing is won");
-    say(!depth.reversed_clear,
+              "0 away, and little is won");
+    say(!depth.reversed_clear && wants_nearer(depth),
         "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
         "drawn");
     say(!depth.reversed_offset,
@@ -79,12 +85,24 @@ void say_decals(Sayer& say, const Params& params, const Derived& derived, const 
             return say(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
 }
 
+/// What is left out of the picture, or out of its quality, without being wrong.
+void say_omissions(Sayer& say, const Params& params) {
+    say(params.view.call >= 0,
+        "the frame is drawn only as far as the step of the cell view: release it there, or undo");
+    const bool has_masks = params.shadow.enabled || params.reflection.enabled;
+    say(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
+        "16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, so there "
+        "is "
+        "no multisampling");
+}
+
 }  // namespace
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene) {
-    if (params.visibility.method != VisibilityMethod::depth_buffer) return;
     Sayer say(problems);
+    if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(say, params);
+    if (params.visibility.method != VisibilityMethod::depth_buffer) return;
     say_tests(say, params.depth);
     say_clears(say, params.depth);
     say_mappings(say, params.depth, derived);

@@ -6,8 +6,9 @@
 namespace viewing {
 
 glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Scene& scene) {
-    if (params.view.depth_range) return *params.view.depth_range;
     const ProjectionParams& projection = params.projection;
+    if (const auto& asked = params.view.depth_range; asked && asked->x < projection.far && asked->y > projection.near)
+        return glm::clamp(*asked, projection.near, projection.far);
     glm::dvec2 range(projection.far, projection.near);
     const auto take = [&](const glm::dvec3& corner) {
         const double distance = -(derived.view_from_world * glm::dvec4(corner, 1.0)).z;

@@ -56,6 +56,14 @@ double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
     return steepest;
 }
 
+/// GL halves −1 … 1 and adds a half in float32, which keeps nothing finer than its places near 1: reversed depth has
+/// its finest steps there.
+double as_clip_range_keeps(const FramePlan& plan, double depth) {
+    if (plan.clip_zero_to_one || plan.depth_mapping != DepthMapping::reversed) return depth;
+    const auto z_ndc = static_cast<float>(2.0 * depth - 1.0);
+    return static_cast<double>(0.5F * z_ndc + 0.5F);
+}
+
 }  // namespace
 
 bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit) {
@@ -66,7 +74,7 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                 const glm::dvec2& neighbours_px) {
-    double depth = depth_at(plan, triangle, hit.weights);
+    double depth = as_clip_range_keeps(plan, depth_at(plan, triangle, hit.weights));
     if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbours_px);
     if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
     return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits are great

@@ -27,9 +27,10 @@ struct Fragment {
     bool tie = false;     ///< its code is the one that it is compared with
     double step = 0.0;    ///< resolvable_depth_step() at its place
 
-    DepthState depth;                 ///< of its pass: how it is tested
-    std::uint32_t compared_with = 0;  ///< the code that stands in the buffer at its turn
-    bool stencil_fails = false;       ///< its pass's stencil test stops it
+    DepthState depth;                  ///< of its pass: how it is tested
+    std::uint32_t compared_with = 0;   ///< the code that stands in the buffer at its turn
+    bool stencil_fails = false;        ///< its pass's stencil test stops it
+    bool decided_by_rounding = false;  ///< GL does what these codes do not say: reconcile()
 };
 
 /// What glDepthFunc and glStencilFunc make of two values. Bits of floats ≥ 0 are in the floats' order.
@@ -48,8 +49,8 @@ public:
     ///
     /// Mirror image and shadows are left out; a mirror image without stencil leaves depth beside the patch that is not
     /// counted here. Depths are exact until they are stored: where two codes are as close as GL's float32 arithmetic is
-    /// coarse, GL may decide otherwise. Methods that sort have their own order and pieces. Of a method that finds one
-    /// surface for each pixel in software only that one passes, as at the method's last step.
+    /// coarse, GL may decide otherwise: see reconcile(). Methods that sort have their own order and pieces. Of a method
+    /// that finds one surface for each pixel in software only that one passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 
 private:

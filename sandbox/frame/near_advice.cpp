@@ -104,7 +104,7 @@ double rounded_down(double value) {
 }
 
 struct Change {
-    double now = 0.0, then = 0.0;  ///< the step at `z`
+    double now = 0.0, then = 0.0;  ///< the smallest gap that depth is sure to tell at `z`
     double z = 0.0;
 };
 
@@ -116,11 +116,11 @@ Change change_of(const Params& params, const Derived& derived, double near, doub
     return change;
 }
 
-/// "the step at z = 80 would be 0.0002 in place of 0.6, 3500 times finer."
+/// "the safe gap at z = 80 would be 0.0002 in place of 0.6, 3500 times finer."
 std::string told(const Change& change) {
     const bool is_finer = change.then < change.now;
     const double factor = is_finer ? change.now / change.then : change.then / change.now;
-    return "the step at z = " + figures(change.z) + " would be " + figures(change.then) + " in place of " +
+    return "the safe gap at z = " + figures(change.z) + " would be " + figures(change.then) + " in place of " +
            figures(change.now) + ", " + figures(factor) + " times " + (is_finer ? "finer." : "coarser.");
 }
 

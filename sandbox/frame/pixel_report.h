@@ -18,12 +18,12 @@ struct PixelReport {
     bool written = false;  ///< some surface was drawn here
     std::string object;    ///< "" for the background, "plane" for the patch
     bool front_facing = true;
-    bool has_depth = false;     ///< depth was written here too; else eye_z, step and world say nothing
+    bool has_depth = false;     ///< other than a cleared buffer's; else eye_z, step and world say nothing
     double window_depth = 1.0;  ///< as read back
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
     DepthPrecision precision;
     double ndc_z = 0.0;
-    double eye_z = 0.0;  ///< negative in front of the camera; like step and world 0 where no depth was written
+    double eye_z = 0.0;  ///< negative in front of the camera; like step and world 0 without depth
     double step = 0.0;   ///< width in eye z that can be told apart there: resolvable_depth_step()
     int stencil = 0;
     glm::dvec3 world{0.0};

@@ -30,11 +30,6 @@ CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
     }
 }
 
-/// Reversed depth counts the other way, and so do both signs of an offset.
-double offset_sign(const DepthParams& depth) {
-    return depth.mapping == DepthMapping::reversed && depth.reversed_offset ? -1.0 : 1.0;
-}
-
 glm::dvec4 color_of(const Color& color, double alpha) {
     return {color.r / 255.0, color.g / 255.0, color.b / 255.0, alpha};
 }
@@ -233,22 +228,8 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     if (shows_fighting) params.visibility = VisibilityParams{};  // it is about the depth buffer
     if (params.visibility.step >= 0 || shows_fighting) params.shadow.enabled = params.reflection.enabled = false;
     FramePlan made = frame_plan(params, derived);
-    made.clear_depth = params.depth.clear;
-    made.mask_on_while_clearing = params.depth.write_while_clearing;
-    const bool clears_to_zero = params.depth.mapping == DepthMapping::reversed && params.depth.reversed_clear;
-    made.clear_depth_value = clears_to_zero ? 0.0 : 1.0;
-    made.depth_format = params.depth.format;
-    made.depth_mapping = params.depth.mapping;
-    made.logarithm_per_vertex = params.depth.logarithm_per_vertex;
-    made.lens = params.projection.lens();
-    made.clip_zero_to_one = derived.clip_zero_to_one;
+    set_depth(made, params, derived);
     made.shows = params.view.shows;
-    made.depth_scale = params.view.depth_scale;
-    made.depth_colors = params.view.depth_colors;
-    made.shown_range = params.view.depth_range.value_or(glm::dvec2(made.lens.near, made.lens.far));
-    const double turned = offset_sign(params.depth);
-    made.decal_offset = {turned * params.depth.offset.factor, turned * params.depth.offset.units};
-    made.object_marks = derived.object_marks;
     made.heat = derived.heat;
     if (is_drawn_by_gl_alone(params.visibility.method)) made.limit = {params.view.call, params.view.triangle};
     if (params.view.shows == Shows::depth || params.view.shows == Shows::stencil) made.samples = 0;

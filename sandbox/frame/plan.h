@@ -26,7 +26,7 @@ enum class Shading {
     unlit,   ///< ambient only
     flat,    ///< one colour
     facing,  ///< front and back faces in two colours
-    heat     ///< gaps of flat pairs in steps of the depth buffer: FramePlan::heat
+    heat     ///< gaps of flat pairs, divided by the smallest that depth tells for sure
 };
 
 /// Which of the scene's objects a pass draws.
@@ -123,6 +123,12 @@ FramePlan plan(const Params& params, const Derived& derived, const HiddenPicture
 
 /// Puts what a method found in the place of the objects: part of plan().
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
+
+/// Format, mapping, clear and offsets of the depth buffer, and how it is shown: part of plan().
+void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
+
+/// 1, or −1 with reversed depth, which counts the other way and so turns both signs of an offset round.
+double offset_sign(const DepthParams& depth);
 
 /// Decals that are not left to a polygon offset get a pass of their own after the objects: part of plan().
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params);

@@ -600,7 +600,7 @@ const Field all_fields[] = {
      .label = "shows",
      .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
              "polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, or where "
-             "the gap between two flat surfaces is less than a depth step (fighting)."},
+             "the gap between two flat surfaces is less than depth is sure to tell apart (fighting)."},
     {.path = "view.depth_scale",
      .in = IN(view.depth_scale),
      .label = "depth scale",
@@ -618,8 +618,8 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 0.01,
      .logarithmic = true,
-     .help = "The eye distances that a depth picture shows as black and white; null is near and far. It changes the "
-             "picture of the depths, never the depths."},
+     .help = "The eye distances that depth pictures show as black and white; null is near and far in the camera's own "
+             "picture, and what is in view in the ones beside and below it. The depths stay as they are."},
     {.path = "view.samples",
      .in = IN(view.samples),
      .label = "samples",

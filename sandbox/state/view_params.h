@@ -46,7 +46,7 @@ struct ViewParams {
     Shows shows = Shows::color;
     DepthScale depth_scale = DepthScale::linear;
     DepthColors depth_colors = DepthColors::grey;
-    std::optional<glm::dvec2> depth_range;  ///< eye distances that are black and white; none: near and far
+    std::optional<glm::dvec2> depth_range;  ///< eye distances that are black and white; none: see fields.cpp
     int samples = 4;                        ///< 0 or 4
     BesideParams beside;
     std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one

@@ -23,7 +23,8 @@ void view_choices(Params& params, const Rect& rect) {
         "Which side of each polygon is seen: front faces and back faces in two colours.",
         "How often each pixel was drawn.",
         "Where the method and the one it is compared with see different polygons: red.",
-        "The gap between two flat surfaces in steps of the depth buffer: below 1 they fight."};
+        "The gap between two flat surfaces, divided by the smallest one that depth is sure to tell: below 1 they may "
+        "fight."};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
@@ -65,7 +66,7 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
                                        {overdraw_colors[8], "8 or more times drawn"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::fighting) {
-        const LegendEntry entries[] = {{heat_colors[0], "gap ÷ step: 0"},
+        const LegendEntry entries[] = {{heat_colors[0], "gap ÷ safe gap: 0"},
                                        {heat_colors[1], "½"},
                                        {heat_colors[3], "1"},
                                        {heat_colors[4], "2"},
@@ -74,8 +75,11 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
         const DepthColors colors = params.view.depth_colors;
+        const glm::dvec2 range =
+            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.projection.far));
+        const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
         const LegendEntry entries[] = {
-            {near_color(colors), "near"}, {far_color(colors), "far"}, {unwritten, "never written"}};
+            {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, "never written"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
 }
@@ -105,6 +109,24 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
         }
     }
     return found;
+}
+
+/// What a switch of the depth buffer does to the picture, in the picture.
+void tell_why(const Derived& derived, const Rect& rect) {
+    const auto found = std::ranges::find(derived.problems, std::string_view("depth"), &Problem::group);
+    if (found == derived.problems.end()) return;
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
+    const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
+    if (width < px(160.0F)) return;
+    const char* sentence = found->sentence.c_str();
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9F, width, sentence);
+    const ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - size.y - px(48.0F));  // above the legend
+    const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({at.x - margin, at.y - px(5.0F)}, {at.x + size.x + margin, at.y + size.y + px(5.0F)}, plate,
+                        px(4.0F));
+    draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width);
 }
 
 /// A click on the pinned pixel lets it go.
@@ -154,7 +176,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
             PolygonLink& link = state.laboratory.next_link;
             link.selected_fragment = state.laboratory.link.hovered_fragment;
             link.selected_node = state.laboratory.tree_index.node_of(link.selected_fragment);
-            if (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells))
+            if (state.hovered_pixel &&
+                (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
                 pin(session.params, *state.hovered_pixel);
             else if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos))
                 session.params.follow = follow;
@@ -212,6 +235,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     camera_legend(overlay, params, pictures.hidden);
     if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
     draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
+    tell_why(derived, rect);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
     if (!state.handles) return;
     draw_handles(overlay, places, params, derived, hovered);

@@ -116,11 +116,16 @@ glm::ivec2 pixel_of(const CellBlock& block, int cell) {
     return block.first_pixel + glm::ivec2(cell % block.size.x, cell / block.size.x);
 }
 
+/// Calls beyond the last one are no other frame.
+bool shows_whole_frame(const ViewParams& view, const std::vector<DrawCall>& calls) {
+    return view.call < 0 || view.call >= static_cast<int>(calls.size());
+}
+
 /// The two grids, linked; returns the cell under the pointer, or −1.
 int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, const CellLayout& layout) {
     const CellBlock& block = data.now;
     const DepthPrecision precision = precision_of(plan.depth_format);
-    const CellPicture picture = picture_of(data, plan, view.call >= 0, layout.depths);
+    const CellPicture picture = picture_of(data, plan, !shows_whole_frame(view, data.calls), layout.depths);
     caption(layout.colors, layout.caption_height, "Colour buffer", "");
     caption(layout.depths, layout.caption_height, "Depth buffer", picture.texts.note);
 
@@ -150,7 +155,6 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
 
 /// Mirror images and shadows have no fragments of their own to be told.
 bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, int call) {
-    if (call >= static_cast<int>(calls.size())) return false;
     const std::size_t pass = calls[static_cast<std::size_t>(call)].pass;
     return pass < plan.passes.size() && !plan.passes[pass].is_mirror_image &&
            plan.passes[pass].shading != Shading::flat;
@@ -159,7 +163,8 @@ bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, 
 /// What the step does to a cell; −1: none is asked for.
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
-    if (view.call < 0) return "All draw calls are done. Go a step back to see the compare that decides a pixel.";
+    if (shows_whole_frame(view, data.calls))
+        return "All draw calls are done. Go a step back to see the compare that decides a pixel.";
     if (step_of({view.call, view.triangle}, data.calls) <= 0)
         return "Nothing is drawn yet: both buffers hold what they were cleared to.";
     if (cell < 0) return "Point at a cell to see the compare that decides it.";
@@ -206,9 +211,10 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     const widgets::Group group("cells");
     const CellLayout layout = lay_out_cells(rect);
     draw_cell_bar(session, data.calls, plan, layout, player);
+    player.drawn = true;
     if (data.now.cells.empty() || data.now.size.x <= 0) {
         ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
-        offer("Point at the camera's picture to see its pixels one by one; a click pins the block.");
+        offer("Point at the camera's picture, or click a pixel to pin it.");
         return;
     }
     int cell = draw_grids(params.view, data, plan, layout);

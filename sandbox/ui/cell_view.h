@@ -13,6 +13,7 @@ struct StepPlayer {
     bool playing = false;
     float steps_per_s = 4.0F;
     double carry_steps = 0.0;  ///< the part of a step that has gone by
+    bool drawn = false;        ///< its bar was there to stop it; set by draw_cell_view, and for others to take back
 };
 
 /// Above the bar of steps, below it the colour buffer and the depth buffer, and the compare that decides the cell under

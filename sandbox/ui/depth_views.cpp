@@ -77,7 +77,7 @@ void draw_depth_picture(Session& session, const Derived& derived, const Rect& re
     tell_missing_depth(session.params, rect);
 }
 
-void draw_histogram_view(Session& session, const DepthCounts& counts, const Rect& rect) {
+void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect) {
     Params& params = session.params;
     const bool is_linear = params.view.depth_scale == DepthScale::linear;
     depth_choices(params, rect.max.x);
@@ -86,7 +86,7 @@ void draw_histogram_view(Session& session, const DepthCounts& counts, const Rect
     const auto shown = [&](double distance) { return is_linear ? distance : window_depth(lens, mapping, distance); };
     const auto meant = [&](double value) { return is_linear ? value : distance_of_window_depth(lens, mapping, value); };
     const glm::dvec2 whole(lens.near, lens.far);
-    const glm::dvec2 distances = params.view.depth_range.value_or(whole);
+    const glm::dvec2 distances = contrast_range(params, derived, session.scene());
     // Reversed depth runs the other way: the bars count window depth up, whatever that means.
     const bool turns = !is_linear && mapping == DepthMapping::reversed;
     glm::dvec2 range(shown(distances.x), shown(distances.y));
@@ -100,11 +100,7 @@ void draw_histogram_view(Session& session, const DepthCounts& counts, const Rect
     glm::dvec2 edited(meant(range.x), meant(range.y));
     if (turns) std::swap(edited.x, edited.y);
     edited = glm::clamp(edited, whole.x, whole.y);
-    const bool is_whole = edited.x <= whole.x * (1.0 + 1e-9) && edited.y >= whole.y * (1.0 - 1e-9);
-    if (is_whole || !(edited.x < edited.y))
-        params.view.depth_range.reset();
-    else
-        params.view.depth_range = edited;
+    if (edited.x < edited.y) params.view.depth_range = edited;
 }
 
 void draw_beside_half(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {

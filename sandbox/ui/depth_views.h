@@ -12,7 +12,7 @@ namespace viewing {
 void draw_depth_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
 
 /// How often each depth occurs in the camera's picture; its two lines are the range that depth pictures show.
-void draw_histogram_view(Session& session, const DepthCounts& counts, const Rect& rect);
+void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
 /// The second picture in a half of its own.
 void draw_beside_half(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);

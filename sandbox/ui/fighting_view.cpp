@@ -12,8 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr float padding_x = 5.0F, padding_y = 1.0F;  ///< around a cell's content, design pixels
-constexpr float bar_room = 30.0F;
+constexpr float bar_room = 30.0F;  ///< design pixels
 
 enum Column { names, distance, gap, step, onset, predicted, counted, pixels, column_count };
 
@@ -27,7 +26,7 @@ constexpr std::array<ColumnText, column_count> columns = {{
     {"z", "Eye distance of the middle of where they overlap."},
     {"gap", "Between the two, along their normal."},
     {"step", "Δz, the width of a depth code there, in eye distance."},
-    {"onset",
+    {"safe gap",
      "The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
      "arithmetic adds to it. A gap that is narrower is red."},
     {"predicted",
@@ -80,21 +79,7 @@ std::vector<PairRow> rows_of(const FightingReport& report) {
     return rows;
 }
 
-float width_of(const std::string& text, ImFont* font) {
-    ImGui::PushFont(font);
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::PopFont();
-    return width;
-}
-
-/// Of each column, 0 for those that are left out.
-struct Widths : std::array<float, column_count> {
-    float sum() const {
-        float sum = 0.0F;
-        for (const float width : *this) sum += width > 0.0F ? width + 2.0F * px(padding_x) : 0.0F;
-        return sum;
-    }
-};
+using Widths = ColumnWidths<column_count>;
 
 /// What the columns need; where the names do not fit wholly, a row is told by its distance.
 Widths widths_of(const std::vector<PairRow>& rows, float room) {
@@ -110,12 +95,6 @@ Widths widths_of(const std::vector<PairRow>& rows, float room) {
     for (const Column left_out : {names, pixels, step, gap, onset, predicted})
         if (widths.sum() > room) widths[left_out] = 0.0F;
     return widths;
-}
-
-void text_at_right(const std::string& text) {
-    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
-    ImGui::TextUnformatted(text.c_str());
 }
 
 /// The share as a part of a line, in front of its number.
@@ -177,7 +156,7 @@ void draw_titles(const Widths& widths) {
 
 void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(padding_x), px(padding_y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
     const Widths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
     const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
     if (ImGui::BeginTable("pairs", shown, 0, {widths.sum(), 0.0F})) {
@@ -192,49 +171,61 @@ void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
     ImGui::PopFont();
 }
 
+struct LinePart {
+    std::string text;
+    ImU32 color;
+};
+
 /// Parts in a line, or in several: none is broken that fits into one.
-void line(const std::vector<std::string>& parts, ImU32 color) {
+void line(const std::vector<LinePart>& parts) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
     const float between = px(14.0F);
     float end = left - between;
     ImGui::PushTextWrapPos(0.0F);
-    for (const std::string& part : parts) {
-        const float width = ImGui::CalcTextSize(part.c_str()).x;
+    for (const auto& [text, color] : parts) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
         const bool goes_on = end > left && end + between + width <= right;
         if (goes_on) ImGui::SameLine(0.0F, between);
         end = (goes_on ? end + between : left) + width;
-        ImGui::TextUnformatted(part.c_str());
-        widgets::Record(part.c_str());
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+        widgets::Record(text.c_str());
     }
     ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
     ImGui::PopFont();
+}
+
+/// In the trouble colour where there is something wrong.
+LinePart told(std::string text, bool is_wrong) {
+    return {std::move(text), is_wrong ? palette().trouble : palette().text};
 }
 
 void draw_totals(const FightingReport& report) {
     const FightingCounts& counts = report.counts;
     ImGui::Dummy({0.0F, px(2.0F)});
-    if (report.counts_are_behind)
-        line({"counting…"}, palette().quiet);
-    else
-        line({"all pairs " + percent(counts.wrong_fraction()) + " wrong",
-              "elsewhere " + grouped_number(counts.wrong_elsewhere) +
-                  (counts.wrong_elsewhere > 0 ? " bleed through" : " wrong pixels"),
-              "in " + std::to_string(report.size_px.x) + " × " + std::to_string(report.size_px.y) + " pixels"},
-             counts.wrong_fraction() > 0.0 || counts.wrong_elsewhere > 0 ? palette().trouble : palette().text);
+    if (report.counts_are_behind) {
+        line({{"counting…", palette().quiet}});
+    } else {
+        const bool bleeds = counts.wrong_elsewhere > 0;
+        const std::string size = std::to_string(report.size_px.x) + " × " + std::to_string(report.size_px.y);
+        line(
+            {told("all pairs " + percent(counts.wrong_fraction()) + " wrong", counts.wrong_fraction() > 0.0),
+             told("elsewhere " + grouped_number(counts.wrong_elsewhere) + (bleeds ? " bleed through" : " wrong pixels"),
+                  bleeds),
+             {"in " + size + " pixels", palette().quiet}});
+    }
     if (report.gap_is_behind || !report.minimum_gap) {
-        line({"searching for the minimum gap…"}, palette().quiet);
+        line({{"searching for the minimum gap…", palette().quiet}});
     } else {
         const MinimumGap& found = *report.minimum_gap;
-        line({"minimum gap at the target, z " + widgets::NumberText(found.distance, 2),
-              "predicted " + (found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"),
-              "counted " + (found.gap ? figures(*found.gap) : "–")},
-             palette().text);
+        line({told("minimum gap at the target, z " + widgets::NumberText(found.distance, 2), false),
+              told("predicted " + (found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"), false),
+              told("counted " + (found.gap ? figures(*found.gap) : "–"), false)});
         if (!found.problem.empty()) widgets::Note(found.problem.c_str());
     }
-    if (!report.problem.empty()) line({report.problem}, palette().trouble);
+    if (!report.problem.empty()) line({told(report.problem, true)});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "ui/fragment_text.h"
+#include "ui/laboratory_parts.h"
 #include "ui/look.h"
 #include "ui/pixel_numbers.h"
 #include "ui/polygon_table.h"
@@ -13,8 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr float padding_x = 5.0F, padding_y = 1.0F;  ///< around a cell's content, design pixels
-constexpr float least_name = 64.0F, swatch_room = 16.0F;
+constexpr float least_name = 64.0F, swatch_room = 16.0F;  ///< design pixels
 
 enum Column { number, object, eye_z, facing, stored, compared, result, column_count };
 constexpr std::array<const char*, column_count> titles = {"", "object", "eye z", "facing", "stored", "compare", "test"};
@@ -24,7 +24,8 @@ struct FragmentRow {
     std::array<std::string, column_count> texts;
     std::string explanation;
     ImU32 swatch = 0;
-    bool is_seen = false, is_tie = false, is_drawn = false;
+    bool is_seen = false, is_drawn = false;
+    bool is_close = false;  ///< a tie, or decided by rounding
 };
 
 ImU32 color_of(const Scene& scene, const std::string& object) {
@@ -43,7 +44,7 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
         const TestText test = test_text(fragment, precision);
         FragmentRow row;
         row.is_seen = static_cast<int>(rows.size()) == seen;
-        row.is_tie = test.result.starts_with("tie");
+        row.is_close = fragment.decided_by_rounding || test.result.starts_with("tie");
         row.is_drawn = fragment.drawn;
         row.swatch = color_of(scene, fragment.object);
         row.texts = {std::to_string(rows.size() + 1),
@@ -69,21 +70,7 @@ bool is_number(int column) {
     return column == number || column == eye_z || column == stored || column == compared;
 }
 
-float width_of(const std::string& text, ImFont* font) {
-    ImGui::PushFont(font);
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::PopFont();
-    return width;
-}
-
-/// Of each column, 0 for those that are left out.
-struct Widths : std::array<float, column_count> {
-    float sum() const {
-        float sum = 0.0F;
-        for (const float width : *this) sum += width > 0.0F ? width + 2.0F * px(padding_x) : 0.0F;
-        return sum;
-    }
-};
+using Widths = ColumnWidths<column_count>;
 
 /// What the columns need; names get what is left.
 Widths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, float room) {
@@ -106,12 +93,6 @@ Widths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, 
     }
     widths[object] = std::max(std::min(whole_names, widths[object] + room - widths.sum()), px(least_name));
     return widths;
-}
-
-void text_at_right(const std::string& text) {
-    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
-    ImGui::TextUnformatted(text.c_str());
 }
 
 void draw_object(const FragmentRow& row) {
@@ -143,7 +124,7 @@ void draw_row_item(const FragmentRow& row) {
 }
 
 ImU32 color_of(const FragmentRow& row, int column) {
-    if (row.is_tie && (column == compared || column == result)) return palette().trouble;
+    if (row.is_close && (column == compared || column == result)) return palette().trouble;
     if (row.is_seen && column == result) return palette().accent;
     return row.is_drawn ? palette().text : palette().quiet;
 }
@@ -193,12 +174,12 @@ void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrec
     const std::vector<FragmentRow> rows = rows_of(fragments, precision, scene);
     ImGui::PushFont(fonts.text);
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(padding_y);
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(cell_padding_y);
     const Widths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
     const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
     const bool scrolls = room.y >= 4.0F * row_height;
     const ImVec2 size(std::min(room.x, widths.sum() + ImGui::GetStyle().ScrollbarSize), scrolls ? room.y : 0.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(padding_x), px(padding_y)});
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
     ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
     if (ImGui::BeginTable("fragments", shown, scrolls ? ImGuiTableFlags_ScrollY : 0, size)) {
         ImGui::TableSetupScrollFreeze(0, 1);

@@ -62,6 +62,24 @@ const char* what_is_written(const Fragment& fragment) {
     return fragment.drawn ? "colour and depth are replaced" : "the depth is replaced, the colour is not";
 }
 
+/// The fragment as the cell shows it, which was read back before it and after it. None: it cannot have done that.
+std::optional<Fragment> as_read_back(Fragment sent, const BufferCell& before, const BufferCell& after) {
+    const bool changes = before != after, changes_depth = before.stored != after.stored;
+    if (changes_depth && !(sent.depth.test && sent.depth.write)) return std::nullopt;
+    if (sent.culled || sent.stencil_fails) return changes ? std::nullopt : std::optional(sent);
+    if (!sent.depth.test) return changes && !sent.passes ? std::nullopt : std::optional(sent);
+    const bool keeps_color = sent.passes && !sent.drawn;
+    if (changes && sent.depth.write) sent.stored = after.stored;
+    sent.compared_with = before.stored;
+    sent.tie = sent.stored == before.stored;
+    const bool is_true = compare(sent.depth.func, sent.stored, before.stored);
+    const bool would_change = sent.depth.write && !sent.tie;
+    sent.passes = changes || (is_true && !would_change);
+    sent.drawn = sent.passes && (before.color != after.color || !keeps_color);
+    sent.decided_by_rounding = sent.passes != is_true;
+    return sent;
+}
+
 }  // namespace
 
 std::string code_text(std::uint32_t stored, const DepthPrecision& precision) {
@@ -88,6 +106,7 @@ TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
     const char* passes = fragment.drawn ? "passes" : "passes, no colour";
     if (!fragment.depth.test)
         return {"depth test off", !fragment.passes ? "not sent" : fragment.drawn ? "drawn" : "no colour"};
+    if (fragment.decided_by_rounding) return {"rounding decides", fragment.passes ? passes : "fails"};
     const std::string asked = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
     const std::string tie = fragment.tie && !asks_nothing(fragment.depth.func) ? "tie: " : "";
     return {asked, tie + (fragment.passes ? passes : "fails")};
@@ -106,6 +125,10 @@ std::string decision_sentence(const Fragment& fragment, const DepthPrecision& pr
         if (!fragment.passes) return name + " is not sent to GL: the method has found another surface here.";
         return name + ": the depth test is off, so the colour is replaced and the depth is not.";
     }
+    if (fragment.decided_by_rounding)
+        return name +
+               ": GL's rounding decides here: " + (fragment.passes ? what_is_written(fragment) : "the pixel stays") +
+               ".";
     const std::string asked =
         name + ": " + compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
     if (fragment.passes) return asked + ", so " + what_is_written(fragment) + ".";
@@ -115,18 +138,11 @@ std::string decision_sentence(const Fragment& fragment, const DepthPrecision& pr
 
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision) {
-    if (!incoming && before == after) return "This triangle does not cover the pixel.";
-    if (!incoming && before.stored == after.stored) return "This triangle changes the colour, the depth stays.";
-    if (!incoming) return "This triangle changes colour and depth.";
-    Fragment sent = *incoming;
-    const bool kept_color = sent.passes && !sent.drawn;
-    sent.compared_with = before.stored;
-    sent.tie = sent.stored == before.stored;
-    if (sent.depth.test) {
-        sent.passes = !sent.culled && !sent.stencil_fails && compare(sent.depth.func, sent.stored, before.stored);
-        sent.drawn = sent.passes && !kept_color;
-    }
-    return decision_sentence(sent, precision);
+    const std::optional<Fragment> sent = incoming ? as_read_back(*incoming, before, after) : std::nullopt;
+    if (sent) return decision_sentence(*sent, precision);
+    if (before == after) return "This triangle does not cover the pixel.";
+    if (before.stored == after.stored) return "This triangle changes the colour, the depth stays.";
+    return "This triangle changes colour and depth.";
 }
 
 int seen_fragment(const std::vector<Fragment>& fragments) {

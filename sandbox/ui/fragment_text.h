@@ -23,7 +23,7 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 
 /// The decision about a fragment in two columns.
 struct TestText {
-    std::string compare;  ///< "812 < 812", "depth test off"; empty where depth was not compared
+    std::string compare;  ///< "812 < 812", "rounding decides", "depth test off"; empty: depth was not compared
     std::string result;   ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
 
     /// "812 < 812  tie: fails".
@@ -37,8 +37,8 @@ std::string fragment_name(const Fragment& fragment);
 /// What a fragment does to the pixel that it is sent to: "box, triangle 3: 9 < 15, so colour and depth are replaced."
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision);
 
-/// The same of a cell of a block as it was read back before a step and after it. Without a fragment: whether the step
-/// leaves the cell as it was.
+/// The same of a cell of a block as it was read back before a step and after it: what has changed decides. Without a
+/// fragment that can have done that: whether the step leaves the cell as it was.
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision);
 

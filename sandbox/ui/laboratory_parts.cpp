@@ -62,4 +62,17 @@ void tell_waiting(const HiddenStatus& hidden) {
     offer(("The method is at work" + percent + ".").c_str());
 }
 
+float width_of(const std::string& text, ImFont* font) {
+    ImGui::PushFont(font);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::PopFont();
+    return width;
+}
+
+void text_at_right(const std::string& text) {
+    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
+    ImGui::TextUnformatted(text.c_str());
+}
+
 }  // namespace viewing

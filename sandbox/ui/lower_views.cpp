@@ -69,7 +69,7 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::depth:
             return draw_depth_picture(session, derived, rect, picture);
         case Topic::histogram:
-            return draw_histogram_view(session, pictures.depth.depth_counts, rect);
+            return draw_histogram_view(session, derived, pictures.depth.depth_counts, rect);
         case Topic::precision:
             return draw_precision_view(session, derived, rect, pictures.depth.pixel ? -pictures.depth.pixel->eye_z : 0.0);
         case Topic::codes:

@@ -82,7 +82,7 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
     const int decimals = decimals_of(precision);
     const bool has_depth = pixel.written && pixel.has_depth;
     const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
-    const char* without_depth = pixel.written && !pixel.has_depth ? "What was drawn here has written no depth. " : "";
+    const char* like_cleared = pixel.written && !pixel.has_depth ? "Its depth is that of a cleared buffer. " : "";
 
     std::vector<PixelNumber> numbers{stored_number(pixel)};
     numbers.push_back({"z_{window}", with_place_for_sign(widgets::NumberText(pixel.window_depth, decimals)), "",
@@ -93,8 +93,8 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
                        derived.clip_zero_to_one ? "With glClipControl the range is 0 to 1." : "The range is −1 to 1.",
                        derived.clip_zero_to_one ? "z_{ndc} = z_{window}" : "z_{ndc} = 2 z_{window} - 1"});
     numbers.push_back({"eye z", known(widgets::NumberText(pixel.eye_z, decimals_for_step(pixel.step))), "", "Eye z",
-                       std::string(without_depth) + "Recovered from the stored depth; negative in front of the "
-                                                    "camera. n is near, f is far:",
+                       std::string(like_cleared) + "Recovered from the stored depth; negative in front of the "
+                                                   "camera. n is near, f is far:",
                        eye_z_formula(params.projection, mapping)});
     numbers.push_back({"step Δz", known(step_text(pixel.step)), "", "Step Δz",
                        "How far apart two surfaces have to be here to get different codes" +
@@ -104,7 +104,7 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
                        "What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals.",
                        ""});
     numbers.push_back({"world", has_depth ? point_text(pixel.world) : " —", "", "World position",
-                       std::string(without_depth) + "The point that the pixel shows, by its stored depth: x, y, z.",
+                       std::string(like_cleared) + "The point that the pixel shows, by its stored depth: x, y, z.",
                        "C (x_{eye}, y_{eye}, z_{eye}, 1)"});
     return numbers;
 }

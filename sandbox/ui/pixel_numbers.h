@@ -18,8 +18,8 @@ struct PixelNumber {
     std::string formula;  ///< as a widgets::Formula; may be empty
 };
 
-/// Stored code, z_window, z_ndc, eye z, Δz, stencil, world position, in this order. Where no depth was written, those
-/// that would come from it are "—".
+/// Stored code, z_window, z_ndc, eye z, Δz, stencil, world position, in this order. Where depth is as it
+/// is cleared, those that would come from it are "—".
 std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& params, const Derived& derived);
 
 /// Three figures or so: "0.00151", "152.6", "8.58·10⁻⁶".

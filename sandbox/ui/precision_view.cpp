@@ -24,14 +24,15 @@ ImU32 color_of(DepthMapping mapping) {
     }
 }
 
-/// What near and far can be dragged over: wide, and the same during a drag from wherever it began.
+/// What near and far can be dragged over: a decade more than they take, and the same during a drag from wherever it
+/// began.
 widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
     const auto decade = [](double z, bool is_upper) {
         return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
     };
     return {.title = "eye distance z",
-            .min = std::min(1e-3, decade(std::min(now.near, before.near), false)),
-            .max = std::max(1e3, decade(std::max(now.far, before.far), true))};
+            .min = 0.1 * decade(std::min(now.near, before.near), false),
+            .max = 10.0 * decade(std::max(now.far, before.far), true)};
 }
 
 /// Of the other formats and mappings, what a small chart is left with.
@@ -56,7 +57,7 @@ public:
     std::span<const widgets::ChartCurve> all() const { return shown_; }
     std::array<widgets::ChartCurve, 2> terms() const {
         return {{{.name = "quantisation", .color = palette().text, .points = curves_.quantisation},
-                 {.name = "arithmetic", .color = palette().trouble, .points = curves_.arithmetic}}};
+                 {.name = "arithmetic", .color = palette().quiet, .points = curves_.arithmetic}}};
     }
 
 private:
@@ -77,19 +78,20 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
                 double cursor_z) {
     Params& params = session.params;
     const float width = ImGui::GetContentRegionAvail().x;
-    const ChartCurves curves(precision_curves(params, derived), height < px(240.0F));
+    const bool is_small = height < px(240.0F);
+    const ChartCurves curves(precision_curves(params, derived), is_small);
     const std::array<widgets::ChartCurve, 2> terms = curves.terms();
     // Their names stand in the upper half of the plot, side by side or below each other.
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
     std::vector<widgets::DepthMark> marks;
     for (const DistanceMark& thing : things)
-        marks.push_back({thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+        marks.push_back({is_small ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
     const ProjectionParams defaults;
     ProjectionParams& projection = params.projection;
     if (widgets::PrecisionChart("precision", curves.all(), projection.near, projection.far,
                                 {.x = distance_axis(projection, session.before_latest_edit().projection),
-                                 .y = {.title = "step Δz"},
+                                 .y = {.title = "safe gap"},
                                  .terms = terms,
                                  .marks = marks,
                                  .cursor_z = cursor_z,

@@ -169,7 +169,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
-    if (!is_shown(session.params, Topic::cells)) views.call_player.playing = false;
+    if (!std::exchange(views.call_player.drawn, false)) views.call_player.playing = false;
     LaboratoryState& laboratory = views.laboratory;
     end_laboratory_frame(laboratory, session);
     take_growth_rows(laboratory);

@@ -79,6 +79,24 @@ TEST_F(Counter, BeginsNothingWhileSomethingIsHeld) {
     EXPECT_EQ(after->counts.wrong_fraction(), 0.0);
 }
 
+TEST_F(Counter, IsNotBehindWhereWhatIsHeldComesBack) {
+    const auto go_away_and_come_back = [&] {
+        params.projection.near = 0.5;
+        const auto away = update(!may_wait, !is_at_rest);
+        EXPECT_TRUE(!away || (away->counts_are_behind && away->gap_is_behind));
+        params.projection.near = load_state("depth-fighting")->params.projection.near;
+        return update(!may_wait, !is_at_rest);
+    };
+    update(!may_wait, is_at_rest);
+    go_away_and_come_back();  // the count, or the search, still runs
+    EXPECT_TRUE(counter.wants_frames());
+    finish();
+    const auto back = go_away_and_come_back();
+    EXPECT_FALSE(counter.wants_frames());
+    EXPECT_FALSE(back->counts_are_behind || back->gap_is_behind);
+    EXPECT_GT(back->counts.wrong_fraction(), 0.1);
+}
+
 TEST_F(Counter, CountsAnewOnlyForWhatMatters) {
     finish();
     params.ui.theme = Theme::light;
@@ -94,6 +112,9 @@ TEST_F(Counter, BelongsToTheSceneThatIsThere) {
     scene = testing::scene_named("torus-and-boxes");
     params.scene = std::string("torus-and-boxes");
     ++version;
+    const auto held = update(!may_wait, !is_at_rest);
+    EXPECT_EQ(held->rows.size(), 6U) << "the old ones stay until there are others";
+    EXPECT_TRUE(held->counts_are_behind);
     const auto report = update(may_wait, is_at_rest);
     EXPECT_TRUE(report->rows.empty());
     EXPECT_EQ(report->counts.wrong_fraction(), 0.0);

@@ -208,6 +208,26 @@ TEST_F(Fighting, HasNoSmallestGapWhereDepthDoesNotDecide) {
     EXPECT_TRUE(search(reversed, 1e9).gap) << "where depth is 0";
 }
 
+TEST_F(Fighting, HasASmallestGapWhereACodeIsAsWideAsTheWayToTheEye) {
+    for (const char* const format : {"depth.format=d24", "depth.format=d32f"}) {
+        const MinimumGap found = search(testing::params_with({"projection.near=1e-6", format}), 21.5);
+        ASSERT_TRUE(found.gap) << format << ": " << found.problem;
+        EXPECT_GT(found.predicted.quantisation, 0.1 * found.distance) << format;
+        EXPECT_GT(*found.gap, found.predicted.gap() / 3.0) << format;
+        EXPECT_LT(*found.gap, found.predicted.gap() * 3.0) << format;
+    }
+}
+
+TEST_F(Fighting, HasTheSameSmallestGapHoweverDepthIsCleared) {
+    for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
+        const MinimumGap expected = search(testing::params_with({mapping}), 5.0);
+        ASSERT_TRUE(expected.gap);
+        for (const char* const slip :
+             {"depth.clear=false", "depth.write_while_clearing=false", "depth.reversed_clear=false"})
+            EXPECT_EQ(search(testing::params_with({mapping, slip}), 5.0).gap, expected.gap) << mapping << " " << slip;
+    }
+}
+
 TEST_F(Fighting, CanBeCancelled) {
     WorkProgress progress;
     progress.cancelled = true;

@@ -319,6 +319,29 @@ TEST_F(CellView, ACellUnderThePointerIsTold) {
     }
 }
 
+TEST_F(CellView, ACallBeyondTheLastOneIsTheWholeFrame) {
+    hovered_pixel = busy_pixel();
+    params.view.call = 10'000;
+    ui.frames(3);
+    EXPECT_TRUE(says("All draw calls are done. Go a step back to see the compare that decides a pixel."));
+}
+
+TEST_F(CellView, CanBeSteppedThroughWithoutAPixel) {
+    ui.frames(3);
+    EXPECT_TRUE(says("Point at the camera's picture, or click a pixel to pin it."));
+    ui.click("cells/calls/←");
+    EXPECT_EQ(params.view.call, static_cast<int>(data.calls.size()) - 1);
+}
+
+TEST_F(CellView, ThePlayerKnowsWhetherItsBarIsThere) {
+    ui.frame();
+    EXPECT_TRUE(player.drawn);
+    player.drawn = false;
+    params.visibility.method = VisibilityMethod::painter;
+    ui.frame();
+    EXPECT_FALSE(player.drawn);
+}
+
 TEST_F(CellView, OtherMethodsHaveTheirOwnSteps) {
     params.visibility.method = VisibilityMethod::painter;
     ui.frames(3);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "desk.h"
+#include "ui/look.h"
 
 namespace viewing::test {
 namespace {
@@ -51,6 +52,20 @@ protected:
         report->minimum_gap->predicted = {0.05, 0.01, true};
         report->minimum_gap->gap = 0.036;
     }
+    /// Whether something is painted in a colour within the item that says this.
+    bool paints(std::string_view part, ImU32 color) const {
+        for (const RecordedItem& item : context.recorded) {
+            if (item.label.find(part) == std::string::npos) continue;
+            const auto is_painted = [&](const ImDrawVert& vertex) {
+                return vertex.col == color && vertex.pos.x >= item.min.x && vertex.pos.x <= item.max.x &&
+                       vertex.pos.y >= item.min.y && vertex.pos.y <= item.max.y;
+            };
+            const ImDrawData& drawn = *ImGui::GetDrawData();
+            for (int list = 0; list < drawn.CmdListsCount; ++list)
+                if (std::ranges::any_of(drawn.CmdLists[list]->VtxBuffer, is_painted)) return true;
+        }
+        return false;
+    }
     bool says(std::string_view part) const {
         return std::ranges::any_of(
             context.recorded, [part](const RecordedItem& item) { return item.label.find(part) != std::string::npos; });
@@ -73,6 +88,22 @@ TEST_F(FightingView, HasARowForEachPairAndTheTotals) {
     EXPECT_TRUE(says("predicted 0.06"));
     EXPECT_TRUE(says("counted 0.036"));
     EXPECT_TRUE(says("onset"));
+}
+
+TEST_F(FightingView, PaintsOnlyWhatIsWrongInTheTroubleColor) {
+    make_report();
+    ui.frames(3);
+    EXPECT_TRUE(paints("all pairs", palette().trouble));
+    EXPECT_TRUE(paints("bleed through", palette().trouble));
+    report->counts.wrong_elsewhere = 0;
+    ui.frames(3);
+    EXPECT_TRUE(paints("all pairs", palette().trouble));
+    EXPECT_FALSE(paints("elsewhere 0", palette().trouble));
+    EXPECT_TRUE(paints("elsewhere 0", palette().text));
+    EXPECT_TRUE(paints("640 × 360 pixels", palette().quiet));
+    report->counts.pairs.back().wrong = 0;
+    ui.frames(3);
+    EXPECT_FALSE(paints("all pairs", palette().trouble));
 }
 
 TEST_F(FightingView, TellsWhatIsStillCounted) {

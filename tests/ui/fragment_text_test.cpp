@@ -76,6 +76,13 @@ TEST(FragmentText, EveryTestHasItsWords) {
     EXPECT_EQ(test_text(fragment(812, 812, CompareFunc::always), bits_24).whole(), "GL_ALWAYS  passes");
     EXPECT_EQ(test_text(fragment(8, 812, CompareFunc::never), bits_24).whole(), "GL_NEVER  fails");
 
+    Fragment rounded = fragment(813, 812);
+    rounded.decided_by_rounding = true;
+    EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  fails");
+    EXPECT_EQ(decision_sentence(rounded, bits_24), "box, triangle 3: GL's rounding decides here: the pixel stays.");
+    rounded.passes = rounded.drawn = true;
+    EXPECT_EQ(test_text(rounded, bits_24).whole(), "rounding decides  passes");
+
     Fragment other = fragment(8, 812);
     other.drawn = false;
     EXPECT_EQ(test_text(other, bits_24).whole(), "8 < 812  passes, no colour");
@@ -120,7 +127,7 @@ TEST(FragmentText, ACellSaysWhatBecomesOfIt) {
               "box, triangle 3: 9 < 15, so the colour is replaced, the mask keeps the depth.");
     sent = fragment(9, 15);
     sent.drawn = false;
-    EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
+    EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
               "box, triangle 3: 9 < 15, so the depth is replaced, the colour is not.");
     sent = fragment(9, 15, CompareFunc::always);
     EXPECT_EQ(cell_sentence(sent, before, after, bits_8),
@@ -139,6 +146,41 @@ TEST(FragmentText, ACellSaysWhatBecomesOfIt) {
     sent.passes = sent.drawn = true;
     EXPECT_EQ(cell_sentence(sent, before, before, bits_8),
               "box, triangle 3: the depth test is off, so the colour is replaced and the depth is not.");
+}
+
+TEST(FragmentText, WhatChangesInACellDecides) {
+    BufferCell before, other_code, other_color, other;
+    before.stored = other_color.stored = 15;
+    other_code.stored = other.stored = 14;
+    other_color.color = other.color = {1, 2, 3};
+    // Computed to fail, but the cell changes: the code that is read back passes.
+    EXPECT_EQ(cell_sentence(fragment(16, 15), before, other, bits_8),
+              "box, triangle 3: 14 < 15, so colour and depth are replaced.");
+    EXPECT_EQ(cell_sentence(fragment(16, 15), before, other_code, bits_8),
+              "box, triangle 3: 14 < 15, so colour and depth are replaced.");
+    // Computed to pass, but nothing changes.
+    EXPECT_EQ(cell_sentence(fragment(13, 15), before, before, bits_8),
+              "box, triangle 3: GL's rounding decides here: the pixel stays.");
+    // The same code again, in another colour.
+    EXPECT_EQ(cell_sentence(fragment(15, 15, CompareFunc::lequal), before, other_color, bits_8),
+              "box, triangle 3: 15 ≤ 15, so colour and depth are replaced.");
+    EXPECT_EQ(cell_sentence(fragment(15, 15), before, other_color, bits_8),
+              "box, triangle 3: GL's rounding decides here: colour and depth are replaced.");
+    // Without the mask no code is left to be read back.
+    Fragment masked = fragment(16, 15);
+    masked.depth.write = false;
+    EXPECT_EQ(cell_sentence(masked, before, other_color, bits_8),
+              "box, triangle 3: GL's rounding decides here: the colour is replaced, the mask keeps the depth.");
+    // What cannot have changed the cell is not told about.
+    EXPECT_EQ(cell_sentence(masked, before, other, bits_8), "This triangle changes colour and depth.");
+    Fragment culled = fragment(14, 15);
+    culled.culled = true;
+    EXPECT_EQ(cell_sentence(culled, before, other_color, bits_8), "This triangle changes the colour, the depth stays.");
+    EXPECT_NE(cell_sentence(culled, before, before, bits_8).find("is culled"), std::string::npos);
+    Fragment untested = fragment(14, 15);
+    untested.depth.test = untested.passes = untested.drawn = false;
+    EXPECT_EQ(cell_sentence(untested, before, other_color, bits_8),
+              "This triangle changes the colour, the depth stays.");
 }
 
 // ---- numbers in cells -------------------------------------------------------------------------------------
@@ -279,7 +321,7 @@ TEST(PixelNumbers, SayNothingThatIsNotKnown) {
     for (const char* name : {"eye z", "step Δz", "world"}) EXPECT_EQ(named(numbers, name).value, " —");
     const auto complains = [&] {
         const std::string explanation = named(pixel_numbers(pixel, {}, {}), "eye z").explanation;
-        return explanation.starts_with("What was drawn here has written no depth.");
+        return explanation.starts_with("Its depth is that of a cleared buffer.");
     };
     EXPECT_FALSE(complains());
     pixel.written = true;

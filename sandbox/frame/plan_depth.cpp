@@ -1,0 +1,50 @@
+// The depth buffer of a frame, and decals by equal depth or by a mark in the stencil buffer: parts of plan().
+#include "frame/plan.h"
+
+namespace viewing {
+
+double offset_sign(const DepthParams& depth) {
+    return depth.mapping == DepthMapping::reversed && depth.reversed_offset ? -1.0 : 1.0;
+}
+
+void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
+    const DepthParams& depth = params.depth;
+    frame.clear_depth = depth.clear;
+    frame.mask_on_while_clearing = depth.write_while_clearing;
+    frame.clear_depth_value = depth.mapping == DepthMapping::reversed && depth.reversed_clear ? 0.0 : 1.0;
+    frame.depth_format = depth.format;
+    frame.depth_mapping = depth.mapping;
+    frame.logarithm_per_vertex = depth.logarithm_per_vertex;
+    frame.lens = params.projection.lens();
+    frame.clip_zero_to_one = derived.clip_zero_to_one;
+    frame.decal_offset = {offset_sign(depth) * depth.offset.factor, offset_sign(depth) * depth.offset.units};
+    frame.object_marks = derived.object_marks;
+    frame.depth_scale = params.view.depth_scale;
+    frame.depth_colors = params.view.depth_colors;
+    frame.shown_range = params.view.depth_range.value_or(glm::dvec2(frame.lens.near, frame.lens.far));
+}
+
+void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
+    const DecalMethod method = params.depth.decals;
+    if (method == DecalMethod::offset || params.visibility.method != VisibilityMethod::depth_buffer) return;
+    Pass& objects = passes.back();
+    objects.chosen = Chosen::bases;
+    Pass decals = objects;
+    decals.name = "Decals";
+    decals.reason = "draws decals where the depth is that of what they lie on";
+    decals.chosen = Chosen::decals;
+    decals.depth.write = false;
+    decals.offset = DepthOffset{};
+    if (method == DecalMethod::equal) {
+        decals.depth.func = CompareFunc::equal;
+    } else {
+        objects.marks_objects = decals.marks_objects = true;
+        objects.stencil = {true, CompareFunc::always, 0, StencilOp::replace};
+        decals.reason = "draws decals where the stencil says that what they lie on is seen: no depth decides";
+        decals.depth.test = false;
+        decals.stencil = {true, CompareFunc::equal, 0, StencilOp::keep};
+    }
+    passes.push_back(decals);
+}
+
+}  // namespace viewing

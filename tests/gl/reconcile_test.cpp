@@ -1,0 +1,98 @@
+// The fragments of a pixel where surfaces fight: reconciled with what is read back, the last one drawn is the one that
+// is seen, and rounding is blamed only where the list had another winner.
+#include "frame/reconcile.h"
+
+#include <bit>
+#include <cmath>
+
+#include "gl_test.h"
+#include "render/probe.h"
+#include "state/presets.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 size_px(602, 356);
+constexpr int pixels = 1000;
+
+class Reconcile : public testing::GlTest {
+protected:
+    struct Seen {
+        int surfaces = 0;      ///< pixels that show one
+        int other_winner = 0;  ///< of these, where the computed list has another one
+        int blamed = 0;        ///< of these, where rounding is said to decide some fragment
+        double worst = 0.0;    ///< codes between computed and read back, of the same winner
+    };
+
+    static int last_drawn(const std::vector<Fragment>& fragments) {
+        int last = -1;
+        for (std::size_t i = 0; i < fragments.size(); ++i)
+            if (fragments[i].drawn) last = static_cast<int>(i);
+        return last;
+    }
+
+    static Seen compare(const char* preset, DepthFormat format) {
+        const Result<LoadedState> state = load_state(preset);
+        EXPECT_TRUE(state) << state.error();
+        Params params = probed(state->params);
+        params.depth.format = format;
+        const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
+        const Derived derived = derive_for(params, scene, size_px);
+        const FramePlan frame = plan(params, derived);
+        PixelProbe probe;
+        EXPECT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
+        const FragmentFinder finder(scene);
+        Random random(seed);
+        Seen seen;
+        for (int trial = 0; trial < pixels; ++trial) {
+            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", pixel " + std::to_string(pixel.x) + " " +
+                         std::to_string(pixel.y));
+            const PixelReport report = probe.at(pixel, scene);
+            std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
+            const int computed = last_drawn(fragments);
+            if (computed >= 0) {
+                const Fragment& one = fragments[static_cast<std::size_t>(computed)];
+                if (one.object != report.object)
+                    ++seen.other_winner;
+                else
+                    seen.worst = std::max(seen.worst, std::abs(static_cast<double>(report.stored) - one.stored));
+            }
+            reconcile(fragments, report);
+            const int last = last_drawn(fragments);
+            EXPECT_EQ(last < 0 ? "" : fragments[static_cast<std::size_t>(last)].object, report.object);
+            if (last < 0) continue;
+            ++seen.surfaces;
+            EXPECT_EQ(fragments[static_cast<std::size_t>(last)].stored, report.stored);
+            seen.blamed += std::ranges::any_of(fragments, &Fragment::decided_by_rounding) ? 1 : 0;
+        }
+        std::printf("%s: %d surfaces, %d other winners, %d blamed on rounding, worst %g codes\n", preset, seen.surfaces,
+                    seen.other_winner, seen.blamed, seen.worst);
+        return seen;
+    }
+};
+
+TEST_F(Reconcile, WhatIsSeenIsWhatIsReadBack) {
+    for (const DepthFormat format : {DepthFormat::d24, DepthFormat::d32f}) {
+        const Seen seen = compare("depth-fighting", format);
+        EXPECT_GT(seen.surfaces, 200);
+        EXPECT_GT(seen.other_winner, 0) << "nothing to reconcile";
+        EXPECT_GE(seen.blamed, seen.other_winner);
+    }
+}
+
+TEST_F(Reconcile, WithoutClipControlToo) {
+    const Seen seen = compare("fighting-reversed-clip-range", DepthFormat::d32f);
+    EXPECT_GT(seen.surfaces, 200);
+}
+
+TEST_F(Reconcile, NothingIsBlamedOnRoundingWhereNothingFights) {
+    const Seen seen = compare("fighting-near-raised", DepthFormat::d24);
+    EXPECT_GT(seen.surfaces, 200);
+    EXPECT_EQ(seen.other_winner, 0);
+    EXPECT_EQ(seen.blamed, 0);
+}
+
+}  // namespace
+}  // namespace viewing

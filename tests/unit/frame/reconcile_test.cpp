@@ -1,0 +1,117 @@
+// Fragments against a pixel that was read back, made up by hand: who is seen afterwards, and what is left alone.
+#include "frame/reconcile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace viewing {
+namespace {
+
+constexpr double greatest = 16'777'215.0;
+constexpr std::uint32_t cleared = 16'777'215;
+
+/// One after the other with GL_LESS, as FragmentFinder would have them.
+std::vector<Fragment> drawn_in_order(const std::vector<std::pair<const char*, std::uint32_t>>& surfaces) {
+    std::vector<Fragment> fragments;
+    std::uint32_t stands = cleared;
+    for (const auto& [name, code] : surfaces) {
+        Fragment made;
+        made.object = name;
+        made.stored = code;
+        made.window_depth = code / greatest;
+        made.compared_with = stands;
+        made.tie = code == stands;
+        made.passes = made.drawn = code < stands;
+        if (made.passes) stands = code;
+        fragments.push_back(made);
+    }
+    return fragments;
+}
+
+PixelReport read_back(const char* object, std::uint32_t code) {
+    PixelReport report;
+    report.written = *object != '\0';
+    report.has_depth = report.written;
+    report.object = object;
+    report.stored = code;
+    report.window_depth = code / greatest;
+    return report;
+}
+
+std::string seen(const std::vector<Fragment>& fragments) {
+    std::string last;
+    for (const Fragment& fragment : fragments)
+        if (fragment.drawn) last = fragment.object;
+    return last;
+}
+
+TEST(Reconcile, KeepsWhatAgrees) {
+    std::vector<Fragment> fragments = drawn_in_order({{"far", 9'000}, {"near", 5'000}, {"hidden", 7'000}});
+    reconcile(fragments, read_back("near", 5'000));
+    EXPECT_EQ(seen(fragments), "near");
+    for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
+    EXPECT_EQ(fragments[2].compared_with, 5'000U);
+}
+
+TEST(Reconcile, ALaterOneThatIsNotReadBackFails) {
+    std::vector<Fragment> fragments = drawn_in_order({{"back", 5'001}, {"front", 5'000}});
+    reconcile(fragments, read_back("back", 4'999));
+    EXPECT_EQ(seen(fragments), "back");
+    EXPECT_EQ(fragments[0].stored, 4'999U);
+    EXPECT_FALSE(fragments[0].decided_by_rounding) << "it passes as it did";
+    EXPECT_FALSE(fragments[1].passes || fragments[1].drawn);
+    EXPECT_EQ(fragments[1].compared_with, 4'999U);
+    EXPECT_TRUE(fragments[1].decided_by_rounding) << "computed, it passed";
+
+    fragments = drawn_in_order({{"back", 5'002}, {"front", 5'000}});
+    reconcile(fragments, read_back("back", 5'002));
+    EXPECT_FALSE(fragments[1].passes);
+    EXPECT_TRUE(fragments[1].decided_by_rounding) << "5,000 < 5,002 is true";
+}
+
+TEST(Reconcile, OneThatIsReadBackPasses) {
+    std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'001}});
+    reconcile(fragments, read_back("back", 5'000));
+    EXPECT_EQ(seen(fragments), "back");
+    EXPECT_TRUE(fragments[1].passes && fragments[1].drawn && fragments[1].decided_by_rounding);
+    EXPECT_EQ(fragments[1].stored, 5'000U);
+    EXPECT_TRUE(fragments[0].drawn) << "at its turn it was";
+}
+
+TEST(Reconcile, TheNearestOfAnObjectIsTheOne) {
+    std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'009}, {"back", 5'001}});
+    reconcile(fragments, read_back("back", 4'999));
+    EXPECT_FALSE(fragments[1].drawn);
+    EXPECT_TRUE(fragments[2].drawn);
+}
+
+TEST(Reconcile, TheCodeReadBackStandsInTheTable) {
+    std::vector<Fragment> fragments = drawn_in_order({{"near", 5'000}, {"behind", 5'002}});
+    reconcile(fragments, read_back("near", 5'003));
+    EXPECT_EQ(fragments[0].stored, 5'003U);
+    EXPECT_EQ(fragments[1].compared_with, 5'003U);
+    EXPECT_TRUE(fragments[1].decided_by_rounding) << "5,002 < 5,003 would pass";
+    EXPECT_FALSE(fragments[1].passes);
+}
+
+TEST(Reconcile, LeavesAloneWhatRoundingDoesNotExplain) {
+    const std::vector<Fragment> computed = drawn_in_order({{"far", 9'000'000}, {"near", 5'000'000}});
+    for (const PixelReport& report :
+         {read_back("", cleared), read_back("other", 5'000'000), read_back("far", 9'000'000)}) {
+        std::vector<Fragment> fragments = computed;
+        reconcile(fragments, report);
+        EXPECT_EQ(seen(fragments), "near") << report.object;
+        EXPECT_TRUE(std::ranges::none_of(fragments, &Fragment::decided_by_rounding));
+    }
+    std::vector<Fragment> culled = drawn_in_order({{"front", 5'000}, {"back", 5'001}});
+    culled[1].culled = true;
+    reconcile(culled, read_back("back", 5'001));
+    EXPECT_EQ(seen(culled), "front");
+    std::vector<Fragment> none;
+    reconcile(none, read_back("far", 1));
+    EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace viewing
