@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "frame/reconcile.h"
+
 namespace viewing {
 namespace {
 
@@ -72,7 +74,10 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
         if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
         finder_version_ = scene_version;
         data_.pixel = now_.at(*wishes.pixel, scene);
-        if (wishes.fragments) data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
+        if (wishes.fragments) {
+            data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
+            reconcile(data_.fragments, *data_.pixel);
+        }
         if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
     }
     if (wishes.counts) {

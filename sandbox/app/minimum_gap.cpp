@@ -14,7 +14,7 @@ constexpr double most_turned_deg = 8.0;      ///< away from the eye, as the pair
 constexpr double share_of_view = 0.6;        ///< of its half height: half the side of a quad
 constexpr double share_of_room = 0.9;        ///< of the way to the near plane: the widest gap tried
 constexpr double narrowest = 1e-12;          ///< of the distance: the smallest gap tried
-constexpr double widest_narrow_code = 1e-5;  ///< of the distance
+constexpr double widest_narrow_code = 1e-3;  ///< of the distance
 constexpr int places = 8;                    ///< of the pair for each gap
 constexpr int halvings = 4;                  ///< of the factor 2 between too narrow and wide enough
 

@@ -35,7 +35,7 @@ std::vector<std::string> describe(const PixelReport& pixel) {
     parts.push_back(!pixel.written ? "background"
                                    : pixel.object + (pixel.front_facing ? ", front face" : ", back face"));
     if (pixel.written && pixel.has_depth) parts.push_back("eye z " + widgets::NumberText(pixel.eye_z, 3));
-    if (pixel.written && !pixel.has_depth) parts.emplace_back("no depth written");
+    if (pixel.written && !pixel.has_depth) parts.emplace_back("depth as cleared");
     std::snprintf(text, sizeof text, "z_window %.6f", pixel.window_depth);
     parts.emplace_back(text);
     parts.push_back(

@@ -52,14 +52,16 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const StateArguments state_arguments(options);
     std::optional<std::string> pixel_text, size_text, device_text;
     options.group("Pixel");
-    options.text("--pixel", "X,Y", pixel_text, "Which one; 0,0 is the top left");
+    options.text("--pixel", "X,Y", pixel_text, "Which one; 0,0 is the top left; default: the state's view.pixel");
     options.text("--size", "WxH", size_text, size_help);
     add_device_option(options, device_text);
     if (!options.parse(arguments)) return ExitStatus::done;
 
     const glm::ivec2 size_px = size_option(options, size_text);
-    const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
     const LoadedState state = state_arguments.load();
+    if (const auto& pinned = state.params.view.pixel; pinned && !pixel_text)
+        pixel_text = std::to_string(pinned->x) + "," + std::to_string(pinned->y);
+    const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
     const Scene scene = scene_of(state);
     const Params params = probed(state.params);
 

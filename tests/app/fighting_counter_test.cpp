@@ -115,7 +115,8 @@ TEST_F(Counter, BelongsToTheSceneThatIsThere) {
     const auto held = update(!may_wait, !is_at_rest);
     EXPECT_EQ(held->rows.size(), 6U) << "the old ones stay until there are others";
     EXPECT_TRUE(held->counts_are_behind);
-    const auto report = update(may_wait, is_at_rest);
+    EXPECT_TRUE(update(!may_wait, is_at_rest)) << "while others are counted";
+    const auto report = finish();
     EXPECT_TRUE(report->rows.empty());
     EXPECT_EQ(report->counts.wrong_fraction(), 0.0);
 }

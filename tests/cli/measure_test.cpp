@@ -145,7 +145,7 @@ TEST_F(Measure, FightingHasEveryPairCountedAndPredicted) {
         const double z = pair["distance"], gap = pair["gap"];
         EXPECT_NEAR(gap, 0.01, 0.0002);
         // Facts: z² (f − n) / (f n (2¹⁶ − 1)).
-        EXPECT_NEAR(pair["step"], z * z * 199.5 / (200.0 * 0.5 * 65535.0), 1e-6);
+        EXPECT_NEAR(pair["step"], z * z * 999.5 / (1000.0 * 0.5 * 65535.0), 1e-6);
         EXPECT_NEAR(pair["predicted_onset_gap"], pair["quantisation"].get<double>() + pair["arithmetic"].get<double>(),
                     1e-12);
         EXPECT_GT(pair["pixels"], 1000);

@@ -44,7 +44,7 @@ TEST_F(PrecisionView, NearIsDraggedOnTheChartInOneStep) {
 TEST_F(PrecisionView, RaisingNearIsOneClick) {
     show(Topic::precision);
     const Params before = params;
-    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.9: with near = 3.5 the step")) << trouble();
+    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.9: with near = 3.5 the safe gap")) << trouble();
     ui.click("lower/raise near");
     desk.settle();
     EXPECT_EQ(differing_fields(before, params), (Paths{"projection.near"}));
@@ -63,6 +63,7 @@ TEST_F(PrecisionView, RaisingNearIsOneClick) {
 }
 
 TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {
+    desk.workbench.arrangement.maximised = ViewName::lower_right;  // where there is room for names
     show(Topic::precision);
     EXPECT_TRUE(std::ranges::any_of(desk.recorded(), [](const RecordedItem& item) {
         return item.label.starts_with("lower/precision/mark/") && item.label.find("quad at 4") != std::string::npos;

@@ -114,7 +114,8 @@ TEST(NearAdvice, SaysWhatIsToBeWon) {
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
-    EXPECT_EQ(found->sentence.substr(0, 64), "Nothing is nearer than 4: with near = 3.6 the safe gap at z = 80 wou");
+    EXPECT_EQ(found->sentence.rfind("Nothing is nearer than 4: with near = 3.6 the safe gap at z = 80 would be ", 0),
+              0U);
     // The step goes by 1/n − 1/f: 99.99 against 0.2678.
     const std::size_t end = found->sentence.find(" times finer.");
     ASSERT_NE(end, std::string::npos) << found->sentence;
