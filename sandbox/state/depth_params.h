@@ -23,7 +23,8 @@ struct DepthParams {
     DepthFormat format = DepthFormat::d24;
     DepthMapping mapping = DepthMapping::standard;
     DepthOffset offset;
-    DecalMethod decals = DecalMethod::offset;  ///< what keeps objects marked "decal" from fighting with what they lie on
+    DecalMethod decals =
+        DecalMethod::offset;  ///< what keeps objects marked "decal" from fighting with what they lie on
 
     // Switches that are right as they are, and show what breaks without.
     bool write_while_clearing = true;  ///< off: glDepthMask(GL_FALSE) while clearing, which then clears no depth
