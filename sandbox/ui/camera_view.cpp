@@ -23,8 +23,7 @@ void view_choices(Params& params, const Rect& rect) {
         "Which side of each polygon is seen: front faces and back faces in two colours.",
         "How often each pixel was drawn.",
         "Where the method and the one it is compared with see different polygons: red.",
-        "The gap between two flat surfaces, divided by the smallest one that depth is sure to tell: below 1 they may "
-        "fight."};
+        "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight."};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
