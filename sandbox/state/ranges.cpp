@@ -97,7 +97,8 @@ void mend_field(const Field& field, Params& params) {
                    [&](std::optional<glm::dmat4>* value) { mend_matrix(*value, field); },
                    [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
                    [&](std::optional<glm::ivec2>* value) {
-                       if (*value) **value = glm::clamp(**value, glm::ivec2(0), glm::ivec2(static_cast<int>(field.max)));
+                       if (*value)
+                           **value = glm::clamp(**value, glm::ivec2(0), glm::ivec2(static_cast<int>(field.max)));
                    },
                    [](auto&&) {},
                },
@@ -111,9 +112,8 @@ Range component_range(const Field& field, int component) {
 }
 
 std::string_view type_name(const Field& field) {
-    static constexpr std::string_view names[] = {"bool", "int",   "number", "vec3",   "vec4",   "color",
-                                                 "enum", "scene", "lights", "planes", "matrix", "follow",
-                                                 "range", "pixel"};
+    static constexpr std::string_view names[] = {"bool",  "int",    "number", "vec3",   "vec4",   "color", "enum",
+                                                 "scene", "lights", "planes", "matrix", "follow", "range", "pixel"};
     static_assert(std::size(names) == std::variant_size_v<FieldRef>);
     return names[default_ref(field).index()];
 }

@@ -71,7 +71,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::histogram:
             return draw_histogram_view(session, derived, pictures.depth.depth_counts, rect);
         case Topic::precision:
-            return draw_precision_view(session, derived, rect, pictures.depth.pixel ? -pictures.depth.pixel->eye_z : 0.0);
+            return draw_precision_view(session, derived, rect,
+                                       pictures.depth.pixel ? -pictures.depth.pixel->eye_z : 0.0);
         case Topic::codes:
             return draw_codes_view(session, derived, rect);
         case Topic::pixel:

@@ -35,7 +35,7 @@ struct ViewState {
     ViewName hovered = ViewName::none;
     LaboratoryState laboratory;
     StepPlayer call_player;  ///< of the draw calls
-    glm::ivec2 cells{0};      ///< columns and rows that the cell view had room for
+    glm::ivec2 cells{0};     ///< columns and rows that the cell view had room for
 };
 
 /// Whether something goes on by itself, step by step.

@@ -142,7 +142,8 @@ TEST(Fields, EnumsHaveTheContractsNames) {
     EXPECT_EQ(names("visibility.splitter"), (Names{"first", "random", "fewest_splits", "balanced"}));
     EXPECT_EQ(names("visibility.walk"), (Names{"back_to_front", "front_to_back"}));
     EXPECT_EQ(names("visibility.compare_with"), names("visibility.method"));
-    EXPECT_EQ(names("view.shows"), (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}));
+    EXPECT_EQ(names("view.shows"),
+              (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}));
     EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
     EXPECT_EQ(names("view.depth_colors"), (Names{"grey", "bands"}));
     EXPECT_EQ(names("view.beside.shows"), (Names{"nothing", "depth", "other_depth"}));
