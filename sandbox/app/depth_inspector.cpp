@@ -65,7 +65,6 @@ Result<PixelReport> DepthInspector::at(Renderer& renderer, const FramePlan& fram
 Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
                               const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes) {
     if (fresh_.told == wishes) return std::monostate{};
-    const DepthCounts counted = fresh_.counts ? std::move(data_.depth_counts) : DepthCounts{};
     data_ = {};
     if (wishes.calls) data_.calls = draw_calls(frame, scene);
     if (wishes.pixel || wishes.counts)
@@ -81,8 +80,8 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
         if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
     }
     if (wishes.counts) {
-        data_.depth_counts = fresh_.counts ? counted : now_.count_depths();
-        fresh_.counts = true;
+        if (!fresh_.counts) fresh_.counts = now_.count_depths();
+        data_.depth_counts = *fresh_.counts;
     }
     fresh_.told = wishes;
     return std::monostate{};

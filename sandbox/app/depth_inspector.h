@@ -40,7 +40,8 @@ private:
 
     /// What the buffers hold already.
     struct Fresh {
-        bool now = false, before = false, counts = false;
+        bool now = false, before = false;
+        std::optional<DepthCounts> counts;
         std::optional<DepthWishes> told;  ///< that the data answer
     };
     Fresh fresh_;

@@ -150,16 +150,12 @@ Status Studio::draw_views(const Layout& layout, bool is_interactive) {
     return draw_lower_view(Slot::right, layout);
 }
 
-FramePlan Studio::inspected_plan() const {
-    return plan(probed(params_), derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
-}
-
 std::vector<std::string> Studio::pixel_parts() {
     const std::optional<glm::ivec2> pixel = workbench.views.hovered_pixel;
     const glm::ivec2 size = camera_.size_px();
     if (!pixel || session.is_moving() || ImGui::IsAnyItemActive()) return {};
     if (pixel->x < 0 || pixel->y < 0 || pixel->x >= size.x || pixel->y >= size.y) return {};
-    const auto report = inspector_.at(renderer_, inspected_plan(), session.scene(), derived_, size, *pixel);
+    const auto report = inspector_.at(renderer_, inspected_, session.scene(), derived_, size, *pixel);
     return report ? describe(*report) : std::vector<std::string>{};
 }
 
@@ -176,8 +172,8 @@ Status Studio::inspect() {
     wishes.calls = tells_cells;
     if (tells_cells && wishes.pixel) wishes.cells = workbench.views.cells;
     wishes.counts = is_shown(params_, Topic::histogram);
-    return inspector_.update(renderer_, inspected_plan(), session.scene(), session.scene_version(), derived_,
-                             camera_px_, wishes);
+    return inspector_.update(renderer_, inspected_, session.scene(), session.scene_version(), derived_, camera_px_,
+                             wishes);
 }
 
 Status Studio::update_hidden(glm::ivec2 camera_px, bool is_interactive) {
@@ -239,7 +235,9 @@ Requests Studio::frame(const Surroundings& surroundings) {
     const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
     if (wanted != drawn_ || catch_up) {
         before_ = derive(animated(session.before_latest_edit(), animation_s_), session.scene(), viewport);
-        plan_ = plan(params_, derived_, hidden_ ? hidden_->pictures : HiddenPictures{});
+        const HiddenPictures found = hidden_ ? hidden_->pictures : HiddenPictures{};
+        plan_ = plan(params_, derived_, found);
+        inspected_ = plan(probed(params_), derived_, found);
         report(draw_views(layout, surroundings.shows_time));
         drawn_ = wanted;
         inspector_.forget();

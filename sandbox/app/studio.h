@@ -53,8 +53,6 @@ private:
     /// What GL's own methods show of their steps.
     HiddenPictures pictures_by_gl() const;
     std::vector<std::string> pixel_parts();
-    /// The camera's frame with its colours, to be read.
-    FramePlan inspected_plan() const;
     Status inspect();
     /// Asks the worker for what the camera view needs; what is not there in a moment is taken when it comes.
     Status update_hidden(glm::ivec2 camera_px, bool is_interactive);
@@ -86,6 +84,7 @@ private:
     Params params_;  ///< the session's, as they are at the time: of all pictures
     Derived derived_, before_;
     FramePlan plan_;
+    FramePlan inspected_;  ///< the same with its colours, to be read
 
     Theme theme_ = Theme::dark;
     float looks_scale_ = 0.0F;

@@ -15,21 +15,17 @@ Json onset_as_json(const FightingOnset& onset, double slant) {
             {"predicted_onset_gap", onset.is_reachable ? Json(onset.gap() * slant) : Json()}};
 }
 
-Json pair_as_json(const CountedPair& counted, const Params& params, const Derived& derived, const Scene& scene) {
-    const FlatPair& pair = counted.pair;
-    const PairPrediction predicted = predict_pair(pair, params, derived);
-    const auto name_of_object = [&scene](int object) {
-        return scene.objects[static_cast<std::size_t>(object)].description.name;
-    };
-    Json row{{"objects", {name_of_object(pair.first), name_of_object(pair.second)}},
-             {"distance", predicted.distance},
-             {"gap", pair.gap()},
-             {"step", predicted.step},
-             {"wrong", counted.wrong},
-             {"pixels", counted.pixels},
-             {"predicted_wrong_fraction", predicted.wrong_share ? Json(*predicted.wrong_share) : Json()}};
-    row.update(onset_as_json(predicted.onset, predicted.slant));
-    return row;
+Json pair_as_json(const CountedPair& counted, const FightingReport::Row& row) {
+    const PairPrediction& predicted = row.predicted;
+    Json json{{"objects", {row.first, row.second}},
+              {"distance", predicted.distance},
+              {"gap", counted.pair.gap()},
+              {"step", predicted.step},
+              {"wrong", counted.wrong},
+              {"pixels", counted.pixels},
+              {"predicted_wrong_fraction", predicted.wrong_share ? Json(*predicted.wrong_share) : Json()}};
+    json.update(onset_as_json(predicted.onset, predicted.slant));
+    return json;
 }
 
 Json search_as_json(const MinimumGap& found) {
@@ -46,11 +42,13 @@ Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene&
     const Params& params = state.params;
     Renderer& renderer = headless.renderer();
     const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
-    const FightingCounts counts =
-        headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px));
+    const FightingReport report =
+        fighting_report(headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
+                        params, derived, scene, size_px);
+    const FightingCounts& counts = report.counts;
     const MinimumGap found = headless.drawn(find_minimum_gap(renderer, params, derived.facts.target_distance));
     Json pairs = Json::array();
-    for (const CountedPair& counted : counts.pairs) pairs.push_back(pair_as_json(counted, params, derived, scene));
+    for (std::size_t i = 0; i < report.rows.size(); ++i) pairs.push_back(pair_as_json(counts.pairs[i], report.rows[i]));
     return {{"scene", scene_name(params)},
             {"size", as_json(size_px)},
             {"pairs", std::move(pairs)},

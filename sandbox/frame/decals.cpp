@@ -8,22 +8,25 @@ namespace viewing {
 namespace {
 
 constexpr int first_mark = 3;  ///< 1 is the patch, 2 is where a shadow falls on it
-constexpr int last_mark = 254;
+constexpr int mark_count = 252;
 
 }  // namespace
 
+bool has_decals(const Scene& scene) {
+    return std::ranges::any_of(scene.objects, [](const SceneObject& object) { return object.description.decal; });
+}
+
 std::vector<int> decal_marks(const Scene& scene) {
     std::vector<int> marks(scene.objects.size(), 0);
+    if (!has_decals(scene)) return marks;
     const auto is_decal = [&](int object) { return scene.objects[static_cast<std::size_t>(object)].description.decal; };
-    if (std::ranges::none_of(scene.objects, [](const SceneObject& object) { return object.description.decal; }))
-        return marks;
-    int next = first_mark;
+    int bases = 0;
     for (const FlatPair& pair : near_coplanar_pairs(scene)) {
         if (is_decal(pair.first) == is_decal(pair.second)) continue;
         int& decal = marks[static_cast<std::size_t>(is_decal(pair.first) ? pair.first : pair.second)];
         int& base = marks[static_cast<std::size_t>(is_decal(pair.first) ? pair.second : pair.first)];
         if (decal != 0) continue;
-        if (base == 0) base = next == last_mark ? first_mark : next++;
+        if (base == 0) base = first_mark + bases++ % mark_count;
         decal = base;
     }
     return marks;

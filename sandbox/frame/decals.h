@@ -7,6 +7,8 @@
 
 namespace viewing {
 
+bool has_decals(const Scene& scene);
+
 /// Of each object the stencil value that belongs to it: one of its own for what has a decal on it, the same one for the
 /// decal, 0 for anything else. A decal lies on the first object that is flat, no decal, and nearly coplanar with it
 /// (frame/fighting.h); one that lies on nothing has 0. Above 252 the values repeat.

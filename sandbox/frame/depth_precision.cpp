@@ -118,10 +118,6 @@ std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPr
            " lie in the farther half of the way, beyond z = " + figures(middle, 3) + ".";
 }
 
-std::string grouped(double whole) {
-    return grouped_number(std::llround(whole));
-}
-
 std::string figures(double value, int digits) {
     if (!std::isfinite(value)) return "∞";
     if (!(value > 0.0)) return "0";

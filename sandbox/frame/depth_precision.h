@@ -49,7 +49,4 @@ std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPr
 /// A positive number with so many significant digits, as in a sentence: "0.25", "3500", "1.2·10⁻⁷".
 std::string figures(double value, int digits = 2);
 
-/// A whole number that was counted as one: "262,144".
-std::string grouped(double whole);
-
 }  // namespace viewing

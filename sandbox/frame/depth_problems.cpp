@@ -1,6 +1,5 @@
 // The switches of the depth buffer, each with the sentence that says what it does to the picture. Part of problems.h.
-#include <algorithm>
-
+#include "frame/decals.h"
 #include "frame/problems.h"
 
 namespace viewing {
@@ -62,8 +61,7 @@ void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) 
             ? "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds a float's "
               "fine steps near 0 away, and little is won"
             : "reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's fine steps "
-              "near "
-              "0 away, and little is won");
+              "near 0 away, and little is won");
     say(!depth.reversed_clear && wants_nearer(depth),
         "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
         "drawn");
@@ -74,14 +72,12 @@ void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) 
 
 void say_decals(Sayer& say, const Params& params, const Derived& derived, const Scene& scene) {
     const DecalMethod method = params.depth.decals;
-    if (method == DecalMethod::offset) return;
-    const auto is_decal = [](const SceneObject& object) { return object.description.decal; };
-    if (std::ranges::none_of(scene.objects, is_decal)) return;
+    if (method == DecalMethod::offset || !has_decals(scene)) return;
     say(method == DecalMethod::equal,
         "GL_EQUAL: a decal passes only where its triangles round to the very depth of what they lie on; with triangles "
         "of its own it stipples");
     for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
-        if (is_decal(scene.objects[i]) && derived.object_marks[i] == 0)
+        if (scene.objects[i].description.decal && derived.object_marks[i] == 0)
             return say(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
 }
 
@@ -92,8 +88,7 @@ void say_omissions(Sayer& say, const Params& params) {
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
     say(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
         "16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, so there "
-        "is "
-        "no multisampling");
+        "is no multisampling");
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "ui/depth_panel.h"
 
-#include <algorithm>
-
+#include "frame/decals.h"
 #include "ui/controls.h"
 #include "ui/look.h"
 
@@ -57,8 +56,7 @@ void draw_depth_section(Session& session) {
     control(params, "depth.mapping", {.width = 130.0F});
     mapping_switches(params);
     control(params, "depth.write_while_clearing", {.label = "Mask on while clearing"});
-    const auto is_decal = [](const SceneObject& object) { return object.description.decal; };
-    if (std::ranges::any_of(session.scene().objects, is_decal)) decal_controls(params);
+    if (has_decals(session.scene())) decal_controls(params);
     if (session.scene().made_from) coplanar_controls(params);
     static constexpr const char* scales[] = {"Window", "Linear"};
     static constexpr const char* colors[] = {"Grey", "Bands"};
