@@ -24,13 +24,6 @@ ViewFonts fonts_of(bool is_large) {
     return is_large ? ViewFonts{fonts.text, fonts.number} : ViewFonts{fonts.note, fonts.small_number};
 }
 
-float width_of(const char* text, ImFont* font) {
-    ImGui::PushFont(font);
-    const float width = ImGui::CalcTextSize(text).x;
-    ImGui::PopFont();
-    return width;
-}
-
 /// On the headline, in the middle of its height.
 void headline_text(const std::string& text, ImFont* font, ImU32 color) {
     ImGui::PushFont(font);
@@ -90,7 +83,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     const bool has_hex = ImGui::GetCursorScreenPos().x + width_of(hex, fonts.small_number) + state_width < right;
     if (has_hex) headline_text(hex, fonts.small_number, palette().quiet);
     const std::string surface = surface_text(pixel);
-    const float wanted = width_of(surface.c_str(), fonts.text);
+    const float wanted = width_of(surface, fonts.text);
     ImGui::SameLine(0.0F, px(10.0F));
     const float here = ImGui::GetCursorScreenPos().x;
     const bool on_this_line = has_hex && here + wanted + px(8.0F) + state_width <= right;
@@ -121,7 +114,7 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
     draw->AddText({at.x + name_width, at.y + down}, palette().text, number.value.c_str());
     const float end = name_width + ImGui::CalcTextSize(number.value.c_str()).x + px(6.0F);
     ImGui::PopFont();
-    if (number.unit.empty() || end + width_of(number.unit.c_str(), fonts.text) > width) return;
+    if (number.unit.empty() || end + width_of(number.unit, fonts.text) > width) return;
     ImGui::PushFont(fonts.text);
     draw->AddText({at.x + end, at.y + down}, palette().quiet, number.unit.c_str());
     ImGui::PopFont();

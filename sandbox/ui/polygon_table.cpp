@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/laboratory_parts.h"
 #include "ui/look.h"
 
 namespace viewing {
@@ -19,12 +20,6 @@ void swatch(const OrderRow& row) {
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side}, color, px(2.0F));
     ImGui::Dummy({side, side});
     ImGui::SameLine(0.0F, px(5.0F));
-}
-
-void text_at_right(const std::string& text) {
-    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
-    ImGui::TextUnformatted(text.c_str());
 }
 
 }  // namespace
