@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "frame/decals.h"
 #include "frame/problems.h"
@@ -82,26 +83,58 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
         lens, params.depth.mapping, precision_of(params.depth.format), derived.facts.target_distance);
 }
 
-void derive_plane(Derived& derived, const Params& params) {
-    const glm::dvec4& light = params.light.position;
-    derived.unit_plane = unit_plane(params.plane.equation);
-    derived.patch = plane_patch(params.plane.equation, params.plane.extent);
-    derived.eye_side = glm::dot(derived.unit_plane, derived.eye_world);
+CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, ShadowSign sign) {
+    CastShadow cast;
+    cast.light_world = light;
+    cast.plane_dot_light = glm::dot(unit_plane, light);
+    // Touching counts as lying in the plane when P·L is this small against the light's own size.
+    cast.light_in_plane = std::abs(cast.plane_dot_light) <= 1e-9 * std::max(1.0, glm::length(light));
+    cast.shadow_from_world = shadow_matrix(unit_plane, light);
+    cast.sign = sign == ShadowSign::plane_dot_light ? shadow_sign(unit_plane, light) : 1.0;
+    return cast;
+}
 
-    derived.shadow_from_world = params.overrides.shadow_from_world.value_or(shadow_matrix(derived.unit_plane, light));
-    derived.mirror_from_world = params.overrides.mirror_from_world.value_or(mirror_matrix(derived.unit_plane));
-    derived.shadow_sign = shadow_sign(derived.unit_plane, light);
+DerivedPlane derive_one_plane(const PlaneParams& plane, const Derived& derived, const Params& params) {
+    DerivedPlane made;
+    made.unit_plane = unit_plane(plane.equation);
+    made.patch = plane_patch(plane.equation, plane.extent);
+    made.receives_shadow = plane.receives_shadow;
+    made.mirrors = plane.mirrors;
+    made.gloss = plane.gloss;
+    made.mirror_from_world = mirror_matrix(made.unit_plane);
+    // The lecture's array is filled by rows; GL reads columns.
+    if (params.reflection.printed_by_rows) made.mirror_from_world = glm::transpose(made.mirror_from_world);
+    for (const glm::dvec4& light : derived.lights_world)
+        made.shadows.push_back(cast_shadow(made.unit_plane, light, params.shadow.sign));
+    return made;
+}
+
+void derive_planes(Derived& derived, const Params& params) {
+    derived.lights_world = {params.light.position};
+    for (const LightParams& light : params.lights) derived.lights_world.push_back(light.position);
+    derived.planes = {derive_one_plane(params.plane, derived, params)};
+    for (const PlaneParams& plane : params.planes) derived.planes.push_back(derive_one_plane(plane, derived, params));
+
+    DerivedPlane& first = derived.planes.front();
+    CastShadow& cast = first.shadows.front();
+    if (params.overrides.shadow_from_world) cast.shadow_from_world = *params.overrides.shadow_from_world;
+    if (params.overrides.mirror_from_world) first.mirror_from_world = *params.overrides.mirror_from_world;
+    derived.unit_plane = first.unit_plane;
+    derived.patch = first.patch;
+    derived.eye_side = glm::dot(derived.unit_plane, derived.eye_world);
+    derived.light_in_plane = cast.light_in_plane;
+    derived.shadow_from_world = cast.shadow_from_world;
+    derived.shadow_sign = cast.sign;
+    derived.mirror_from_world = first.mirror_from_world;
 
     Facts& facts = derived.facts;
-    facts.plane_dot_light = glm::dot(derived.unit_plane, light);
+    facts.plane_dot_light = cast.plane_dot_light;
     facts.det_shadow = glm::determinant(derived.shadow_from_world);
     facts.det_mirror = glm::determinant(derived.mirror_from_world);
     facts.rank_shadow = rank_of(derived.shadow_from_world);
     facts.shadow_residual = largest_entry(derived.shadow_from_world * derived.shadow_from_world -
                                           facts.plane_dot_light * derived.shadow_from_world);
     facts.mirror_residual = largest_entry(derived.mirror_from_world * derived.mirror_from_world - glm::dmat4(1.0));
-    // Touching counts as lying in the plane when P·L is this small against the light's own size.
-    derived.light_in_plane = std::abs(facts.plane_dot_light) <= 1e-9 * std::max(1.0, glm::length(light));
 }
 
 std::optional<FollowedPoint> derive_followed(const Derived& derived, const Params& params, const Scene& scene) {
@@ -143,7 +176,7 @@ DepthPrecision precision_of(DepthFormat format) {
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport) {
     Derived derived;
     derive_camera(derived, params, viewport);
-    derive_plane(derived, params);
+    derive_planes(derived, params);
     derived.followed = derive_followed(derived, params, scene);
     if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);
     if (params.view.shows == Shows::fighting) derived.heat = heat_map(params, derived, scene);
@@ -152,7 +185,7 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
 }
 
 bool light_reaches(const Derived& derived, double eye_side) {
-    return !derived.light_in_plane && derived.facts.plane_dot_light * eye_side > 0.0;
+    return derived.planes.front().shadows.front().reaches(eye_side);
 }
 
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport) {
@@ -167,6 +200,30 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     const double widening = std::max(1.0, usual_aspect / viewport.aspect());
     const double fovy_deg = glm::degrees(2.0 * std::atan(std::tan(glm::radians(20.0)) * widening));
     const Lens lens{false, fovy_deg, 6.0, observer.distance * 0.01, observer.distance * 100.0};
+    view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
+    return view;
+}
+
+ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport) {
+    const glm::dvec4& light = params.light.position;
+    const PlanePatch& patch = derived.patch;
+    const double radius = patch.extent * std::numbers::sqrt2;
+    const bool parallel = light.w < 1e-6;
+    const glm::dvec3 away = parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius)
+                                     : glm::dvec3(light) / light.w - patch.center;
+    const double distance = std::max(glm::length(away), 1e-6);
+    const glm::dvec3 back = away / distance;
+
+    // Looking from straight above or below there is no y axis to hold upright.
+    const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
+    ObserverView view;
+    view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {patch.center + away, 1.0}};
+    view.view_from_world = view_from_world(view.world_from_view);
+    view.eye_world = view.world_from_view[parallel ? 2 : 3];
+    const double widening = std::max(1.0, 1.0 / viewport.aspect());
+    const double fovy_deg = glm::degrees(2.0 * std::atan(std::min(radius * widening / distance, 4.0)));
+    const Lens lens{parallel, fovy_deg, 2.0 * radius * widening, distance * 0.02, distance + 40.0 * radius};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
     return view;
 }

@@ -50,6 +50,27 @@ struct Problem {
     std::string_view group;
 };
 
+/// The shadow that one light throws on one plane.
+struct CastShadow {
+    glm::dvec4 light_world{0.0, 1.0, 0.0, 0.0};
+    double plane_dot_light = 0.0;  ///< P·L of the unit plane
+    bool light_in_plane = false;   ///< P·L counts as zero: no shadow is defined
+    glm::dmat4 shadow_from_world{1.0};
+    double sign = 1.0;  ///< uploaded: sign · S
+
+    /// Whether the light shines on the side of the plane that an eye with P·eye = `eye_side` sees.
+    bool reaches(double eye_side) const { return !light_in_plane && plane_dot_light * eye_side > 0.0; }
+};
+
+/// One of the planes, the first one included, with the shadow of each light on it.
+struct DerivedPlane {
+    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< sign kept
+    PlanePatch patch{};
+    bool receives_shadow = true, mirrors = true, gloss = false;
+    glm::dmat4 mirror_from_world{1.0};  ///< R
+    std::vector<CastShadow> shadows;    ///< of each light, in order
+};
+
 struct Derived {
     double aspect = 1.0;
     glm::dmat4 world_from_view{1.0};           ///< C
@@ -68,6 +89,9 @@ struct Derived {
     double shadow_sign = 1.0;           ///< uploaded: shadow_sign · S
     glm::dmat4 mirror_from_world{1.0};  ///< R
 
+    std::vector<DerivedPlane> planes;      ///< all of them: the first one is the above
+    std::vector<glm::dvec4> lights_world;  ///< all of them, `light` first
+
     std::optional<FollowedPoint> followed;
     std::vector<int> object_marks;  ///< of decals by stencil: decal_marks(); empty otherwise
     std::optional<HeatMap> heat;    ///< where the picture shows depth fighting
@@ -77,7 +101,7 @@ struct Derived {
 
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport);
 
-/// Whether the light shines on the side of the plane that an eye with P·eye = `eye_side` sees.
+/// Whether the first light shines on the side of the first plane that an eye with P·eye = `eye_side` sees.
 bool light_reaches(const Derived& derived, double eye_side);
 
 /// The observer's camera, and what it sees, for a viewport of its own.
@@ -88,6 +112,10 @@ struct ObserverView {
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
+
+/// What the light sees of the first plane's patch: every shadow on it is hidden behind its caster. A parallel light
+/// looks along parallel lines; a light in the plane sees the patch edge-on.
+ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport);
 
 /// The lecture's other reading of the same picture: the camera stays at the origin and the world is moved by V.
 ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport);

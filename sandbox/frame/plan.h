@@ -14,7 +14,8 @@ namespace viewing {
 /// What a pass draws.
 enum class Subject {
     objects,     ///< the scene's meshes
-    patch,       ///< the plane's square
+    patch,       ///< the square of a plane: Pass::plane
+    backdrop,    ///< everything at once, at the far end of depth: a fresh picture where the stencil allows it
     ordered,     ///< polygons in the order that a method found: FramePlan::hidden
     pixels,      ///< surface points that a method found for each pixel
     difference,  ///< where two methods disagree
@@ -22,23 +23,29 @@ enum class Subject {
 
 /// How its fragments get their colour.
 enum class Shading {
-    lit,     ///< ambient, diffuse and a modest highlight
-    unlit,   ///< ambient only
-    flat,    ///< one colour
-    facing,  ///< front and back faces in two colours
-    heat     ///< gaps of flat pairs, divided by the smallest that depth tells for sure
+    lit,      ///< ambient, diffuse and a modest highlight
+    unlit,    ///< ambient only
+    flat,     ///< one colour
+    facing,   ///< front and back faces in two colours
+    heat,     ///< gaps of flat pairs, divided by the smallest that depth tells for sure
+    caster_w  ///< what S makes of w: casts a shadow, lies behind the plane, or beyond the light
 };
 
 /// Which of the scene's objects a pass draws.
 enum class Chosen { all, bases, decals };
 
-enum class StencilOp { keep, replace, increment };
+enum class StencilOp { keep, replace, increment, decrement, invert, zero };
+
+/// The stencil's low four bits tell which patch, or how deep in mirrors; the high ones which light is missing.
+inline constexpr int stencil_region_bits = 0x0F, stencil_light_bits = 0xF0;
 
 struct StencilState {
     bool test = false;
     CompareFunc func = CompareFunc::always;
     int reference = 0;
     StencilOp on_pass = StencilOp::keep;  ///< where stencil and depth test pass; elsewhere the value is kept
+    int read_bits = 0xFF;                 ///< that are compared: the second mask of glStencilFunc
+    int write_bits = 0xFF;                ///< that on_pass may change: glStencilMask
     bool operator==(const StencilState&) const = default;
 };
 
@@ -58,13 +65,14 @@ struct Pass {
     std::string name;
     std::string reason;  ///< one sentence: why it is there
     Subject subject = Subject::objects;
+    std::size_t plane = 0;        ///< of Derived::planes: the patch, or the receiver of a shadow
     Chosen chosen = Chosen::all;  ///< of the objects: all, those that are no decals, or those that are
     bool marks_objects = false;   ///< the stencil's reference is each object's own: FramePlan::object_marks
     Shading shading = Shading::lit;
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
-    bool is_mirror_image = false;
+    bool is_mirror_image = false;        ///< or belongs to one
     std::vector<ClipPlane> clip_planes;  ///< at most two
     DepthState depth;
     StencilState stencil;
@@ -72,7 +80,10 @@ struct Pass {
     Blend blend = Blend::none;
     bool color_write = true;
     std::optional<DepthOffset> offset;  ///< glPolygonOffset
-    glm::dvec4 light_world{0.0, 1.0, 0.0, 0.0};
+    bool forces_sign = false;           ///< vertices that world_from_scene gives a negative w are turned around
+    bool has_gloss = false;             ///< of a patch
+    std::vector<glm::dvec4> lights_world{{0.0, 1.0, 0.0, 0.0}};  ///< that shine on it: at most four
+    double light_strength = 1.0;                                 ///< of each
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< w = 0: parallel lines of sight, from this direction
     glm::dvec3 sky_world{0.0, 1.0, 0.0};       ///< where ambient light is strongest
     glm::dvec4 color{0.0, 0.0, 0.0, 1.0};      ///< flat: the colour; patch: its alpha is in w
@@ -82,6 +93,7 @@ struct Pass {
 struct DrawLimit {
     int call = -1;       ///< the last one that is drawn, from 0 on; −1: all
     int triangles = -1;  ///< of that call; −1: all
+    int pass = -1;       ///< the last pass that is drawn, from 0 on; −1: all
     bool operator==(const DrawLimit&) const = default;
 };
 
@@ -102,12 +114,14 @@ struct FramePlan {
     DepthColors depth_colors = DepthColors::grey;
     glm::dvec2 shown_range{0.5, 40.0};  ///< eye distances that are shown as black and white, on either scale
     int samples = 0;
-    PlanePatch patch{};
+    std::vector<PlanePatch> patches;  ///< of each plane
     HiddenPictures hidden;
     DepthOffset decal_offset;       ///< for objects marked as decals
     std::vector<int> object_marks;  ///< of each object, the stencil value of what it is or lies on; empty: none
     DrawLimit limit;
-    std::optional<HeatMap> heat;  ///< for Shading::heat
+    std::optional<HeatMap> heat;                 ///< for Shading::heat
+    glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< · p is the w of its projected point: for Shading::caster_w
+    glm::dvec4 caster_side{0.0, 0.0, 0.0, 1.0};  ///< · p is positive on the light's side of the plane
     std::vector<Pass> passes;
 
     /// Or its depths stay those of the frame before.
@@ -116,6 +130,18 @@ struct FramePlan {
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 };
+
+/// How many mirrors a line of sight may meet one after another where so many planes are there: fewer than asked for
+/// where the stencil cannot count them, or where they would be more than 64 images.
+int reflection_depth(const Params& params, const Derived& derived);
+
+/// Planes with their mirror images and shadows, and the objects: part of plan() and plan_observer().
+struct Eye {
+    glm::dmat4 clip_from_view{1.0};
+    glm::dmat4 view_from_world{1.0};
+    glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};
+};
+void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Derived& derived, const Eye& eye);
 
 /// The camera view's frame. `hidden` is what the method that is asked for has found; while there is nothing yet, the
 /// objects are missing. Shadow and mirror wait while a method is gone through step by step.

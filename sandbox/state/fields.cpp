@@ -18,18 +18,20 @@ template <> std::span<const char* const> names_of<CullFace>() { static constexpr
 template <> std::span<const char* const> names_of<FrontFace>() { static constexpr const char* names[] = {"ccw", "cw"}; return names; }
 template <> std::span<const char* const> names_of<ShadowOffset>() { static constexpr const char* names[] = {"none", "polygon_offset", "lift", "no_depth_test"}; return names; }
 template <> std::span<const char* const> names_of<ShadowStyle>() { static constexpr const char* names[] = {"blend", "missing_light"}; return names; }
+template <> std::span<const char* const> names_of<ShadowSign>() { static constexpr const char* names[] = {"plane_dot_light", "none", "forced"}; return names; }
 template <> std::span<const char* const> names_of<MirrorClip>() { static constexpr const char* names[] = {"none", "clip_distance", "oblique"}; return names; }
+template <> std::span<const char* const> names_of<MirroredThing>() { static constexpr const char* names[] = {"scene", "camera"}; return names; }
 template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}; return names; }
 template <> std::span<const char* const> names_of<SortKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
 template <> std::span<const char* const> names_of<Splitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
 template <> std::span<const char* const> names_of<BspWalkOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }
-template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}; return names; }
+template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting", "shadow_w"}; return names; }
 template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
 template <> std::span<const char* const> names_of<DecalMethod>() { static constexpr const char* names[] = {"offset", "equal", "stencil"}; return names; }
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
-template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
 // clang-format on
@@ -383,6 +385,16 @@ const Field all_fields[] = {
      .logarithmic = true,
      .help = "Half the side of the square patch that is drawn for the plane. The plane itself has no end: that is why "
              "shadows and reflections need the stencil at the patch's edge."},
+    {.path = "plane.receives_shadow",
+     .in = IN(plane.receives_shadow),
+     .label = "receives shadows",
+     .help = "Shadows fall on this plane."},
+    {.path = "plane.mirrors", .in = IN(plane.mirrors), .label = "mirrors", .help = "This plane mirrors the scene."},
+    {.path = "plane.gloss",
+     .in = IN(plane.gloss),
+     .label = "gloss",
+     .help = "Gives the patch a highlight, which a shadow has to take away: blending only darkens it, missing light "
+             "leaves it out."},
     {.path = "planes",
      .in = IN(planes),
      .label = "further planes",
@@ -467,6 +479,32 @@ const Field all_fields[] = {
      .help =
          "blend paints the shadow's colour over the plane; missing_light leaves out what this light would have added, "
          "so that highlights vanish in the shadow and textures stay."},
+    {.path = "shadow.clip_at_light",
+     .in = IN(shadow.clip_at_light),
+     .label = "clip at the light",
+     .help = "Lets only what lies nearer to the plane than the light cast a shadow: cut where w is positive, triangle "
+             "by triangle. Off, what crosses the plane through the light that is parallel to the receiver stretches to "
+             "infinity.",
+     .gl_call = "gl_ClipDistance"},
+    {.path = "shadow.sign",
+     .in = IN(shadow.sign),
+     .label = "sign of S",
+     .help = "What S is multiplied by before it is uploaded. plane_dot_light is the sign of P·L, so that w is positive "
+             "between light and plane; none uploads S as it is, and every shadow vanishes when the normal points away "
+             "from the light; forced turns each vertex with a negative w around, and casters beyond the light throw an "
+             "anti-shadow.",
+     .formula = "sign(P·L) S"},
+    {.path = "shadow.write_depth",
+     .in = IN(shadow.write_depth),
+     .label = "write depth",
+     .help = "Lets the shadow write its depth, offset included: the depths of the plane are no longer its own.",
+     .gl_call = "glDepthMask"},
+    {.path = "shadow.own_stencil",
+     .in = IN(shadow.own_stencil),
+     .label = "own stencil",
+     .help = "Gives each plane a stencil value and each light a bit of its own. Off, they share one: where one shadow "
+             "was counted the next is missing, and a shadow leaks from plane to plane.",
+     .gl_call = "glStencilMask"},
 
     // reflection
     {.path = "reflection.enabled",
@@ -517,6 +555,44 @@ const Field all_fields[] = {
      .help = "How many mirrors a line of sight may meet one after the other. One plane needs 1; mirrors that face each "
              "other "
              "show more with each bounce."},
+    {.path = "reflection.mirrored",
+     .in = IN(reflection.mirrored),
+     .label = "what is mirrored",
+     .help = "Mirror the scene by R and look with the same camera, or mirror the camera and flip the picture left and "
+             "right: the same picture.",
+     .formula = "P V R = F P (F V R)"},
+    {.path = "reflection.same_projection",
+     .in = IN(reflection.same_projection),
+     .label = "same projection",
+     .help = "The mirrored camera sees with the camera's own projection. Off, it sees with the aspect of a square "
+             "picture, and the image does not fit its mirror."},
+    {.path = "reflection.printed_by_rows",
+     .in = IN(reflection.printed_by_rows),
+     .label = "as printed",
+     .help = "Fills R by rows, as the lecture's code is printed. OpenGL reads columns, so it gets the transpose: right "
+             "only where d = 0.",
+     .formula = mirror_formula,
+     .gl_call = "glUniformMatrix4fv"},
+    {.path = "reflection.mask_writes_depth",
+     .in = IN(reflection.mask_writes_depth),
+     .label = "mask writes depth",
+     .help = "Lets the mask leave the mirror's own depth behind: the image lies beyond it and is hidden.",
+     .gl_call = "glDepthMask"},
+    {.path = "reflection.after_objects",
+     .in = IN(reflection.after_objects),
+     .label = "mirror last",
+     .help =
+         "Draws the objects first and the mirror over them without a depth test: it covers what stands in front of it.",
+     .gl_call = "glDisable(GL_DEPTH_TEST)"},
+    {.path = "reflection.side_of_eye",
+     .in = IN(reflection.side_of_eye),
+     .label = "side of the eye",
+     .help = "Mirrors what lies on the eye's side of the plane. Off, it is the normal's side, and a mirror seen from "
+             "behind shows what lies behind it."},
+    {.path = "reflection.shadows",
+     .in = IN(reflection.shadows),
+     .label = "shadows inside",
+     .help = "Draws the shadows on the other planes inside the mirror too."},
 
     // overrides, follow
     {.path = "overrides.shadow_from_world",
@@ -676,6 +752,14 @@ const Field all_fields[] = {
      .max = 1e9,
      .step = 1,
      .help = "Draws only so many triangles of that draw call; −1 draws all of them."},
+    {.path = "view.pass",
+     .in = IN(view.pass),
+     .label = "pass",
+     .min = -1,
+     .max = 1e6,
+     .step = 1,
+     .help = "Stops the frame after this pass, from 0 on, to see what each one leaves in colour, depth and stencil; −1 "
+             "draws all of them."},
     {.path = "view.lower_left",
      .in = IN(view.lower_left),
      .label = "lower left",
@@ -720,6 +804,18 @@ const Field all_fields[] = {
      .step = 0.1,
      .logarithmic = true,
      .help = "How far the observer is from its target."},
+    {.path = "observer.light_rays",
+     .in = IN(observer.light_rays),
+     .label = "light rays",
+     .help = "Rays from the light through the vertices of each object's outline to their shadow."},
+    {.path = "observer.mirrored_eye",
+     .in = IN(observer.mirrored_eye),
+     .label = "mirrored eye",
+     .help = "The eye on the other side of the mirror, and the frustum through which it would see the same image."},
+    {.path = "observer.image_space",
+     .in = IN(observer.image_space),
+     .label = "image space",
+     .help = "The scene once more behind the mirror, where its image seems to be."},
 
     // slips
     {.path = "slips.walk_slows",
@@ -758,6 +854,18 @@ const Field all_fields[] = {
      .label = "jiggle",
      .help = "Lets the camera tremble by a thousandth of the target's distance: surfaces stay where they are, but the "
              "stripes of depth fighting crawl."},
+    {.path = "animation.light_orbit",
+     .in = IN(animation.light_orbit),
+     .label = "light orbits",
+     .help = "Lets the light turn about the y axis of the world."},
+    {.path = "animation.light_speed",
+     .in = IN(animation.light_speed),
+     .label = "speed",
+     .unit = "°/s",
+     .min = -360,
+     .max = 360,
+     .step = 1,
+     .help = "How fast the light turns; negative the other way round."},
 
     // ui
     {.path = "ui.theme",

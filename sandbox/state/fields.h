@@ -25,7 +25,7 @@ struct EnumRef {
 
 /// Where a field lives inside a Params.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
-                              std::vector<LightParams>*, std::vector<FurtherPlane>*, std::optional<glm::dmat4>*,
+                              std::vector<LightParams>*, std::vector<PlaneParams>*, std::optional<glm::dmat4>*,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*>;
 
 struct Field {
@@ -86,7 +86,9 @@ template <> std::span<const char* const> names_of<CullFace>();
 template <> std::span<const char* const> names_of<FrontFace>();
 template <> std::span<const char* const> names_of<ShadowOffset>();
 template <> std::span<const char* const> names_of<ShadowStyle>();
+template <> std::span<const char* const> names_of<ShadowSign>();
 template <> std::span<const char* const> names_of<MirrorClip>();
+template <> std::span<const char* const> names_of<MirroredThing>();
 template <> std::span<const char* const> names_of<VisibilityMethod>();
 template <> std::span<const char* const> names_of<SortKey>();
 template <> std::span<const char* const> names_of<Splitter>();

@@ -12,6 +12,7 @@
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 #include "state/depth_params.h"
+#include "state/light_params.h"
 #include "state/scene_description.h"
 #include "state/view_params.h"
 #include "state/visibility_params.h"
@@ -22,9 +23,6 @@ enum class Navigation { fly, walk, orbit };
 enum class ProjectionType { perspective, orthographic };
 enum class CullFace { front, back, front_and_back };
 enum class FrontFace { ccw, cw };
-enum class ShadowOffset { none, polygon_offset, lift, no_depth_test };
-enum class ShadowStyle { blend, missing_light };
-enum class MirrorClip { none, clip_distance, oblique };
 enum class Theme { dark, light, projector };
 
 struct CameraParams {
@@ -52,47 +50,6 @@ struct CullParams {
     bool operator==(const CullParams&) const = default;
 };
 
-/// w = 1 a point light at (x, y, z), w = 0 a parallel light from the direction (x, y, z).
-struct LightParams {
-    glm::dvec4 position{2.6, 5.2, 2.2, 1.0};
-    bool operator==(const LightParams&) const = default;
-};
-
-struct PlaneParams {
-    glm::dvec4 equation{0.0, 1.0, 0.0, 0.0};
-    double extent = 4.0;
-    bool operator==(const PlaneParams&) const = default;
-};
-
-struct FurtherPlane {
-    glm::dvec4 equation{0.0, 1.0, 0.0, 0.0};
-    double extent = 4.0;
-    bool receives_shadow = true;
-    bool mirrors = true;
-    bool operator==(const FurtherPlane&) const = default;
-};
-
-struct ShadowParams {
-    bool enabled = true;
-    Color color{0, 0, 0};
-    double opacity = 0.5;
-    bool stencil_once = true, clip_to_receiver = true, clip_casters = true;
-    ShadowOffset offset = ShadowOffset::polygon_offset;
-    double offset_factor = -1.0, offset_units = -1.0, lift = 0.01;
-    ShadowStyle style = ShadowStyle::blend;
-    bool operator==(const ShadowParams&) const = default;
-};
-
-struct ReflectionParams {
-    bool enabled = true;
-    double reflectance = 0.3;
-    bool stencil = true;
-    MirrorClip clip = MirrorClip::clip_distance;
-    bool flip_winding = true, reflect_light = true;
-    int bounces = 1;
-    bool operator==(const ReflectionParams&) const = default;
-};
-
 struct Overrides {
     std::optional<glm::dmat4> shadow_from_world, mirror_from_world;  ///< in place of S or R
     bool operator==(const Overrides&) const = default;
@@ -108,6 +65,9 @@ struct Follow {
 struct ObserverParams {
     glm::dvec3 target{0.0, 1.0, 1.0};
     double yaw = -38.0, pitch = -30.0, distance = 16.0;
+    bool light_rays = false;    ///< from the light through the outline's vertices to their shadow
+    bool mirrored_eye = false;  ///< and the frustum that it sees the mirror's image with
+    bool image_space = false;   ///< the scene once more behind the mirror
     bool operator==(const ObserverParams&) const = default;
 };
 
@@ -123,7 +83,9 @@ struct SlipParams {
 
 /// What moves by itself while the window is open; pictures without a window show its beginning.
 struct AnimationParams {
-    bool jiggle = false;  ///< the camera trembles by so little that only depth fighting shows it
+    bool jiggle = false;        ///< the camera trembles by so little that only depth fighting shows it
+    bool light_orbit = false;   ///< the light turns about the world's y axis
+    double light_speed = 30.0;  ///< degrees a second, positive to the left
     bool operator==(const AnimationParams&) const = default;
 };
 
@@ -144,7 +106,7 @@ struct Params {
     LightParams light;
     std::vector<LightParams> lights;
     PlaneParams plane;
-    std::vector<FurtherPlane> planes;
+    std::vector<PlaneParams> planes;
     ShadowParams shadow;
     ReflectionParams reflection;
     Overrides overrides;

@@ -141,7 +141,7 @@ std::string allowed_text(const Field& field) {
                 return "an array of at most " + std::to_string(max_further_lights) +
                        " lights {\"position\": [x, y, z, w]}";
             },
-            [](std::vector<FurtherPlane>*) -> std::string {
+            [](std::vector<PlaneParams>*) -> std::string {
                 return "an array of at most " + std::to_string(max_further_planes) +
                        " planes {\"equation\": [a, b, c, d], \"extent\", \"receives_shadow\", \"mirrors\"}";
             },
@@ -176,7 +176,7 @@ void clamp_to_ranges(Params& params) {
         mend_light(light.position);
     }
     params.planes.resize(std::min(params.planes.size(), max_further_planes));
-    for (FurtherPlane& plane : params.planes) {
+    for (PlaneParams& plane : params.planes) {
         mend_plane(plane.equation, plane.extent);
     }
     if (params.follow) {

@@ -55,10 +55,10 @@ LightParams read_light(const Json& value, const Where& where) {
     return light;
 }
 
-FurtherPlane read_further_plane(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"equation", "extent", "receives_shadow", "mirrors"};
+PlaneParams read_plane(const Json& value, const Where& where) {
+    static const std::vector<std::string> keys = {"equation", "extent", "receives_shadow", "mirrors", "gloss"};
     require_object(value, where, "a plane {\"equation\": [a, b, c, d], …}");
-    FurtherPlane plane;
+    PlaneParams plane;
     for (const auto& [key, member] : value.items()) {
         require_known_key(key, where, keys);
         const Where inside = where.key(key);
@@ -67,7 +67,8 @@ FurtherPlane read_further_plane(const Json& value, const Where& where) {
         } else if (key == "extent") {
             plane.extent = read_number(member, inside, component_range(field("plane.extent"), 0));
         } else {
-            (key == "mirrors" ? plane.mirrors : plane.receives_shadow) = read_bool(member, inside);
+            bool& flag = key == "mirrors" ? plane.mirrors : key == "gloss" ? plane.gloss : plane.receives_shadow;
+            flag = read_bool(member, inside);
         }
     }
     return plane;
@@ -137,11 +138,11 @@ struct FieldReader {
             target->push_back(read_light(value[i], where.at(i)));
         }
     }
-    void operator()(std::vector<FurtherPlane>* target) const {
+    void operator()(std::vector<PlaneParams>* target) const {
         require_array(value, where, max_further_planes, allowed_text(field));
         target->clear();
         for (std::size_t i = 0; i < value.size(); ++i) {
-            target->push_back(read_further_plane(value[i], where.at(i)));
+            target->push_back(read_plane(value[i], where.at(i)));
         }
     }
     void operator()(std::optional<glm::dmat4>* target) const {

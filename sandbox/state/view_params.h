@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-enum class Shows { color, depth, stencil, facing, overdraw, difference, fighting };
+enum class Shows { color, depth, stencil, facing, overdraw, difference, fighting, shadow_w };
 enum class DepthScale { window, linear };
 enum class DepthColors { grey, bands };
 enum class Beside { nothing, depth, other_depth };
@@ -29,7 +29,12 @@ enum class Topic {
     passes,
     tree,
     order,
-    growth
+    growth,
+    shadow_derivation,
+    mirror_derivation,
+    lecture_code,
+    mirror_ways,
+    from_light
 };
 
 /// A second picture in the camera's view.
@@ -52,6 +57,7 @@ struct ViewParams {
     std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one
     int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them
     int triangle = -1;                ///< and after so many of its triangles; −1: all of them
+    int pass = -1;                    ///< the frame stops after this pass, from 0 on; −1: it does not
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     bool operator==(const ViewParams&) const = default;
 };

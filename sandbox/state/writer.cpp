@@ -27,13 +27,14 @@ struct FieldWriter {
         }
         return array;
     }
-    Json operator()(const std::vector<FurtherPlane>* planes) const {
+    Json operator()(const std::vector<PlaneParams>* planes) const {
         Json array = Json::array();
-        for (const FurtherPlane& plane : *planes) {
+        for (const PlaneParams& plane : *planes) {
             array.push_back({{"equation", vector_as_json(plane.equation)},
                              {"extent", plane.extent},
                              {"receives_shadow", plane.receives_shadow},
-                             {"mirrors", plane.mirrors}});
+                             {"mirrors", plane.mirrors},
+                             {"gloss", plane.gloss}});
         }
         return array;
     }

@@ -43,7 +43,12 @@ std::span<const char* const> topic_names() {
                                             "GL calls, pass by pass",
                                             "BSP tree",
                                             "Drawing order",
-                                            "Costs as they grow"};
+                                            "Costs as they grow",
+                                            "Shadow, derived",
+                                            "Mirror, derived",
+                                            "The lecture's code",
+                                            "Mirror, four ways",
+                                            "Seen from the light"};
     return names;
 }
 

@@ -48,6 +48,9 @@ constexpr std::string_view contract_paths[] = {
     "lights",
     "plane.equation",
     "plane.extent",
+    "plane.receives_shadow",
+    "plane.mirrors",
+    "plane.gloss",
     "planes",
     "shadow.enabled",
     "shadow.color",
@@ -60,6 +63,10 @@ constexpr std::string_view contract_paths[] = {
     "shadow.offset_units",
     "shadow.lift",
     "shadow.style",
+    "shadow.clip_at_light",
+    "shadow.sign",
+    "shadow.write_depth",
+    "shadow.own_stencil",
     "reflection.enabled",
     "reflection.reflectance",
     "reflection.stencil",
@@ -67,6 +74,13 @@ constexpr std::string_view contract_paths[] = {
     "reflection.flip_winding",
     "reflection.reflect_light",
     "reflection.bounces",
+    "reflection.mirrored",
+    "reflection.same_projection",
+    "reflection.printed_by_rows",
+    "reflection.mask_writes_depth",
+    "reflection.after_objects",
+    "reflection.side_of_eye",
+    "reflection.shadows",
     "overrides.shadow_from_world",
     "overrides.mirror_from_world",
     "follow",
@@ -92,18 +106,24 @@ constexpr std::string_view contract_paths[] = {
     "view.pixel",
     "view.call",
     "view.triangle",
+    "view.pass",
     "view.lower_left",
     "view.lower_right",
     "observer.target",
     "observer.yaw",
     "observer.pitch",
     "observer.distance",
+    "observer.light_rays",
+    "observer.mirrored_eye",
+    "observer.image_space",
     "slips.walk_slows",
     "slips.creeping_roll",
     "slips.pole_flip",
     "slips.swapped_order",
     "slips.camera_as_view",
     "animation.jiggle",
+    "animation.light_orbit",
+    "animation.light_speed",
     "ui.theme",
     "ui.scale",
 };
@@ -135,6 +155,8 @@ TEST(Fields, EnumsHaveTheContractsNames) {
     EXPECT_EQ(names("cull.front_face"), (Names{"ccw", "cw"}));
     EXPECT_EQ(names("shadow.offset"), (Names{"none", "polygon_offset", "lift", "no_depth_test"}));
     EXPECT_EQ(names("shadow.style"), (Names{"blend", "missing_light"}));
+    EXPECT_EQ(names("shadow.sign"), (Names{"plane_dot_light", "none", "forced"}));
+    EXPECT_EQ(names("reflection.mirrored"), (Names{"scene", "camera"}));
     EXPECT_EQ(names("reflection.clip"), (Names{"none", "clip_distance", "oblique"}));
     EXPECT_EQ(names("visibility.method"),
               (Names{"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}));
@@ -143,7 +165,7 @@ TEST(Fields, EnumsHaveTheContractsNames) {
     EXPECT_EQ(names("visibility.walk"), (Names{"back_to_front", "front_to_back"}));
     EXPECT_EQ(names("visibility.compare_with"), names("visibility.method"));
     EXPECT_EQ(names("view.shows"),
-              (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}));
+              (Names{"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting", "shadow_w"}));
     EXPECT_EQ(names("view.depth_scale"), (Names{"window", "linear"}));
     EXPECT_EQ(names("view.depth_colors"), (Names{"grey", "bands"}));
     EXPECT_EQ(names("view.beside.shows"), (Names{"nothing", "depth", "other_depth"}));
@@ -294,7 +316,7 @@ TEST(Clamp, MendsWhatBelongsTogether) {
     params.plane.equation = {0.0, 0.0, 0.0, 3.0};
     params.light.position = glm::dvec4(0.0);
     params.lights.resize(9, LightParams{glm::dvec4(0.0)});
-    params.planes.resize(9, FurtherPlane{glm::dvec4(0.0), -1.0, true, true});
+    params.planes.resize(9, PlaneParams{glm::dvec4(0.0), -1.0, true, true, false});
     params.overrides.shadow_from_world = glm::dmat4(std::nan(""));
     params.follow = Follow{"box", -3};
     clamp_to_ranges(params);

@@ -115,7 +115,10 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
   "lights": [],
   "plane": {
     "equation": [0, 1, 0, 0],
-    "extent": 4
+    "extent": 4,
+    "receives_shadow": true,
+    "mirrors": true,
+    "gloss": false
   },
   "planes": [],
   "shadow": {
@@ -129,7 +132,11 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "offset_factor": -1,
     "offset_units": -1,
     "lift": 0.01,
-    "style": "blend"
+    "style": "blend",
+    "clip_at_light": true,
+    "sign": "plane_dot_light",
+    "write_depth": false,
+    "own_stencil": true
   },
   "reflection": {
     "enabled": true,
@@ -138,7 +145,14 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "clip": "clip_distance",
     "flip_winding": true,
     "reflect_light": true,
-    "bounces": 1
+    "bounces": 1,
+    "mirrored": "scene",
+    "same_projection": true,
+    "printed_by_rows": false,
+    "mask_writes_depth": false,
+    "after_objects": false,
+    "side_of_eye": true,
+    "shadows": true
   },
   "overrides": {
     "shadow_from_world": null,
@@ -172,6 +186,7 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "pixel": null,
     "call": -1,
     "triangle": -1,
+    "pass": -1,
     "lower_left": "automatic",
     "lower_right": "automatic"
   },
@@ -179,7 +194,10 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "target": [0, 1, 1],
     "yaw": -38,
     "pitch": -30,
-    "distance": 16
+    "distance": 16,
+    "light_rays": false,
+    "mirrored_eye": false,
+    "image_space": false
   },
   "slips": {
     "walk_slows": false,
@@ -189,7 +207,9 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "camera_as_view": false
   },
   "animation": {
-    "jiggle": false
+    "jiggle": false,
+    "light_orbit": false,
+    "light_speed": 30
   },
   "ui": {
     "theme": "dark",
@@ -233,7 +253,7 @@ TEST(State, WhateverTheClampLeavesIsAccepted) {
             }
         }
         params.lights.resize(random() % 6, {glm::dvec4(pick(), pick(), pick(), pick())});
-        params.planes.resize(random() % 9, {glm::dvec4(pick(), pick(), pick(), pick()), pick(), true, false});
+        params.planes.resize(random() % 9, {glm::dvec4(pick(), pick(), pick(), pick()), pick(), true, false, true});
         params.reflection.bounces = static_cast<int>(random());
         params.view.samples = static_cast<int>(random() % 9);
         clamp_to_ranges(params);

@@ -96,11 +96,11 @@ private:
             for (LightParams& light : **lights) {
                 light.position = vector<glm::dvec4>(viewing::field("light.position"));
             }
-        } else if (const auto* planes = std::get_if<std::vector<FurtherPlane>*>(&ref)) {
+        } else if (const auto* planes = std::get_if<std::vector<PlaneParams>*>(&ref)) {
             (*planes)->resize(static_cast<std::size_t>(whole(0, static_cast<int>(max_further_planes))));
-            for (FurtherPlane& plane : **planes) {
+            for (PlaneParams& plane : **planes) {
                 plane = {vector<glm::dvec4>(viewing::field("plane.equation")),
-                         number(viewing::field("plane.extent"), 0), coin(), coin()};
+                         number(viewing::field("plane.extent"), 0), coin(), coin(), coin()};
             }
         } else if (const auto* matrix = std::get_if<std::optional<glm::dmat4>*>(&ref)) {
             (*matrix)->reset();
