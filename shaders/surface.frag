@@ -32,10 +32,14 @@ flat in vec2 ids;
 #define SHADING_FLAT 2
 #define SHADING_FACING 3
 #define SHADING_HEAT 4
-#define SHADING_IDENTITY 5
-#define SHADING_POLYGON_IDENTITY 6
+#define SHADING_CASTER_W 5
+#define SHADING_IDENTITY 6
+#define SHADING_POLYGON_IDENTITY 7
 
-uniform vec4 light_world;   // w = 1 point light, w = 0 parallel light
+#ifdef LIGHTS
+uniform vec4 lights_world[LIGHTS];  // w = 1 point light, w = 0 parallel light
+uniform float light_strength;       // of each
+#endif
 uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this direction
 uniform vec3 sky_world;     // unit: where ambient light is strongest
 uniform vec4 base_color;    // linear; flat shading: sRGB
@@ -43,6 +47,9 @@ uniform float alpha;
 uniform vec3 patch_tones[3];  // linear: light square, dark square, line
 uniform float patch_extent;
 uniform vec3 facing_colors[2];  // sRGB: front, back
+uniform vec4 caster_w;          // . p is the w that S gives a point
+uniform vec4 caster_side;       // . p is positive on the light's side of the plane
+uniform vec3 caster_colors[3];  // sRGB: casts a shadow, behind the plane, beyond the light
 
 // The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/heat_map.h.
 #if SHADING == SHADING_HEAT
@@ -85,21 +92,38 @@ uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times th
 layout(location = 0) out vec4 color;
 
 // MASK_TEST and MASK_WRITE: a mask in place of the stencil, tested by discarding, written beside the colour.
-#ifdef MASK_TEST
-uniform sampler2D mask_texture;  // value / 255
-uniform int mask_func;           // a CompareFunc
+#if defined(MASK_TEST) || defined(MASK_WRITE)
+uniform sampler2D mask_texture;  // value / 255, as it was before the pass
 uniform int mask_reference;
+
+int mask_before() {
+    return int(texelFetch(mask_texture, ivec2(gl_FragCoord.xy), 0).r * 255.0 + 0.5);
+}
+#endif
+#ifdef MASK_TEST
+uniform int mask_func;  // a CompareFunc
+uniform int mask_read_bits;
 
 // GL numbers the comparisons as sets of less (1), equal (2) and greater (4).
 bool passes_mask() {
-    int value = int(texelFetch(mask_texture, ivec2(gl_FragCoord.xy), 0).r * 255.0 + 0.5);
-    int relation = mask_reference < value ? 1 : mask_reference == value ? 2 : 4;
+    int value = mask_before() & mask_read_bits, reference = mask_reference & mask_read_bits;
+    int relation = reference < value ? 1 : reference == value ? 2 : 4;
     return (mask_func & relation) != 0;
 }
 #endif
 #ifdef MASK_WRITE
-uniform float mask_value;
+uniform int mask_op;  // a StencilOp
+uniform int mask_write_bits;
 layout(location = 1) out vec4 mask;
+
+int mask_after() {
+    int before = mask_before(), after = mask_reference;  // replace
+    if (mask_op == 2) after = min(before + 1, 255);
+    if (mask_op == 3) after = max(before - 1, 0);
+    if (mask_op == 4) after = 255 - before;
+    if (mask_op == 5) after = 0;
+    return (before & (255 - mask_write_bits)) | (after & mask_write_bits);
+}
 #endif
 
 // 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, off by a hundredth of a level at most: a software
@@ -149,13 +173,17 @@ vec3 lit_color(vec3 surface_albedo) {
 #if SHADING == SHADING_UNLIT
     return surface_albedo * ambient;
 #else
-    vec3 to_light = normalize(light_world.xyz - light_world.w * position_world);
-    float diffuse = max(dot(normal, to_light), 0.0);
-    vec3 lit = surface_albedo * (ambient + 0.78 * diffuse);
-#ifndef IS_PATCH  // which is matt
-    float shine = pow48(max(dot(normal, normalize(to_light + normalize(eye))), 0.0));
-    lit += diffuse > 0.0 ? 0.16 * shine : 0.0;
+    vec3 lit = surface_albedo * ambient;
+    for (int light = 0; light < LIGHTS; ++light) {
+        vec4 position = lights_world[light];
+        vec3 to_light = normalize(position.xyz - position.w * position_world);
+        float diffuse = max(dot(normal, to_light), 0.0);
+        lit += surface_albedo * (0.78 * light_strength * diffuse);
+#if !defined(IS_PATCH) || defined(HAS_GLOSS)
+        float shine = pow48(max(dot(normal, normalize(to_light + normalize(eye))), 0.0));
+        lit += diffuse > 0.0 ? 0.16 * light_strength * shine : 0.0;
 #endif
+    }
     return lit;
 #endif
 }
@@ -223,6 +251,12 @@ void main() {
     vec3 normal = normalize(normal_world);
     float shade = 0.30 + 0.16 * abs(normal.y * 0.35 + normal.z * 0.65);
     color = vec4(heat_gap.w < 0.0 ? vec3(shade) : heat_color(), alpha);
+#elif SHADING == SHADING_CASTER_W
+    vec4 point = vec4(position_world, 1.0);
+    vec3 normal = normalize(normal_world);
+    float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
+    int kind = dot(caster_w, point) <= 0.0 ? 2 : dot(caster_side, point) < 0.0 ? 1 : 0;
+    color = vec4(caster_colors[kind] * shade, alpha);
 #elif defined(IS_PATCH)
     color = vec4(srgb_from_linear(lit_color(patch_color())), alpha);
 #else
@@ -239,7 +273,7 @@ void main() {
     gl_FragDepth = depth;
 #endif
 #ifdef MASK_WRITE
-    mask = vec4(mask_value, 0.0, 0.0, 1.0);
+    mask = vec4(float(mask_after()) / 255.0, 0.0, 0.0, 1.0);
 #endif
     // Last, because the derivatives above need all four fragments of a square.
 #ifdef MASK_TEST

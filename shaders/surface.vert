@@ -55,6 +55,10 @@ void main() {
     vertex_albedo = vertex_color;
     ids = vertex_ids;
 #endif
+#ifdef FORCE_SIGN
+    // The w that S gives the point, before the camera's: GL would keep a triangle that changes its sign in one piece.
+    if ((world_from_model * position).w < 0.0) gl_Position = -gl_Position;
+#endif
 #ifdef CLIP_DISTANCE
     for (int plane = 0; plane < 2; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
 #endif

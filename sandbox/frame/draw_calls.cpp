@@ -5,7 +5,11 @@
 namespace viewing {
 namespace {
 
-constexpr int patch_triangles = 2;
+constexpr int square_triangles = 2;
+
+bool is_square(const Pass& pass) {
+    return pass.subject == Subject::patch || pass.subject == Subject::backdrop;
+}
 
 int triangles_of(const SceneObject& object) {
     return static_cast<int>(object.mesh->triangle_count());
@@ -24,6 +28,10 @@ DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls
 
 }  // namespace
 
+std::string plane_name(std::size_t plane) {
+    return plane == 0 ? "plane" : "plane " + std::to_string(plane + 1);
+}
+
 bool is_chosen(Chosen chosen, const SceneObject& object) {
     return chosen == Chosen::all || object.description.decal == (chosen == Chosen::decals);
 }
@@ -35,7 +43,7 @@ int triangles_drawn(const DrawLimit& limit, int call, int triangles) {
 }
 
 int call_count(const Pass& pass, const Scene& scene) {
-    if (pass.subject == Subject::patch) return 1;
+    if (is_square(pass)) return 1;
     if (pass.subject != Subject::objects) return 0;
     return static_cast<int>(std::ranges::count_if(
         scene.objects, [&](const SceneObject& object) { return is_chosen(pass.chosen, object); }));
@@ -46,7 +54,7 @@ std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
     std::vector<DrawCall> calls;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         const Pass& pass = plan.passes[number];
-        if (pass.subject == Subject::patch) calls.push_back({number, -1, patch_triangles});
+        if (is_square(pass)) calls.push_back({number, -1, square_triangles});
         if (pass.subject != Subject::objects) continue;
         for (std::size_t index = 0; index < scene.objects.size(); ++index)
             if (is_chosen(pass.chosen, scene.objects[index]))
@@ -56,9 +64,12 @@ std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
 }
 
 std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
-    const std::string object =
-        call.object < 0 ? "plane" : scene.objects.at(static_cast<std::size_t>(call.object)).description.name;
-    return object + ", pass " + std::to_string(call.pass + 1) + ": " + plan.passes.at(call.pass).name;
+    const Pass& pass = plan.passes.at(call.pass);
+    const std::string object = call.object >= 0
+                                   ? scene.objects.at(static_cast<std::size_t>(call.object)).description.name
+                               : pass.subject == Subject::backdrop ? "square"
+                                                                   : plane_name(pass.plane);
+    return object + ", pass " + std::to_string(call.pass + 1) + ": " + pass.name;
 }
 
 DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls) {

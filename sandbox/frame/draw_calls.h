@@ -11,16 +11,19 @@ namespace viewing {
 
 struct DrawCall {
     std::size_t pass = 0;  ///< index in FramePlan::passes
-    int object = -1;       ///< index in Scene::objects; −1: the plane's patch
+    int object = -1;       ///< index in Scene::objects; −1: a square, the pass's patch or a fresh picture
     int triangles = 0;
 
     bool operator==(const DrawCall&) const = default;
 };
 
+/// "plane", "plane 2", "plane 3" …
+std::string plane_name(std::size_t plane);
+
 /// Whether a pass over the objects draws this one.
 bool is_chosen(Chosen chosen, const SceneObject& object);
 
-/// How many calls a pass makes: one for the patch, one for each object; none for what a method found.
+/// How many calls a pass makes: one for a square, one for each object; none for what a method found.
 int call_count(const Pass& pass, const Scene& scene);
 
 /// How many of a call's triangles are drawn: all before the limit's call, and none after it.

@@ -2,6 +2,7 @@
 #include "frame/fragments.h"
 
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include "frame/draw_calls.h"
@@ -113,7 +114,9 @@ public:
         made.tie = pass.depth.test && !made.culled && made.stored == depth_;
         const std::uint32_t reference = reference_of(pass, met);
         // The reference stands on the left of the stencil's comparison.
-        const bool by_stencil = !pass.stencil.test || compare(pass.stencil.func, reference, stencil_);
+        const auto read_bits = static_cast<std::uint32_t>(pass.stencil.read_bits);
+        const bool by_stencil =
+            !pass.stencil.test || compare(pass.stencil.func, reference & read_bits, stencil_ & read_bits);
         made.stencil_fails = !by_stencil;
         const bool by_depth = !pass.depth.test || compare(pass.depth.func, made.stored, depth_);
         made.passes = gl_gets_it && !made.culled && by_stencil && by_depth;
@@ -216,7 +219,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     static const Mesh quad = quad_mesh();
     static const TriangleRuns quad_runs = runs_of(quad);
     std::vector<Batch> batches;
-    bool has_patch = false;  // lit and in shadow it is drawn by two passes, of which one reaches a pixel
+    std::set<std::size_t> patches;  // lit and in shadow they are drawn by two passes, of which one reaches a pixel
     int next_call = 0;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         const Pass& pass = plan.passes[number];
@@ -230,9 +233,8 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
             meeting.mesh(object, mesh, drawn, runs, world_from_model, offset);
         };
         if (pass.subject == Subject::patch) {
-            if (has_patch && !is_mask(pass)) continue;
-            has_patch = has_patch || !is_mask(pass);
-            meet(-1, quad, quad_runs, plan.patch.world_from_patch(), {});
+            if (!is_mask(pass) && !patches.insert(pass.plane).second) continue;
+            meet(-1 - static_cast<int>(pass.plane), quad, quad_runs, plan.patches[pass.plane].world_from_patch(), {});
         } else if (pass.subject == Subject::ordered) {
             meeting.ordered(plan.hidden.camera->triangles);
         } else {
@@ -256,7 +258,8 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
 }
 
 std::string FragmentFinder::name_of(int object) const {
-    return object < 0 ? "plane" : scene_.objects[static_cast<std::size_t>(object)].description.name;
+    return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object))
+                      : scene_.objects[static_cast<std::size_t>(object)].description.name;
 }
 
 std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,

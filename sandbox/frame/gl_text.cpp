@@ -11,6 +11,11 @@ std::string number(double value) {
     return text;
 }
 
+std::string bits(int value) {
+    static constexpr const char* digits = "0123456789ABCDEF";
+    return std::string("0x") + digits[value >> 4 & 15] + digits[value & 15];
+}
+
 }  // namespace
 
 std::string gl_name(CompareFunc func) {
@@ -43,11 +48,12 @@ std::vector<std::string> gl_calls(const Pass& pass) {
         calls.push_back("glFrontFace(" + gl_name(pass.cull.front_face) + ")");
     }
     if (pass.stencil.test) {
-        static constexpr const char* ops[] = {"GL_KEEP", "GL_REPLACE", "GL_INCR"};
+        static constexpr const char* ops[] = {"GL_KEEP", "GL_REPLACE", "GL_INCR", "GL_DECR", "GL_INVERT", "GL_ZERO"};
         calls.push_back("glEnable(GL_STENCIL_TEST)");
         calls.push_back("glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
-                        (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) +
-                        ", 0xFF)");
+                        (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) + ", " +
+                        bits(pass.stencil.read_bits) + ")");
+        if (pass.stencil.write_bits != 0xFF) calls.push_back("glStencilMask(" + bits(pass.stencil.write_bits) + ")");
         calls.push_back(std::string("glStencilOp(GL_KEEP, GL_KEEP, ") + ops[static_cast<int>(pass.stencil.on_pass)] +
                         ")");
     }
@@ -63,8 +69,8 @@ std::vector<std::string> gl_calls(const Pass& pass) {
     }
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         calls.push_back("glEnable(GL_CLIP_DISTANCE" + std::to_string(plane) + ")");
-    static constexpr const char* draws[] = {"drawObjects()", "drawPatch()", "drawInOrder()", "drawPixels()",
-                                            "drawDifference()"};
+    static constexpr const char* draws[] = {"drawObjects()", "drawPatch()",  "drawFarSquare()",
+                                            "drawInOrder()", "drawPixels()", "drawDifference()"};
     calls.emplace_back(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"
                        : pass.chosen == Chosen::decals ? "drawDecals()"
                                                        : draws[static_cast<std::size_t>(pass.subject)]);

@@ -20,9 +20,12 @@ inline constexpr Color front_color{0x70, 0x9e, 0xd9}, back_color{0xcc, 0x7d, 0x2
 /// Pixels where two hidden-surface methods differ.
 inline constexpr Color difference_color{235, 30, 40};
 
-/// The stencil values 0, 1, 2 and 3.
+/// Stencil values: nothing marked, a patch, a patch where a light is missing, and what else is marked.
 inline constexpr std::array<Color, 4> stencil_colors = {
     {{0x12, 0x15, 0x1b}, {0x2b, 0xb9, 0x8b}, {0xe6, 0x9f, 0x00}, {0xcc, 0x79, 0xa7}}};
+
+/// What S makes of w: casts a shadow, lies behind the plane, lies beyond the light.
+inline constexpr std::array<Color, 3> caster_colors = {{{0x2b, 0xb9, 0x8b}, {0xd8, 0xc8, 0x4a}, {0xe4, 0x57, 0x2e}}};
 
 /// How often a pixel was drawn: 0, 1 … 7, 8 or more. From dark to bright, so that it reads without colour.
 inline constexpr std::array<Color, 9> overdraw_colors = {{{0x12, 0x15, 0x1b},

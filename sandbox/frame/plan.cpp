@@ -1,17 +1,17 @@
-// The technique, pass by pass: mirror image in the stencilled patch, patch, shadow on the patch, objects.
+// The technique, pass by pass: for each plane the mirror image inside the stencilled patch, the patch, shadows on it;
+// then the objects. A mirror shows the same world once more: plan_mirror.cpp; shadows are in plan_shadow.cpp.
 // Nothing here depends on the sign or length of the plane's equation: everything is said relative to the eye's
 // and the light's side. Source: lecture, Planar Shadow and Planar Reflection; Kilgard 1999.
 #include "frame/plan.h"
 
-#include "frame/ground.h"
-
 #include <algorithm>
-#include <cmath>
+#include <numeric>
+
+#include "frame/ground.h"
+#include "frame/plan_parts.h"
 
 namespace viewing {
 namespace {
-
-constexpr int patch_reference = 1;  ///< the stencil value of the patch; shadowed pixels have one more
 
 /// Reversed depth keeps "less is nearer" in the parameters and turns the comparison around for GL.
 CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
@@ -30,177 +30,60 @@ CompareFunc func_for(CompareFunc func, DepthMapping mapping) {
     }
 }
 
-glm::dvec4 color_of(const Color& color, double alpha) {
-    return {color.r / 255.0, color.g / 255.0, color.b / 255.0, alpha};
-}
-
-/// What all passes of one frame share.
-struct Frame {
-    const Params& params;
-    const Derived& derived;
-    glm::dmat4 clip_from_view;
-    glm::dmat4 view_from_world;
-    glm::dvec4 eye_world;
-    double eye_side;  ///< of this frame's eye
-
-    glm::dvec4 plane_towards_eye() const { return derived.unit_plane * (eye_side < 0.0 ? -1.0 : 1.0); }
-    bool light_reaches_seen_side() const { return light_reaches(derived, eye_side); }
-
-    Pass pass(const char* name, const char* reason, Subject subject) const {
-        Pass made;
-        made.name = name;
-        made.reason = reason;
-        made.subject = subject;
-        made.clip_from_world = clip_from_view * view_from_world;
-        made.view_from_world = view_from_world;
-        made.eye_world = eye_world;
-        made.light_world = params.light.position;
-        const bool gl_test = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
-        made.depth = {gl_test, func_for(params.depth.func, params.depth.mapping), params.depth.write};
-        if (subject == Subject::objects) made.cull = params.cull;
-        return made;
-    }
-};
-
 CullParams with_flipped_winding(CullParams cull) {
     cull.front_face = cull.front_face == FrontFace::ccw ? FrontFace::cw : FrontFace::ccw;
     return cull;
 }
 
-Pass mirror_mask(const Frame& frame) {
-    Pass pass =
-        frame.pass("Mirror mask", "marks the patch in the stencil buffer, so that the image stays inside the mirror",
-                   Subject::patch);
-    pass.shading = Shading::flat;
-    pass.color_write = false;
-    pass.depth.write = false;
-    pass.stencil = {true, CompareFunc::always, patch_reference, StencilOp::replace};
-    return pass;
+/// Of a patch seen in a mirror: whether it lies wholly behind that mirror.
+bool is_hidden(const Level& level, std::size_t plane) {
+    const std::array<glm::dvec3, 4> corners = level.plane(plane).patch.corners();
+    return level.clip && std::ranges::all_of(corners, [&](const glm::dvec3& corner) {
+               return glm::dot(*level.clip, glm::dvec4(corner, 1.0)) <= 0.0;
+           });
 }
 
-Pass mirror_image(const Frame& frame) {
-    const ReflectionParams& reflection = frame.params.reflection;
-    Pass pass = frame.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
-                           Subject::objects);
-    pass.is_mirror_image = true;
-    pass.world_from_scene = frame.derived.mirror_from_world;
-    if (reflection.stencil) pass.stencil = {true, CompareFunc::equal, patch_reference, StencilOp::keep};
-    if (reflection.flip_winding) pass.cull = with_flipped_winding(pass.cull);
-    if (reflection.reflect_light) {
-        pass.light_world = frame.derived.mirror_from_world * frame.params.light.position;
-        pass.sky_world = glm::dmat3(frame.derived.mirror_from_world) * pass.sky_world;
-    }
-    const bool oblique = reflection.clip == MirrorClip::oblique && frame.params.depth.mapping != DepthMapping::reversed;
-    if (reflection.clip != MirrorClip::none && !oblique) pass.clip_planes = {frame.plane_towards_eye()};
-    if (oblique) {
-        // The image lies behind the mirror: keep what is on the far side of the plane, seen from the eye.
-        const glm::dvec4 behind = -frame.plane_towards_eye();
-        const glm::dvec4 behind_view = behind * glm::inverse(frame.view_from_world);
-        pass.clip_from_world = with_oblique_near_plane(frame.clip_from_view, behind_view) * frame.view_from_world;
-    }
-    return pass;
+/// Inside a mirror the next patch counts from the same value on.
+void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
+    const int region = level.region_of(plane);
+    Pass clear = patch_mask(level, plane, "Clear lights", "forgets which light is missing on this patch");
+    clear.depth.test = false;
+    clear.stencil = {true, CompareFunc::equal, region, StencilOp::zero, stencil_region_bits, stencil_light_bits};
+    if (!level.casting_lights(plane).empty()) passes.push_back(clear);
+    Pass back = patch_mask(level, plane, "Leave the patch", "counts the stencil down to what the mirror has");
+    back.depth.test = false;
+    back.stencil = {true, CompareFunc::equal, region, StencilOp::decrement, stencil_region_bits};
+    passes.push_back(back);
 }
 
-/// The patch itself; over a mirror image it lets `reflectance` of it through.
-Pass patch_surface(const Frame& frame, bool mirrors) {
-    const ReflectionParams& reflection = frame.params.reflection;
-    Pass pass = frame.pass("Patch",
-                           mirrors ? "lays the plane over its mirror image and gives these pixels the plane's own depth"
-                                   : "draws the plane and marks it in the stencil buffer as the receiver of shadows",
-                           Subject::patch);
-    pass.shading = frame.light_reaches_seen_side() ? Shading::lit : Shading::unlit;
-    pass.stencil = {true, CompareFunc::always, patch_reference, StencilOp::replace};
-    if (mirrors) {
-        pass.blend = Blend::alpha;
-        pass.color.a = 1.0 - reflection.reflectance;
-        pass.depth.func = CompareFunc::always;
-        if (reflection.stencil) pass.stencil = {true, CompareFunc::equal, patch_reference, StencilOp::keep};
-    }
-    return pass;
-}
-
-/// Casters flattened by S. The clip planes keep what is between the light and the plane.
-Pass shadow_pass(const Frame& frame) {
-    const ShadowParams& shadow = frame.params.shadow;
-    const Derived& derived = frame.derived;
-    Pass pass = frame.pass("Shadow", "draws the casters once more through S, flat on the plane", Subject::objects);
-    pass.shading = Shading::flat;
-    pass.color = color_of(shadow.color, shadow.opacity);
-    pass.blend = Blend::alpha;
-    pass.depth.write = false;
-    pass.world_from_scene = derived.shadow_sign * derived.shadow_from_world;
-    pass.cull = CullParams{};  // which shadows fall never depends on culling
-    const glm::dvec4 towards_light = derived.unit_plane * derived.shadow_sign;
-    if (shadow.clip_casters) pass.clip_planes = {towards_light};
-
-    if (shadow.clip_to_receiver)
-        pass.stencil = {true, CompareFunc::equal, patch_reference,
-                        shadow.stencil_once ? StencilOp::increment : StencilOp::keep};
-    else if (shadow.stencil_once)  // beside the patch the value is 0, so it is replaced, not counted up
-        pass.stencil = {true, CompareFunc::notequal, patch_reference + 1, StencilOp::replace};
-
-    const double turned = offset_sign(frame.params.depth);
-    switch (shadow.offset) {
-        case ShadowOffset::none:
-            break;
-        case ShadowOffset::polygon_offset:
-            pass.offset = DepthOffset{turned * shadow.offset_factor, turned * shadow.offset_units};
-            break;
-        case ShadowOffset::lift: {
-            glm::dmat4 lifted_from_plane(1.0);
-            lifted_from_plane[3] = glm::dvec4(glm::dvec3(frame.plane_towards_eye()) * shadow.lift, 1.0);
-            pass.world_from_scene = lifted_from_plane * pass.world_from_scene;
-            break;
-        }
-        case ShadowOffset::no_depth_test:
-            pass.depth.test = false;
-            break;
-    }
-    return pass;
-}
-
-/// Missing light: shadow goes into the stencil first, then the patch is drawn lit or unlit, each pixel once.
-void add_missing_light(std::vector<Pass>& passes, const Frame& frame, bool mirrors) {
-    Pass receiver = mirror_mask(frame);
-    receiver.name = "Receiver mask";
-    receiver.reason = "marks the patch in the stencil buffer as the receiver of shadows";
-    if (!(mirrors && frame.params.reflection.stencil)) passes.push_back(receiver);
-
-    Pass mask = shadow_pass(frame);
-    mask.name = "Shadow mask";
-    mask.reason = "marks where the light is missing: no colour yet";
-    mask.color_write = false;
-    mask.depth.test = false;
-    mask.offset.reset();
-    mask.stencil = {true, CompareFunc::equal, patch_reference, StencilOp::increment};
-    passes.push_back(mask);
-
-    for (const bool shadowed : {false, true}) {
-        Pass patch = patch_surface(frame, mirrors);
-        patch.name = shadowed ? "Patch in shadow" : "Patch in the light";
-        patch.reason = shadowed ? "where the stencil counts a caster, only ambient light arrives"
-                                : "where the stencil is clear, the light arrives";
-        if (shadowed) patch.shading = Shading::unlit;
-        patch.stencil = {true, CompareFunc::equal, patch_reference + (shadowed ? 1 : 0), StencilOp::keep};
-        passes.push_back(patch);
-    }
-}
-
-void add_passes(std::vector<Pass>& passes, const Frame& frame) {
-    const bool mirrors =
-        frame.params.reflection.enabled && frame.params.reflection.bounces > 0 && frame.eye_side != 0.0;
-    const bool casts = frame.params.shadow.enabled && frame.light_reaches_seen_side();
-    if (mirrors) {
-        if (frame.params.reflection.stencil) passes.push_back(mirror_mask(frame));
-        passes.push_back(mirror_image(frame));
-    }
-    if (casts && frame.params.shadow.style == ShadowStyle::missing_light) {
-        add_missing_light(passes, frame, mirrors);
+void add_plane(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
+    const ReflectionParams& reflection = level.params.reflection;
+    const bool mirrors = level.mirrors(plane), casts = !level.casting_lights(plane).empty();
+    if (mirrors) add_mirror_image(passes, level, plane);
+    if (casts && level.params.shadow.style == ShadowStyle::missing_light) {
+        add_missing_light(passes, level, plane);
     } else {
-        passes.push_back(patch_surface(frame, mirrors));
-        if (casts) passes.push_back(shadow_pass(frame));
+        std::vector<std::size_t> all_lights(level.lights_world.size());
+        std::iota(all_lights.begin(), all_lights.end(), std::size_t{0});
+        passes.push_back(patch_surface(level, plane, all_lights, mirrors));
+        if (casts) add_shadows(passes, level, plane);
     }
-    passes.push_back(frame.pass("Objects", "draws the scene itself", Subject::objects));
+    const bool is_marked = (mirrors && reflection.stencil) || casts;
+    if (!level.is_real() && is_marked) give_region_back(passes, level, plane);
+}
+
+/// How the scene's objects are shaded where it is not by light.
+std::optional<Shading> shading_of(Shows shows) {
+    switch (shows) {
+        case Shows::facing:
+            return Shading::facing;
+        case Shows::fighting:
+            return Shading::heat;
+        case Shows::shadow_w:
+            return Shading::caster_w;
+        default:
+            return std::nullopt;
+    }
 }
 
 bool depends_on_stencil(const Pass& pass) {
@@ -216,11 +99,131 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
     made.patch_dark = ground.dark;
     made.patch_line = ground.line;
     made.samples = params.view.samples;
-    made.patch = derived.patch;
+    const CastShadow& cast = derived.planes.front().shadows.front();
+    made.caster_w = cast.sign * glm::transpose(cast.shadow_from_world)[3];
+    made.caster_side = derived.unit_plane * shadow_sign(derived.unit_plane, cast.light_world);
+    for (const DerivedPlane& plane : derived.planes) made.patches.push_back(plane.patch);
     return made;
 }
 
 }  // namespace
+
+glm::dvec4 color_of(const Color& color, double alpha) {
+    return {color.r / 255.0, color.g / 255.0, color.b / 255.0, alpha};
+}
+
+bool Level::mirrors(std::size_t index) const {
+    return plane(index).mirrors && mirrors_met < reflection_depth(params, derived) && eye_side(index) != 0.0 &&
+           (is_real() || params.reflection.stencil);
+}
+
+std::vector<std::size_t> Level::casting_lights(std::size_t index) const {
+    std::vector<std::size_t> lights;
+    if (!params.shadow.enabled || !plane(index).receives_shadow || !(is_real() || params.reflection.shadows))
+        return lights;
+    for (std::size_t light = 0; light < plane(index).shadows.size(); ++light)
+        if (plane(index).shadows[light].reaches(eye_side(index))) lights.push_back(light);
+    return lights;
+}
+
+int Level::region_of(std::size_t index) const {
+    if (!is_real()) return region + 1;
+    return params.shadow.own_stencil ? static_cast<int>(index) + 1 : 1;
+}
+
+Pass Level::pass(const char* name, const char* reason, Subject subject) const {
+    Pass made;
+    made.name = name;
+    made.reason = reason;
+    made.subject = subject;
+    made.is_mirror_image = !is_real();
+    made.world_from_scene = world_from_scene;
+    made.clip_from_world = clip_from_view * view_from_world;
+    made.view_from_world = view_from_world;
+    made.eye_world = eye_world;
+    made.lights_world = lights_world;
+    made.light_strength = 1.0 / static_cast<double>(lights_world.size());
+    made.sky_world = sky_world;
+    const bool gl_test = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    made.depth = {gl_test, func_for(params.depth.func, params.depth.mapping), params.depth.write};
+    if (subject == Subject::objects)
+        made.cull = flips_winding && params.reflection.flip_winding ? with_flipped_winding(params.cull) : params.cull;
+    if (clip) made.clip_planes = {*clip};
+    if (region != 0) made.stencil = {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
+    return made;
+}
+
+Pass Level::patch_pass(const char* name, const char* reason, std::size_t index) const {
+    Pass made = pass(name, reason, Subject::patch);
+    if (derived.planes.size() > 1) made.name += " " + std::to_string(index + 1);
+    made.plane = index;
+    made.has_gloss = plane(index).gloss;
+    return made;
+}
+
+Pass objects_pass(const Level& level) {
+    if (level.is_real()) return level.pass("Objects", "draws the scene itself", Subject::objects);
+    Pass pass = level.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
+                           Subject::objects);
+    if (level.mirrors_met > 1) pass.name += " " + std::to_string(level.mirrors_met);
+    return pass;
+}
+
+Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends) {
+    const ReflectionParams& reflection = level.params.reflection;
+    Pass pass =
+        level.patch_pass("Patch",
+                         blends ? "lays the plane over its mirror image and gives these pixels the plane's own depth"
+                                : "draws the plane and marks it in the stencil buffer as the receiver of shadows",
+                         plane);
+    pass.lights_world.clear();
+    for (const std::size_t light : lights)
+        if (level.plane(plane).shadows[light].reaches(level.eye_side(plane)))
+            pass.lights_world.push_back(level.lights_world[light]);
+    pass.shading = pass.lights_world.empty() ? Shading::unlit : Shading::lit;
+    const int region = level.region_of(plane);
+    if (blends) {
+        pass.blend = Blend::alpha;
+        pass.color.a = 1.0 - reflection.reflectance;
+        pass.depth.func = CompareFunc::always;
+    }
+    if (blends && reflection.stencil)
+        pass.stencil = {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
+    else if (level.is_real())
+        pass.stencil = {true, CompareFunc::always, region, StencilOp::replace};
+    else if (!level.casting_lights(plane).empty())
+        pass.stencil = {true, CompareFunc::equal, level.region, StencilOp::increment, stencil_region_bits};
+    return pass;
+}
+
+void add_world(std::vector<Pass>& passes, Level level) {
+    const bool gl_alone = is_drawn_by_gl_alone(level.params.visibility.method);
+    const bool objects_first = level.is_real() && gl_alone && level.params.reflection.after_objects;
+    if (objects_first) {
+        passes.push_back(objects_pass(level));
+        level.is_fresh = false;
+    }
+    // The hidden-surface methods know of one plane.
+    const std::size_t planes = gl_alone ? level.derived.planes.size() : 1;
+    for (std::size_t plane = 0; plane < planes; ++plane) {
+        if (level.mirror == plane || is_hidden(level, plane)) continue;
+        add_plane(passes, level, plane);
+        level.is_fresh = false;
+    }
+    if (!objects_first) passes.push_back(objects_pass(level));
+}
+
+void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Derived& derived, const Eye& eye) {
+    Level level{.params = params,
+                .derived = derived,
+                .projection = eye.clip_from_view,
+                .clip_from_view = eye.clip_from_view,
+                .view_from_world = eye.view_from_world,
+                .eye_world = eye.eye_world,
+                .eye_scene = eye.eye_world,
+                .lights_world = derived.lights_world};
+    add_world(passes, std::move(level));
+}
 
 FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures& hidden) {
     Params params = asked;
@@ -231,18 +234,16 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     set_depth(made, params, derived);
     made.shows = params.view.shows;
     made.heat = derived.heat;
-    if (is_drawn_by_gl_alone(params.visibility.method)) made.limit = {params.view.call, params.view.triangle};
+    if (is_drawn_by_gl_alone(params.visibility.method))
+        made.limit = {params.view.call, params.view.triangle, params.view.pass};
     if (params.view.shows == Shows::depth || params.view.shows == Shows::stencil) made.samples = 0;
 
-    const Frame frame{params,          derived, derived.clip_from_view, derived.view_from_world, derived.eye_world,
-                      derived.eye_side};
-    add_passes(made.passes, frame);
+    add_scene_passes(made.passes, params, derived,
+                     {derived.clip_from_view, derived.view_from_world, derived.eye_world});
     draw_decals_apart(made.passes, params);
-    if (params.view.shows == Shows::facing || shows_fighting) {
-        const Shading shading = shows_fighting ? Shading::heat : Shading::facing;
+    if (const std::optional<Shading> shading = shading_of(params.view.shows))
         for (Pass& pass : made.passes)
-            if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = shading;
-    }
+            if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = *shading;
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
     // GL has no stencil beside 16 bits of depth; what stands in for it holds one value a pixel.
@@ -257,10 +258,11 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
     FramePlan made = frame_plan(params, derived);
-    const glm::dmat4 clip_from_view = observer.clip_from_world * observer.world_from_view;
-    const double eye_side = glm::dot(derived.unit_plane, observer.eye_world);
+    if (params.observer.image_space) plain.reflection.stencil = false;  // the image, wherever it is
     made.decal_offset = {-1.0, -2.0};
-    add_passes(made.passes, {plain, derived, clip_from_view, observer.view_from_world, observer.eye_world, eye_side});
+    add_scene_passes(
+        made.passes, plain, derived,
+        {observer.clip_from_world * observer.world_from_view, observer.view_from_world, observer.eye_world});
     return made;
 }
 

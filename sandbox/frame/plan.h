@@ -66,6 +66,7 @@ struct Pass {
     std::string reason;  ///< one sentence: why it is there
     Subject subject = Subject::objects;
     std::size_t plane = 0;        ///< of Derived::planes: the patch, or the receiver of a shadow
+    std::size_t light = 0;        ///< of Derived::lights_world: whose shadow
     Chosen chosen = Chosen::all;  ///< of the objects: all, those that are no decals, or those that are
     bool marks_objects = false;   ///< the stencil's reference is each object's own: FramePlan::object_marks
     Shading shading = Shading::lit;
@@ -152,6 +153,9 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
 
 /// Format, mapping, clear and offsets of the depth buffer, and how it is shown: part of plan().
 void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
+
+/// sRGB as it is, from 0 to 1.
+glm::dvec4 color_of(const Color& color, double alpha);
 
 /// 1, or −1 with reversed depth, which counts the other way and so turns both signs of an offset round.
 double offset_sign(const DepthParams& depth);

@@ -1,4 +1,6 @@
 // The depth buffer of a frame, and decals by equal depth or by a mark in the stencil buffer: parts of plan().
+#include <algorithm>
+
 #include "frame/plan.h"
 
 namespace viewing {
@@ -27,7 +29,10 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || params.visibility.method != VisibilityMethod::depth_buffer) return;
-    Pass& objects = passes.back();
+    const auto found = std::ranges::find_if(
+        passes, [](const Pass& pass) { return pass.subject == Subject::objects && pass.name == "Objects"; });
+    if (found == passes.end()) return;
+    Pass& objects = *found;
     objects.chosen = Chosen::bases;
     Pass decals = objects;
     decals.name = "Decals";
@@ -44,7 +49,7 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
         decals.depth.test = false;
         decals.stencil = {true, CompareFunc::equal, 0, StencilOp::keep};
     }
-    passes.push_back(decals);
+    passes.insert(found + 1, decals);
 }
 
 }  // namespace viewing

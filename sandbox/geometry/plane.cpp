@@ -55,18 +55,23 @@ glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane) {
     return mirror;
 }
 
-glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view) {
-    // The corner of the frustum that lies deepest behind the new near plane.
-    const glm::dvec4 corner_clip(sign_of(plane_view.x), sign_of(plane_view.y), 1.0, 1.0);
-    const glm::dvec4 corner_view = glm::inverse(clip_from_view) * corner_clip;
+glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view, ClipRange range) {
+    // The corner of the frustum's far end that lies deepest behind the new near plane.
+    const glm::dmat4 view_from_clip = glm::inverse(clip_from_view);
+    const glm::dvec4 plane_clip = plane_view * view_from_clip;
+    const double far_end = range == ClipRange::standard ? 1.0 : range == ClipRange::reversed ? -1.0 : 0.0;
+    const glm::dvec4 corner_view =
+        view_from_clip * glm::dvec4(sign_of(plane_clip.x), sign_of(plane_clip.y), far_end, 1.0);
 
-    // That corner is to lie on the far plane: row 3 = scaled plane − row 4. Where the whole frustum lies in front of
-    // the new near plane any positive scale clips it all.
+    // That corner is to lie at the far end still. The near plane is where the distance of z from its near end is 0:
+    // z + w = scale · plane, or w − z with reversed depth. Where the whole frustum lies in front of the new near plane
+    // any positive scale clips it all.
     constexpr double min_reach = 1e-9;
     const double reach = std::max(glm::dot(plane_view, corner_view), min_reach);
-    const glm::dvec4 scaled_plane = plane_view * (2.0 / reach);
+    const glm::dvec4 scaled_plane = plane_view * ((range == ClipRange::reversed_zero_to_one ? 1.0 : 2.0) / reach);
     for (int column = 0; column < 4; ++column) {
-        clip_from_view[column][2] = scaled_plane[column] - clip_from_view[column][3];
+        const double w = clip_from_view[column][3];
+        clip_from_view[column][2] = range == ClipRange::standard ? scaled_plane[column] - w : w - scaled_plane[column];
     }
     return clip_from_view;
 }

@@ -22,11 +22,14 @@ double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 /// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.
 glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane);
 
-/// Replaces the near plane of a projection (clip range −1 … 1) by a plane given in view space, so that
-/// what lies on its negative side is clipped. The eye must lie on the negative side (w < 0).
-/// A plane beyond the whole frustum clips everything.
-/// Source: Lengyel 2005, Oblique View Frustum Depth Projection and Clipping.
-glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view);
+/// Where a projection puts near and far: −1 and +1, 1 and 0, or +1 and −1.
+enum class ClipRange { standard, reversed_zero_to_one, reversed };
+
+/// Replaces the near plane of a projection by a plane given in view space, so that what lies on its negative side is
+/// clipped. The eye must lie on the negative side (w < 0). A plane beyond the whole frustum clips everything.
+/// Source: Lengyel 2005, Oblique View Frustum Depth Projection and Clipping; reversed depth the other way round.
+glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& plane_view,
+                                   ClipRange range = ClipRange::standard);
 
 /// The square drawn for a plane: centre nearest the world's origin, half-axes u and v of length
 /// `extent`. The same for P, −P and 2P.

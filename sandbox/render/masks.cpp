@@ -26,16 +26,14 @@ MaskUse mask_use(const Pass& pass, const gl::Target& target) {
     use.tests = pass.stencil.func != CompareFunc::always;
     use.writes = pass.stencil.on_pass != StencilOp::keep;
     use.fills = use.tests && use.writes && pass.color_write && pass.shading == Shading::flat;
-    // Counting up is known where it starts, and marks are bytes that blending leaves as they are.
-    assert(pass.stencil.on_pass != StencilOp::increment || pass.stencil.func == CompareFunc::equal);
-    assert(!use.writes || pass.blend != Blend::add);
+    assert(!use.writes || pass.blend != Blend::add);  // marks are bytes that blending leaves as they are
     return use;
 }
 
 void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target) {
     const gl::StencilMask& mask = target.mask();
-    if (use.tests && use.writes) mask.keep_previous();
-    if (use.tests) bind(mask_unit, use.writes ? mask.previous() : mask.texture());
+    if (use.writes) mask.keep_previous();
+    if (use.tests || use.writes) bind(mask_unit, use.writes ? mask.previous() : mask.texture());
     glBindFramebuffer(GL_FRAMEBUFFER, use.writes ? mask.draw_framebuffer() : target.draw_framebuffer());
     if (!use.writes) return;
     const bool draws_color = pass.color_write && !use.fills;
@@ -44,13 +42,13 @@ void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target) 
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void set_mask_reference(const SurfaceProgram& program, const StencilState& stencil, int reference) {
-    const int tested = std::clamp(reference, 0, 255);
-    const int written = std::min(tested + (stencil.on_pass == StencilOp::increment ? 1 : 0), 255);
+void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference) {
     glUniform1i(program.mask_texture, mask_unit);
     glUniform1i(program.mask_func, static_cast<int>(stencil.func));
-    glUniform1i(program.mask_reference, tested);
-    glUniform1f(program.mask_value, static_cast<float>(written) / 255.0F);
+    glUniform1i(program.mask_reference, std::clamp(reference, 0, 255));
+    glUniform1i(program.mask_read_bits, stencil.read_bits);
+    glUniform1i(program.mask_write_bits, stencil.write_bits);
+    glUniform1i(program.mask_op, static_cast<int>(stencil.on_pass));
 }
 
 void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram& program, const Fullscreen& fullscreen,

@@ -22,8 +22,8 @@ MaskUse mask_use(const Pass& pass, const gl::Target& target);
 /// After apply_state(): binds the framebuffer for the pass, and the mask that it is compared with.
 void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target);
 
-/// The stencil's reference, for a program in use that may test or write the mask.
-void set_mask_reference(const SurfaceProgram& program, const StencilState& stencil, int reference);
+/// What the stencil would do, for a program in use that may test or write the mask.
+void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference);
 
 /// Lays the pass's flat colour over the pixels whose mask it has changed.
 void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram& program, const Fullscreen& fullscreen,

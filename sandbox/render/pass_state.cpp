@@ -15,8 +15,9 @@ void enable(GLenum capability, bool on) {
 
 void apply_stencil(const StencilState& stencil, int reference) {
     enable(GL_STENCIL_TEST, stencil.test);
-    glStencilFunc(gl_enum(stencil.func), reference, 0xFF);
-    static constexpr GLenum ops[] = {GL_KEEP, GL_REPLACE, GL_INCR};
+    glStencilFunc(gl_enum(stencil.func), reference, static_cast<GLuint>(stencil.read_bits));
+    glStencilMask(static_cast<GLuint>(stencil.write_bits));
+    static constexpr GLenum ops[] = {GL_KEEP, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_ZERO};
     glStencilOp(GL_KEEP, GL_KEEP, ops[static_cast<std::size_t>(stencil.on_pass)]);
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "frame/draw_calls.h"
+
 namespace viewing {
 
 Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scene, const Derived& derived,
@@ -39,8 +41,8 @@ PixelReport PixelProbe::at(glm::ivec2 pixel, const Scene& scene) const {
     const int identity = bytes.r + 256 * bytes.g;
     report.written = identity != 0;
     report.front_facing = bytes.b != 0;
-    if (identity == Renderer::patch_identity)
-        report.object = "plane";
+    if (identity >= Renderer::patch_identity)
+        report.object = plane_name(static_cast<std::size_t>(identity - Renderer::patch_identity));
     else if (report.written)
         report.object = scene.objects.at(static_cast<std::size_t>(identity - 1)).description.name;
     report.has_depth = report.written && report.window_depth != plan_.clear_depth_value;

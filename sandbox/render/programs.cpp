@@ -23,7 +23,10 @@ GLint uniform(const gl::Program& program, const char* name) {
 Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
     if (const auto found = surfaces_.find(kind); found != surfaces_.end()) return &found->second;
     std::string defines = "#define SHADING " + std::to_string(kind.shading) + "\n";
+    if (kind.lights > 0) defines += "#define LIGHTS " + std::to_string(kind.lights) + "\n";
     if (kind.is_patch) defines += "#define IS_PATCH\n";
+    if (kind.has_gloss) defines += "#define HAS_GLOSS\n";
+    if (kind.forces_sign) defines += "#define FORCE_SIGN\n";
     if (kind.shading == static_cast<int>(Shading::heat))
         defines += "#define HEAT_ENTRIES " + std::to_string(HeatMap::entry_count) + "\n";
     if (kind.write_depth) defines += "#define WRITE_DEPTH\n";
@@ -49,7 +52,8 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
         {&SurfaceProgram::world_from_model, "world_from_model"},
         {&SurfaceProgram::world_from_normal, "world_from_normal"},
         {&SurfaceProgram::clip_plane_model, "clip_plane_model"},
-        {&SurfaceProgram::light_world, "light_world"},
+        {&SurfaceProgram::lights_world, "lights_world"},
+        {&SurfaceProgram::light_strength, "light_strength"},
         {&SurfaceProgram::eye_world, "eye_world"},
         {&SurfaceProgram::sky_world, "sky_world"},
         {&SurfaceProgram::base_color, "base_color"},
@@ -70,7 +74,12 @@ Result<const SurfaceProgram*> Programs::surface(const SurfaceKind& kind) {
         {&SurfaceProgram::mask_texture, "mask_texture"},
         {&SurfaceProgram::mask_func, "mask_func"},
         {&SurfaceProgram::mask_reference, "mask_reference"},
-        {&SurfaceProgram::mask_value, "mask_value"},
+        {&SurfaceProgram::mask_read_bits, "mask_read_bits"},
+        {&SurfaceProgram::mask_write_bits, "mask_write_bits"},
+        {&SurfaceProgram::mask_op, "mask_op"},
+        {&SurfaceProgram::caster_w, "caster_w"},
+        {&SurfaceProgram::caster_side, "caster_side"},
+        {&SurfaceProgram::caster_colors, "caster_colors"},
         {&SurfaceProgram::heat_view_from_world, "heat_view_from_world"},
         {&SurfaceProgram::heat_near_far, "heat_near_far"},
         {&SurfaceProgram::heat_onsets, "heat_onsets"},

@@ -11,8 +11,8 @@ namespace viewing {
 
 /// One way to draw a surface: each has a program of its own.
 struct SurfaceKind {
-    static constexpr int identity = 5;          ///< more than Shading has: identities for colours, to read back
-    static constexpr int polygon_identity = 6;  ///< of polygons; only with Source::vertices
+    static constexpr int identity = 6;          ///< more than Shading has: identities for colours, to read back
+    static constexpr int polygon_identity = 7;  ///< of polygons; only with Source::vertices
 
     /// Where colour and numbers come from: the object, its vertices, or a picture of surface points.
     enum class Source { object, vertices, picture };
@@ -25,6 +25,9 @@ struct SurfaceKind {
     bool mask_test = false;  ///< render/masks.h
     bool mask_write = false;
     bool logarithm_per_vertex = false;
+    int lights = 0;  ///< with Shading::lit: how many, from 1 on
+    bool has_gloss = false;
+    bool forces_sign = false;
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
@@ -32,10 +35,12 @@ struct SurfaceKind {
 struct SurfaceProgram {
     gl::Program program;
     GLint clip_from_model, world_from_model, world_from_normal, clip_plane_model;
-    GLint light_world, eye_world, sky_world, base_color, alpha, patch_tones, patch_extent, facing_colors;
+    GLint lights_world, light_strength, eye_world, sky_world, base_color, alpha, patch_tones, patch_extent,
+        facing_colors;
     GLint view_z_of_model, view_w_of_model, depth_levels, logarithmic_range, depth_offset, vertex_near_far;
     GLint surface_positions, surface_normals, surface_colors, surface_counts;
-    GLint mask_texture, mask_func, mask_reference, mask_value;
+    GLint mask_texture, mask_func, mask_reference, mask_read_bits, mask_write_bits, mask_op;
+    GLint caster_w, caster_side, caster_colors;
     GLint heat_view_from_world, heat_near_far, heat_onsets, heat_colors, heat_gap;
 };
 

@@ -15,9 +15,12 @@
 #include "render/present.h"
 #include "render/programs.h"
 #include "render/uniforms.h"
+#include "state/fields.h"
 
 namespace viewing {
 namespace {
+
+constexpr std::size_t most_lights = 1 + max_further_lights;
 
 /// A number below 2^16 in the bytes of red and green.
 void set_identity(const SurfaceProgram& program, int identity) {
@@ -97,7 +100,11 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
 void Renderer::Implementation::set_uniforms(const FrameState& frame, const Pass& pass,
                                             const SurfaceProgram& program) const {
     glUseProgram(program.program.name());
-    set_vector(program.light_world, glm::vec4(pass.light_world));
+    glm::vec4 lights_world[most_lights];
+    for (std::size_t light = 0; light < pass.lights_world.size(); ++light)
+        lights_world[light] = glm::vec4(pass.lights_world[light]);
+    glUniform4fv(program.lights_world, static_cast<GLsizei>(pass.lights_world.size()), glm::value_ptr(lights_world[0]));
+    glUniform1f(program.light_strength, static_cast<float>(pass.light_strength));
     set_vector(program.eye_world, glm::vec4(pass.eye_world));
     set_vector(program.sky_world, glm::vec3(pass.sky_world));
     set_vector(program.base_color, glm::vec4(pass.color));
@@ -107,7 +114,11 @@ void Renderer::Implementation::set_uniforms(const FrameState& frame, const Pass&
     glUniform3fv(program.patch_tones, 3, glm::value_ptr(tones[0]));
     const glm::vec3 facing[] = {srgb(front_color), srgb(back_color)};
     glUniform3fv(program.facing_colors, 2, glm::value_ptr(facing[0]));
-    glUniform1f(program.patch_extent, static_cast<float>(frame.plan.patch.extent));
+    if (pass.subject == Subject::patch)
+        glUniform1f(program.patch_extent, static_cast<float>(frame.plan.patches[pass.plane].extent));
+    set_vector(program.caster_w, glm::vec4(frame.plan.caster_w));
+    set_vector(program.caster_side, glm::vec4(frame.plan.caster_side));
+    set_colors(program.caster_colors, caster_colors);
     const Lens& lens = frame.plan.lens;
     glUniform2f(program.vertex_near_far, static_cast<float>(lens.near), static_cast<float>(lens.far));
     if (frame.identify == 0 && pass.shading == Shading::heat) set_heat(program, frame.plan, pass);
@@ -209,19 +220,26 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
                           : pass.subject == Subject::pixels ? Source::picture
                                                             : Source::object;
     const int shading = frame.identify != 0 ? frame.identify : static_cast<int>(pass.shading);
+    const bool is_lit = frame.identify == 0 && pass.shading == Shading::lit;
+    const int lights = is_lit ? static_cast<int>(pass.lights_world.size()) : 0;
     Result<const SurfaceProgram*> found = programs.surface(
         {shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth && source != Source::picture, source,
-         mask.tests, mask.writes, frame.plan.has_logarithm_per_vertex() && source != Source::picture});
+         mask.tests, mask.writes, frame.plan.has_logarithm_per_vertex() && source != Source::picture, lights,
+         is_patch && lights > 0 && pass.has_gloss, pass.forces_sign});
     if (!found) return Error{found.error()};
     const SurfaceProgram& program = **found;
     set_uniforms(frame, pass, program);
-    set_mask_reference(program, pass.stencil, pass.stencil.reference);
+    set_mask(program, pass.stencil, pass.stencil.reference);
     if (source == Source::vertices) draw_ordered(frame, pass, program);
     if (source == Source::picture) draw_pixels(frame, pass, program);
     if (source != Source::object) return std::monostate{};
     if (is_patch) {
-        if (frame.identify != 0) set_identity(program, patch_identity);
-        draw_one(frame, pass, program, frame.plan.patch.world_from_patch(), quad, {}, first_call);
+        if (frame.identify != 0) set_identity(program, patch_identity + static_cast<int>(pass.plane));
+        draw_one(frame, pass, program, frame.plan.patches[pass.plane].world_from_patch(), quad, {}, first_call);
+        return std::monostate{};
+    }
+    if (pass.subject == Subject::backdrop) {
+        draw_one(frame, pass, program, glm::dmat4(1.0), quad, {}, first_call);
         return std::monostate{};
     }
     draw_objects(frame, pass, program, first_call);
@@ -236,7 +254,7 @@ void Renderer::Implementation::draw_objects(const FrameState& frame, const Pass&
         if (!is_chosen(pass.chosen, object)) continue;
         if (pass.marks_objects) {
             apply_stencil(pass.stencil, frame.plan.mark_of(index));
-            set_mask_reference(program, pass.stencil, frame.plan.mark_of(index));
+            set_mask(program, pass.stencil, frame.plan.mark_of(index));
         }
         if (frame.identify != 0) {
             set_identity(program, static_cast<int>(index + 1));
@@ -255,8 +273,9 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
                               (plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex());
     const FrameState frame{plan, scene, target, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
-    int next_call = 0;
+    int next_call = 0, next_pass = 0;
     for (const Pass& pass : plan.passes) {
+        if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
         const int first_call = next_call;
         next_call += call_count(pass, scene);
         if (identify != 0 && pass.is_mirror_image) continue;  // what is there is the mirror
@@ -281,7 +300,7 @@ Renderer::~Renderer() = default;
 
 Result<Renderer> Renderer::make(const gl::Capabilities& capabilities) {
     auto implementation = std::make_unique<Implementation>(capabilities);
-    if (Result<const SurfaceProgram*> program = implementation->programs.surface({}); !program)
+    if (Result<const SurfaceProgram*> program = implementation->programs.surface({.lights = 1}); !program)
         return Error{program.error()};
     return Renderer(std::move(implementation));
 }

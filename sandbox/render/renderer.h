@@ -44,8 +44,8 @@ public:
     Image read(const View& view) const;
 
     /// Draws the plan with identities for colours: red and green hold the number of the object from 1 on
-    /// (patch_identity for the patch, 0 where nothing is), blue whether its front is seen. The mirror image is left
-    /// out: the patch is what is there.
+    /// (from patch_identity on for the patches, 0 where nothing is), blue whether its front is seen. The mirror image
+    /// is left out: the patch is what is there.
     Status draw_identities(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 
     static constexpr int patch_identity = 255 * 256;

@@ -292,19 +292,7 @@ TEST(DeriveProblems, OverridesAreUsedAndSaid) {
     EXPECT_TRUE(says(derived, "reflection", "R is overridden"));
 }
 
-TEST(DeriveProblems, WhatIsKeptButNotDrawnIsSaid) {
-    struct Case {
-        std::string setting, group;
-    };
-    for (const Case& each : {Case{"lights=[{\"position\":[1,1,1,1]}]", "light"},
-                             {"planes=[{\"equation\":[1,0,0,0]}]", "plane"},
-                             {"reflection.bounces=2", "reflection"}}) {
-        SCOPED_TRACE(each.setting);
-        EXPECT_TRUE(says(derived_of(params_with({each.setting})), each.group, "yet"));
-    }
-    EXPECT_TRUE(says(derived_of(params_with({"reflection.clip=oblique", "depth.mapping=reversed"})), "reflection",
-                     "oblique near plane"));
-    EXPECT_TRUE(derived_of(params_with({"visibility.method=none", "reflection.clip=oblique"})).problems.empty());
+TEST(DeriveProblems, MethodsAndPicturesAreNone) {
     for (const char* drawn : {"visibility.method=bsp", "visibility.method=ray_cast", "visibility.step=3",
                               "view.shows=overdraw", "view.shows=difference"})
         EXPECT_TRUE(derived_of(params_with({drawn})).problems.empty()) << drawn;

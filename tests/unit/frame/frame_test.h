@@ -89,11 +89,13 @@ inline std::map<std::string, std::string> fields_of(const FramePlan& plan) {
     fields["frame.mask_on_while_clearing"] = std::to_string(plan.mask_on_while_clearing);
     fields["frame.logarithm_per_vertex"] = std::to_string(plan.logarithm_per_vertex);
     fields["frame.depth_colors"] = std::to_string(static_cast<int>(plan.depth_colors));
-    fields["frame.limit"] = std::to_string(plan.limit.call) + " " + std::to_string(plan.limit.triangles);
+    fields["frame.limit"] = std::to_string(plan.limit.call) + " " + std::to_string(plan.limit.triangles) + " " +
+                            std::to_string(plan.limit.pass);
     fields["frame.shown_range"] = text_of(plan.shown_range.x) + " " + text_of(plan.shown_range.y);
     fields["frame.depth_scale"] = std::to_string(static_cast<int>(plan.depth_scale));
     fields["frame.samples"] = std::to_string(plan.samples);
-    fields["frame.patch"] = text_of_matrix(plan.patch.world_from_patch()) + text_of(plan.patch.extent);
+    for (const PlanePatch& patch : plan.patches)
+        fields["frame.patches"] += text_of_matrix(patch.world_from_patch()) + text_of(patch.extent);
     fields["frame.decal_offset"] = offset(plan.decal_offset);
     for (const Pass& pass : plan.passes) {
         const std::string of = pass.name + ".";
@@ -110,13 +112,17 @@ inline std::map<std::string, std::string> fields_of(const FramePlan& plan) {
             std::to_string(pass.depth.test) + " " + gl_name(pass.depth.func) + " " + std::to_string(pass.depth.write);
         fields[of + "stencil"] = std::to_string(pass.stencil.test) + " " + gl_name(pass.stencil.func) + " " +
                                  std::to_string(pass.stencil.reference) + " " +
-                                 std::to_string(static_cast<int>(pass.stencil.on_pass));
+                                 std::to_string(static_cast<int>(pass.stencil.on_pass)) + " " +
+                                 std::to_string(pass.stencil.read_bits) + " " + std::to_string(pass.stencil.write_bits);
         fields[of + "cull"] =
             std::to_string(pass.cull.enabled) + " " + gl_name(pass.cull.face) + " " + gl_name(pass.cull.front_face);
         fields[of + "blend"] = std::to_string(static_cast<int>(pass.blend));
         fields[of + "color_write"] = std::to_string(pass.color_write);
         fields[of + "offset"] = pass.offset ? offset(*pass.offset) : "none";
-        fields[of + "light_world"] = text_of_vector(pass.light_world);
+        for (const glm::dvec4& light : pass.lights_world) fields[of + "lights_world"] += text_of_vector(light);
+        fields[of + "light_strength"] = text_of(pass.light_strength);
+        fields[of + "forces_sign"] = std::to_string(pass.forces_sign);
+        fields[of + "has_gloss"] = std::to_string(pass.has_gloss);
         fields[of + "eye_world"] = text_of_vector(pass.eye_world);
         fields[of + "sky_world"] = text_of_vector(pass.sky_world);
         fields[of + "color"] = text_of_vector(pass.color);

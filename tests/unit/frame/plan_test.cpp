@@ -51,9 +51,9 @@ TEST(PlanPasses, OfTheOpeningState) {
 
     const Pass& image = pass_named(frame, "Mirror image");
     EXPECT_TRUE(image.is_mirror_image);
-    EXPECT_EQ(image.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::keep}));
+    EXPECT_EQ(image.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::keep, 0x0F}));
     EXPECT_EQ(image.cull.front_face, FrontFace::cw);
-    EXPECT_EQ(image.light_world, glm::dvec4(2.6, -5.2, 2.2, 1.0));
+    EXPECT_EQ(image.lights_world, (std::vector<glm::dvec4>{{2.6, -5.2, 2.2, 1.0}}));
     EXPECT_EQ(image.sky_world, glm::dvec3(0, -1, 0));
     ASSERT_EQ(image.clip_planes.size(), 1U);
     EXPECT_EQ(image.clip_planes[0], glm::dvec4(0, 1, 0, 0));
@@ -72,11 +72,14 @@ TEST(PlanPasses, OfTheOpeningState) {
     EXPECT_EQ(shadow.color, glm::dvec4(0, 0, 0, 0.5));
     EXPECT_EQ(shadow.blend, Blend::alpha);
     EXPECT_FALSE(shadow.depth.write);
-    EXPECT_EQ(shadow.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::increment}));
+    EXPECT_EQ(shadow.stencil, (StencilState{true, CompareFunc::equal, 1, StencilOp::invert, 0x1F, 0x10}));
     ASSERT_TRUE(shadow.offset);
     EXPECT_EQ(*shadow.offset, (DepthOffset{-1, -1}));
-    ASSERT_EQ(shadow.clip_planes.size(), 1U);
+    ASSERT_EQ(shadow.clip_planes.size(), 2U);
     EXPECT_EQ(shadow.clip_planes[0], glm::dvec4(0, 1, 0, 0));
+    const glm::dvec4 below_light = shadow.clip_planes[1];  // the light is 5.2 above the plane
+    EXPECT_GT(glm::dot(below_light, glm::dvec4(9, 5.19, -7, 1)), 0.0);
+    EXPECT_LT(glm::dot(below_light, glm::dvec4(9, 5.2, -7, 1)), 0.0);
 
     const Pass& objects = pass_named(frame, "Objects");
     EXPECT_EQ(objects.world_from_scene, glm::dmat4(1.0));
@@ -96,6 +99,21 @@ TEST(PlanPasses, FollowTheSwitches) {
         {{"shadow.enabled=false"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
         {{"reflection.enabled=false"}, {"Patch", "Shadow", "Objects"}},
         {{"reflection.bounces=0"}, {"Patch", "Shadow", "Objects"}},
+        {{"plane.mirrors=false"}, {"Patch", "Shadow", "Objects"}},
+        {{"plane.receives_shadow=false"}, {"Mirror mask", "Mirror image", "Patch", "Objects"}},
+        {{"reflection.after_objects=true"},
+         {"Objects", "Mirror mask", "Fresh picture", "Mirror image", "Patch", "Shadow"}},
+        {{"lights=[{\"position\":[1,4,1,1]}]", "reflection.enabled=false"},
+         {"Patch", "Shadow of light 1", "Shadow of light 2", "Objects"}},
+        {{"lights=[{\"position\":[1,-4,1,1]}]", "reflection.enabled=false"}, {"Patch", "Shadow of light 1", "Objects"}},
+        {{"lights=[{\"position\":[1,4,1,1]}]", "reflection.enabled=false", "shadow.style=missing_light"},
+         {"Receiver mask", "Shadow mask of light 1", "Shadow mask of light 2", "Patch in the light",
+          "Patch without light 1", "Patch without light 2", "Patch without light 1, 2", "Objects"}},
+        {{"planes=[{\"equation\":[0,0,1,3]}]", "shadow.enabled=false"},
+         {"Mirror mask 1", "Patch 2", "Mirror image", "Patch 1", "Mirror mask 2", "Fresh picture", "Patch 1",
+          "Mirror image", "Patch 2", "Objects"}},
+        {{"planes=[{\"equation\":[0,0,1,3],\"receives_shadow\":false,\"mirrors\":false}]"},
+         {"Mirror mask 1", "Patch 2", "Mirror image", "Patch 1", "Shadow", "Patch 2", "Objects"}},
         {{"reflection.enabled=false", "shadow.enabled=false"}, {"Patch", "Objects"}},
         {{"reflection.stencil=false"}, {"Mirror image", "Patch", "Shadow", "Objects"}},
         {{"shadow.style=missing_light"},
@@ -180,11 +198,28 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"shadow.offset_factor=-3"}, {"Shadow.offset"}},
         {{"shadow.offset_units=-3"}, {"Shadow.offset"}},
         {{"shadow.lift=3"}, {}},
+        {{"shadow.clip_at_light=false"}, {"Shadow.clip_planes"}},
+        {{"shadow.sign=none"}, {}},
+        {{"shadow.sign=none", "plane.equation=[0,-1,0,0]"}, {"Shadow.world_from_scene"}},
+        {{"shadow.sign=forced"}, {"Shadow.forces_sign"}},
+        {{"shadow.write_depth=true"}, {"Shadow.depth"}},
+        {{"shadow.own_stencil=false"}, {}},
+        {{"plane.gloss=true"}, {"Mirror mask.has_gloss", "Patch.has_gloss"}},
+        {{"reflection.bounces=5", "reflection.shadows=false", "reflection.same_projection=false"}, {}},
+        {{"reflection.mirrored=camera"},
+         {"Mirror image.clip_from_world", "Mirror image.view_from_world", "Mirror image.world_from_scene",
+          "Mirror image.eye_world", "Mirror image.lights_world", "Mirror image.sky_world"}},
+        {{"reflection.mask_writes_depth=true"}, {"Mirror mask.depth"}},
+        {{"reflection.side_of_eye=false"}, {}},
+        {{"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"}, {"Mirror image.clip_planes"}},
+        {{"animation.light_orbit=true"}, {}},
+        {{"view.pass=2"}, {"frame.limit"}},
+        {{"view.shows=shadow_w"}, {"frame.shows", "Mirror image.shading", "Objects.shading"}},
         {{"reflection.reflectance=0.6"}, {"Patch.color"}},
         {{"reflection.clip=none"}, {"Mirror image.clip_planes"}},
         {{"reflection.clip=oblique"}, {"Mirror image.clip_planes", "Mirror image.clip_from_world"}},
         {{"reflection.flip_winding=false"}, {"Mirror image.cull"}},
-        {{"reflection.reflect_light=false"}, {"Mirror image.light_world", "Mirror image.sky_world"}},
+        {{"reflection.reflect_light=false"}, {"Mirror image.lights_world", "Mirror image.sky_world"}},
         {{"view.shows=depth"}, {"frame.shows", "frame.samples"}},
         {{"view.shows=stencil"}, {"frame.shows", "frame.samples"}},
         {{"view.shows=facing"}, {"frame.shows", "Mirror image.shading", "Objects.shading"}},
@@ -192,7 +227,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"view.samples=0"}, {"frame.samples"}},
         {{"ui.theme=light"}, {"frame.background", "frame.patch_colors"}},
         {{"ui.theme=projector"}, {"frame.background", "frame.patch_colors"}},
-        {{"plane.extent=2"}, {"frame.patch"}},
+        {{"plane.extent=2"}, {"frame.patches"}},
         {{"camera.target=[1,1,1]"}, {}},
         {{"camera.navigation=walk"}, {}},
         {{"slips.walk_slows=true"}, {}},
@@ -211,9 +246,10 @@ TEST(PlanSwitches, StencilOfTheShadow) {
     const auto stencil = [](const std::vector<std::string>& settings) {
         return pass_named(plan_with(settings), "Shadow").stencil;
     };
-    EXPECT_EQ(stencil({"shadow.stencil_once=false"}), (StencilState{true, CompareFunc::equal, 1, StencilOp::keep}));
+    EXPECT_EQ(stencil({"shadow.stencil_once=false"}),
+              (StencilState{true, CompareFunc::equal, 1, StencilOp::keep, 0x0F}));
     EXPECT_EQ(stencil({"shadow.clip_to_receiver=false"}),
-              (StencilState{true, CompareFunc::notequal, 2, StencilOp::replace}));
+              (StencilState{true, CompareFunc::equal, 0, StencilOp::invert, 0x10, 0x10}));
     EXPECT_FALSE(stencil({"shadow.clip_to_receiver=false", "shadow.stencil_once=false"}).test);
 }
 
@@ -305,23 +341,56 @@ TEST(PlanDecals, HaveAPassOfTheirOwnUnlessAnOffsetMovesThem) {
     EXPECT_EQ(marks.size(), 4U);
 }
 
-TEST(PlanDepth, ReversedKeepsTheClipDistanceInPlaceOfTheObliquePlane) {
-    const FramePlan frame = plan_with({"depth.mapping=reversed", "reflection.clip=oblique"});
-    EXPECT_EQ(pass_named(frame, "Mirror image").clip_planes.size(), 1U);
+TEST(PlanMirror, ObliqueNearPlaneIsTheMirror) {
+    struct Case {
+        std::vector<std::string> settings;
+        bool clip_control;
+        double near_end, far_end;
+    };
+    for (const Case& each :
+         {Case{{}, true, -1.0, 1.0}, Case{{"depth.mapping=reversed"}, true, 1.0, 0.0},
+          Case{{"depth.mapping=reversed"}, false, 1.0, -1.0}, Case{{"reflection.mirrored=camera"}, true, -1.0, 1.0}}) {
+        std::vector<std::string> settings = each.settings;
+        settings.emplace_back("reflection.clip=oblique");
+        const FramePlan frame = plan_of(params_with(settings), each.clip_control);
+        const Pass& image = pass_named(frame, "Mirror image");
+        EXPECT_TRUE(image.clip_planes.empty());
+        const auto ndc_z = [&](const glm::dvec3& point_scene) {
+            const glm::dvec4 clip = image.clip_from_world * image.world_from_scene * glm::dvec4(point_scene, 1.0);
+            return clip.z / clip.w;
+        };
+        EXPECT_NEAR(ndc_z({0.5, 0.0, 0.5}), each.near_end, 1e-12);
+        EXPECT_NEAR(ndc_z({-2.0, 0.0, 1.0}), each.near_end, 1e-12);
+        const double towards_far = each.far_end - each.near_end;
+        EXPECT_GT((ndc_z({0.5, 0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "above the mirror: kept";
+        EXPECT_LT((ndc_z({0.5, -0.5, 0.5}) - each.near_end) / towards_far, 0.0) << "behind the mirror: cut off";
+    }
 }
 
-TEST(PlanMirror, ObliqueNearPlaneIsTheMirror) {
-    const FramePlan frame = plan_with({"reflection.clip=oblique"});
-    const Pass& image = pass_named(frame, "Mirror image");
-    EXPECT_TRUE(image.clip_planes.empty());
-    const auto ndc_z = [&](const glm::dvec3& point) {
-        const glm::dvec4 clip = image.clip_from_world * glm::dvec4(point, 1.0);
-        return clip.z / clip.w;
+TEST(PlanMirror, TheMirroredCameraSeesTheSameImage) {
+    const Pass by_scene = pass_named(plan_with({"plane.equation=[0.3,1,0.2,0.5]"}), "Mirror image");
+    const Pass by_camera =
+        pass_named(plan_with({"plane.equation=[0.3,1,0.2,0.5]", "reflection.mirrored=camera"}), "Mirror image");
+    const glm::dmat4 one = by_scene.clip_from_world * by_scene.world_from_scene;
+    const glm::dmat4 other = by_camera.clip_from_world * by_camera.world_from_scene;
+    EXPECT_EQ(by_camera.world_from_scene, glm::dmat4(1.0));
+    EXPECT_NEAR(glm::determinant(by_camera.view_from_world), 1.0, 1e-9) << "a camera, not a mirror image of one";
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) EXPECT_NEAR(one[column][row], other[column][row], 1e-9);
+}
+
+TEST(PlanMirror, DepthIsWhatTheStencilAndTheCountOfImagesAllow) {
+    const auto depth = [](const std::vector<std::string>& settings) {
+        const Params params = params_with(settings);
+        return reflection_depth(params, derive(params, box_scene(), Viewport{}));
     };
-    EXPECT_NEAR(ndc_z({0.5, 0.0, 0.5}), -1.0, 1e-12);
-    EXPECT_NEAR(ndc_z({-2.0, 0.0, 1.0}), -1.0, 1e-12);
-    EXPECT_GT(ndc_z({0.5, -0.5, 0.5}), -1.0);  // the image, below the mirror, is kept
-    EXPECT_LT(ndc_z({0.5, 0.5, 0.5}), -1.0);
+    const std::string two = "planes=[{\"equation\":[0,0,1,3]}]";
+    const std::string three = "planes=[{\"equation\":[0,0,1,3]},{\"equation\":[1,0,0,3]}]";
+    EXPECT_EQ(depth({}), 1);
+    EXPECT_EQ(depth({"reflection.enabled=false"}), 0);
+    EXPECT_EQ(depth({two, "reflection.bounces=16"}), 13);   // 4 bits: 15 values for 2 planes and 13 mirrors
+    EXPECT_EQ(depth({three, "reflection.bounces=16"}), 4);  // 3 (1 + 2 + 4 + 8) = 45 images; one deeper 93
+    EXPECT_EQ(depth({two, "reflection.bounces=5", "visibility.method=painter"}), 1);
 }
 
 TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
@@ -387,14 +456,15 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
         // The other methods have found nothing yet; the heat map goes by none of them.
         const bool draws_objects =
             is_drawn_by_gl_alone(params.visibility.method) || params.view.shows == Shows::fighting;
-        const std::string& last = frame.passes.back().name;
-        EXPECT_EQ(last == "Objects" || last == "Decals", draws_objects) << last;
+        const bool has_objects = std::ranges::any_of(
+            frame.passes, [](const Pass& pass) { return pass.name == "Objects" || pass.name == "Decals"; });
+        EXPECT_EQ(has_objects, draws_objects);
         bool marked = false;
         int patches = 0;
         for (const Pass& pass : frame.passes) {
             EXPECT_FALSE(pass.reason.empty());
             EXPECT_LE(pass.clip_planes.size(), 2U);
-            if (pass.stencil.test && pass.stencil.func == CompareFunc::equal) {
+            if (pass.stencil.test && pass.stencil.func == CompareFunc::equal && pass.stencil.reference != 0) {
                 EXPECT_TRUE(marked) << pass.name;
             }
             marked |= pass.marks_objects;
@@ -422,10 +492,11 @@ TEST(PlanCalls, SayThePassWithItsCurrentValues) {
         plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
     EXPECT_EQ(gl_calls(pass_named(frame, "Shadow")),
               (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
-                     "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_EQUAL, 1, 0xFF)",
-                     "glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)", "glEnable(GL_BLEND)",
+                     "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_EQUAL, 1, 0x1F)", "glStencilMask(0x10)",
+                     "glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT)", "glEnable(GL_BLEND)",
                      "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)", "glEnable(GL_POLYGON_OFFSET_FILL)",
-                     "glPolygonOffset(-1.5, -1.0)", "glEnable(GL_CLIP_DISTANCE0)", "drawObjects()"}));
+                     "glPolygonOffset(-1.5, -1.0)", "glEnable(GL_CLIP_DISTANCE0)", "glEnable(GL_CLIP_DISTANCE1)",
+                     "drawObjects()"}));
     EXPECT_EQ(gl_calls(pass_named(frame, "Objects")),
               (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_TRUE)",
                      "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CCW)", "drawObjects()"}));

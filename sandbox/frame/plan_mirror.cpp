@@ -1,0 +1,156 @@
+// Mirror images: the world once more, behind each mirror, inside the mirror's mask. Source: lecture, Planar Reflection;
+// Kilgard 1999. Mirrors in mirrors count the stencil up on the way in and down on the way out.
+#include <algorithm>
+#include <cmath>
+
+#include "frame/ground.h"
+#include "frame/plan_parts.h"
+
+namespace viewing {
+namespace {
+
+constexpr int most_images = 64;
+
+/// Mirror images in all for so many mirrors, each of which shows all others.
+int image_count(int mirrors, int depth) {
+    int all = 0, at_depth = mirrors;
+    for (int level = 0; level < depth && all <= most_images; ++level) {
+        all += at_depth;
+        at_depth *= mirrors - 1;
+    }
+    return all;
+}
+
+/// F: left and right change places.
+glm::dmat4 flip() {
+    glm::dmat4 flipped(1.0);
+    flipped[0][0] = -1.0;
+    return flipped;
+}
+
+/// The scene goes through R, and its lights with it.
+void mirror_scene(Level& inside, const glm::dmat4& mirror_from_world) {
+    inside.world_from_scene = inside.world_from_scene * mirror_from_world;
+    if (!inside.params.reflection.reflect_light) return;
+    for (std::size_t light = 0; light < inside.lights_world.size(); ++light)
+        inside.lights_world[light] = inside.world_from_scene * inside.derived.lights_world[light];
+    inside.sky_world = glm::dmat3(mirror_from_world) * inside.sky_world;
+}
+
+/// The camera goes through R, and its picture is flipped: (F P) (F V R) = P V R. The lights stay where they are.
+void mirror_camera(Level& inside, const glm::dmat4& mirror_from_world) {
+    const Params& params = inside.params;
+    if (!params.reflection.same_projection && inside.mirrors_met == 1)
+        inside.projection = clip_from_view(params.projection.lens(), 1.0);
+    inside.projection = inside.projection * flip();
+    inside.view_from_world = flip() * inside.view_from_world * mirror_from_world;
+    inside.eye_world = inside.eye_scene;
+    if (params.reflection.reflect_light) return;
+    for (glm::dvec4& light : inside.lights_world) light = mirror_from_world * light;
+    inside.sky_world = glm::dmat3(mirror_from_world) * inside.sky_world;
+}
+
+ClipRange clip_range(const Level& level) {
+    if (level.params.depth.mapping != DepthMapping::reversed) return ClipRange::standard;
+    return level.derived.clip_zero_to_one ? ClipRange::reversed_zero_to_one : ClipRange::reversed;
+}
+
+/// Keeps of the scene, before it is mirrored, what lies on the side of `kept`.
+void clip_at_mirror(Level& inside, const glm::dvec4& kept) {
+    const ReflectionParams& reflection = inside.params.reflection;
+    inside.clip_from_view = inside.projection;
+    inside.clip.reset();
+    // A matrix by hand may be one that there is no way back from.
+    const bool has_view = std::abs(glm::determinant(inside.view_from_world)) > 1e-12;
+    if (reflection.clip == MirrorClip::oblique && has_view) {
+        const bool by_camera = reflection.mirrored == MirroredThing::camera;
+        const glm::dvec4 kept_world = by_camera ? kept : kept * inside.scene_from_world;
+        inside.clip_from_view = with_oblique_near_plane(
+            inside.projection, kept_world * glm::inverse(inside.view_from_world), clip_range(inside));
+    } else if (reflection.clip != MirrorClip::none) {
+        inside.clip = kept;
+    }
+}
+
+Level world_inside(const Level& outside, std::size_t mirror) {
+    const DerivedPlane& plane = outside.plane(mirror);
+    const glm::dmat4 true_mirror = mirror_matrix(plane.unit_plane);
+    Level inside = outside;
+    inside.mirror = mirror;
+    inside.mirrors_met += 1;
+    inside.region = outside.region_of(mirror);
+    inside.flips_winding = !outside.flips_winding;
+    inside.eye_scene = true_mirror * outside.eye_scene;
+    inside.scene_from_world = true_mirror * outside.scene_from_world;
+    if (inside.params.reflection.mirrored == MirroredThing::camera)
+        mirror_camera(inside, plane.mirror_from_world);
+    else
+        mirror_scene(inside, plane.mirror_from_world);
+    clip_at_mirror(inside, inside.params.reflection.side_of_eye ? outside.plane_towards_eye(mirror) : plane.unit_plane);
+    return inside;
+}
+
+/// Colour and depth as the frame began with, where the mask is: something else has been drawn here before.
+Pass fresh_picture(const Level& level, std::size_t plane) {
+    Pass pass = level.pass("Fresh picture",
+                           "clears colour and depth inside the mask: what has been drawn there lies "
+                           "behind the mirror",
+                           Subject::backdrop);
+    const Color background = ground_of(level.params.ui.theme).background;
+    const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
+    const double far_clip = reversed ? (level.derived.clip_zero_to_one ? 0.0 : -1.0) : 1.0;
+    pass.is_mirror_image = true;
+    pass.shading = Shading::flat;
+    pass.color = color_of(background, 1.0);
+    pass.depth.func = CompareFunc::always;
+    pass.stencil = {true, CompareFunc::equal, level.region_of(plane), StencilOp::keep, stencil_region_bits};
+    // The square of ±1 in x and z fills the picture, as far away as depth goes.
+    pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, far_clip, 1}};
+    pass.view_from_world = glm::dmat4(0.0);
+    pass.view_from_world[3] = {0.0, 0.0, -level.params.projection.far, 1.0};
+    return pass;
+}
+
+}  // namespace
+
+int reflection_depth(const Params& params, const Derived& derived) {
+    if (!params.reflection.enabled) return 0;
+    if (!is_drawn_by_gl_alone(params.visibility.method)) return std::min(params.reflection.bounces, 1);
+    const auto mirrors = static_cast<int>(std::ranges::count(derived.planes, true, &DerivedPlane::mirrors));
+    // Each mirror that is met takes one more of the values that the stencil's low bits can tell apart.
+    int depth = std::min(params.reflection.bounces, stencil_region_bits - static_cast<int>(derived.planes.size()));
+    while (depth > 1 && image_count(mirrors, depth) > most_images) --depth;
+    return depth;
+}
+
+Pass patch_mask(const Level& level, std::size_t plane, const char* name, const char* reason) {
+    Pass pass = level.patch_pass(name, reason, plane);
+    pass.shading = Shading::flat;
+    pass.color_write = false;
+    pass.depth.write = false;
+    const int region = level.region_of(plane);
+    pass.stencil = level.is_real() ? StencilState{true, CompareFunc::always, region, StencilOp::replace}
+                                   : StencilState{true, CompareFunc::equal, level.region, StencilOp::increment,
+                                                  stencil_region_bits};
+    return pass;
+}
+
+void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
+    const ReflectionParams& reflection = level.params.reflection;
+    Level inside = world_inside(level, plane);
+    if (!reflection.stencil) {  // the objects, wherever depth lets them be
+        inside.region = 0;
+        passes.push_back(objects_pass(inside));
+        return;
+    }
+    Pass mask = patch_mask(level, plane, "Mirror mask",
+                           "marks the patch in the stencil buffer, so that the image stays inside the mirror");
+    mask.depth.write = reflection.mask_writes_depth;
+    if (reflection.after_objects) mask.depth.test = false;
+    passes.push_back(mask);
+    if (!level.is_fresh) passes.push_back(fresh_picture(level, plane));
+    inside.is_fresh = true;
+    add_world(passes, inside);
+}
+
+}  // namespace viewing

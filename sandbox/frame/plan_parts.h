@@ -1,0 +1,67 @@
+// What the parts of plan() share: the world as it is drawn, be it the real one or what a mirror shows of it.
+// Read plan.cpp first; plan_mirror.cpp and plan_shadow.cpp after it.
+#pragma once
+
+#include "frame/plan.h"
+
+namespace viewing {
+
+/// Level 0 is the real world; a mirror in it opens level 1, a mirror seen in that mirror level 2, and so on. "Scene" is
+/// space before the mirrors, "world" after them: where the image seems to be.
+struct Level {
+    const Params& params;
+    const Derived& derived;
+    glm::dmat4 projection;      ///< P, or what the mirrored camera has in its place
+    glm::dmat4 clip_from_view;  ///< the projection, with the mirror for its near plane if that is asked for
+    glm::dmat4 view_from_world;
+    glm::dmat4 world_from_scene{1.0};     ///< the product of the mirrors' R; I if it is the camera that is mirrored
+    glm::dmat4 scene_from_world{1.0};     ///< of the true mirrors, whatever has been put in the place of R
+    glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
+    std::vector<glm::dvec4> lights_world;
+    glm::dvec3 sky_world{0.0, 1.0, 0.0};
+    bool flips_winding = false;
+    int mirrors_met = 0;
+    int region = 0;                       ///< the stencil's low bits inside which it is drawn; 0 for level 0
+    std::optional<std::size_t> mirror{};  ///< the last one met
+    std::optional<ClipPlane> clip{};      ///< of the scene: what lies before the last mirror
+    bool is_fresh = true;                 ///< nothing has been drawn here yet
+
+    const DerivedPlane& plane(std::size_t index) const { return derived.planes[index]; }
+    double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }
+    glm::dvec4 plane_towards_eye(std::size_t index) const {
+        return plane(index).unit_plane * (eye_side(index) < 0.0 ? -1.0 : 1.0);
+    }
+    bool is_real() const { return mirrors_met == 0; }
+    bool mirrors(std::size_t index) const;                             ///< an image is drawn for it
+    std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< whose shadows are drawn on it
+    int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch
+
+    Pass pass(const char* name, const char* reason, Subject subject) const;
+    Pass patch_pass(const char* name, const char* reason, std::size_t index) const;
+};
+
+/// The scene itself, or its mirror image.
+Pass objects_pass(const Level& level);
+
+/// The stencil's bit of a light.
+int light_bit(const Params& params, std::size_t light);
+
+/// Marks a patch in the stencil, without colour or depth.
+Pass patch_mask(const Level& level, std::size_t plane, const char* name, const char* reason);
+
+/// The patch with some of the lights. `blends` over a mirror image, of which it lets `reflectance` through.
+Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends);
+
+/// Mask, a fresh picture inside it, and the world that the mirror shows.
+void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t plane);
+
+/// The shadows of the lights, painted over the patch.
+void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plane);
+
+/// Missing light: shadows go into the stencil first, then the patch is drawn once for each set of missing lights.
+void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_t plane);
+
+/// The planes and objects of a level: part of plan.cpp.
+void add_world(std::vector<Pass>& passes, Level level);
+
+}  // namespace viewing

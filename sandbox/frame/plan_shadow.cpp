@@ -1,0 +1,149 @@
+// Planar shadows: casters flattened by S onto a patch, painted over it or, as missing light, counted before the patch
+// is drawn. Each light has a bit of the stencil. Source: lecture, Planar Shadow and Projection Shadow; Kilgard 1999.
+#include <algorithm>
+#include <cmath>
+
+#include "frame/plan_parts.h"
+
+namespace viewing {
+namespace {
+
+/// What lies between the light and the plane: before the plane, and where w is positive.
+std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4& unit_plane, const CastShadow& cast) {
+    const double side = shadow_sign(unit_plane, cast.light_world);
+    std::vector<ClipPlane> clips;
+    if (shadow.clip_casters) clips.push_back(unit_plane * side);
+    if (shadow.clip_at_light && cast.light_world.w > 0.0) {
+        // A little before w = 0: a shadow a thousand times as far as its caster is far enough.
+        constexpr double smallest_w = 1e-3;
+        glm::dvec4 w_of_point = -side * cast.light_world.w * unit_plane;
+        w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
+        clips.push_back(w_of_point);
+    }
+    return clips;
+}
+
+void set_offset(Pass& pass, const Level& level, std::size_t plane) {
+    const ShadowParams& shadow = level.params.shadow;
+    const double turned = offset_sign(level.params.depth);
+    switch (shadow.offset) {
+        case ShadowOffset::none:
+            break;
+        case ShadowOffset::polygon_offset:
+            pass.offset = DepthOffset{turned * shadow.offset_factor, turned * shadow.offset_units};
+            break;
+        case ShadowOffset::lift: {
+            glm::dmat4 lifted_from_plane(1.0);
+            lifted_from_plane[3] = glm::dvec4(glm::dvec3(level.plane_towards_eye(plane)) * shadow.lift, 1.0);
+            const CastShadow& cast = level.plane(plane).shadows[pass.light];
+            pass.world_from_scene = level.world_from_scene * lifted_from_plane * (cast.sign * cast.shadow_from_world);
+            break;
+        }
+        case ShadowOffset::no_depth_test:
+            pass.depth.test = false;
+            break;
+    }
+}
+
+/// Casters flattened by S onto the plane, then seen as the level sees it.
+Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light) {
+    const CastShadow& cast = level.plane(plane).shadows[light];
+    Pass pass = level.pass("Shadow", "draws the casters once more through S, flat on the plane", Subject::objects);
+    if (level.derived.lights_world.size() > 1) pass.name += " of light " + std::to_string(light + 1);
+    pass.plane = plane;
+    pass.light = light;
+    pass.shading = Shading::flat;
+    pass.depth.write = false;
+    pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadow_from_world);
+    pass.forces_sign = level.params.shadow.sign == ShadowSign::forced;
+    pass.cull = CullParams{};  // which shadows fall never depends on culling
+    pass.clip_planes = caster_clips(level.params.shadow, level.plane(plane).unit_plane, cast);
+    return pass;
+}
+
+/// Each pixel of the region is counted once for each light.
+StencilState counts_once(int region, int bit) {
+    return {true, CompareFunc::equal, region, StencilOp::invert, stencil_region_bits | bit, bit};
+}
+
+StencilState stencil_of(const Level& level, std::size_t plane, int bit) {
+    const ShadowParams& shadow = level.params.shadow;
+    const int region = level.region_of(plane);
+    const bool clips = shadow.clip_to_receiver || !level.is_real();  // never out of the mirror that shows it
+    if (clips && shadow.stencil_once) return counts_once(region, bit);
+    if (clips) return {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
+    if (shadow.stencil_once) return {true, CompareFunc::equal, 0, StencilOp::invert, bit, bit};
+    return {};
+}
+
+std::string name_without(const Level& level, std::span<const std::size_t> missing) {
+    if (missing.empty()) return "Patch in the light";
+    if (level.derived.lights_world.size() == 1) return "Patch in shadow";
+    std::string lights;
+    for (const std::size_t light : missing) lights += (lights.empty() ? " " : ", ") + std::to_string(light + 1);
+    return "Patch without light" + lights;
+}
+
+}  // namespace
+
+int light_bit(const Params& params, std::size_t light) {
+    constexpr int first = stencil_region_bits + 1;
+    return params.shadow.own_stencil ? first << light : first;
+}
+
+void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
+    const ShadowParams& shadow = level.params.shadow;
+    const std::vector<std::size_t> lights = level.casting_lights(plane);
+    // Together the lights' shadows are as dark as the one shadow of a single light.
+    const auto share = 1.0 / static_cast<double>(lights.size());
+    const double opacity = lights.size() == 1 ? shadow.opacity : 1.0 - std::pow(1.0 - shadow.opacity, share);
+    for (const std::size_t light : lights) {
+        Pass pass = shadow_pass(level, plane, light);
+        pass.color = color_of(shadow.color, opacity);
+        pass.blend = Blend::alpha;
+        pass.depth.write = shadow.write_depth && level.params.depth.write;
+        pass.stencil = stencil_of(level, plane, light_bit(level.params, light));
+        set_offset(pass, level, plane);
+        passes.push_back(pass);
+    }
+}
+
+void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
+    const int region = level.region_of(plane);
+    const bool mirrors = level.mirrors(plane);
+    if (!(mirrors && level.params.reflection.stencil))
+        passes.push_back(patch_mask(level, plane, "Receiver mask",
+                                    "marks the patch in the stencil buffer as the receiver of shadows"));
+    const std::vector<std::size_t> lights = level.casting_lights(plane);
+    std::vector<int> bits;
+    for (const std::size_t light : lights) {
+        const int bit = light_bit(level.params, light);
+        Pass mask = shadow_pass(level, plane, light);
+        mask.name.replace(0, std::string("Shadow").size(), "Shadow mask");
+        mask.reason = "marks where the light is missing: no colour yet";
+        mask.color_write = false;
+        mask.depth.test = false;
+        mask.stencil = counts_once(region, bit);
+        passes.push_back(mask);
+        bits.push_back(bit);
+    }
+
+    for (unsigned int set = 0; set < 1U << lights.size(); ++set) {
+        std::vector<std::size_t> shining, missing;
+        int reference = region;
+        for (std::size_t i = 0; i < lights.size(); ++i) {
+            const bool is_missing = (set >> i & 1U) != 0;
+            (is_missing ? missing : shining).push_back(lights[i]);
+            if (is_missing) reference |= bits[i];
+        }
+        Pass patch = patch_surface(level, plane, shining, mirrors);
+        patch.name = name_without(level, missing);
+        patch.reason = missing.empty()   ? "where the stencil is clear, the light arrives"
+                       : shining.empty() ? "where the stencil counts a caster, only ambient light arrives"
+                                         : "where the stencil counts these lights as missing, the others arrive";
+        patch.stencil = {true, CompareFunc::equal, reference, StencilOp::keep};
+        passes.push_back(patch);
+    }
+}
+
+}  // namespace viewing
