@@ -94,6 +94,18 @@ bool FollowLinks(Links links) {
     return (links & context.hovered) != 0;
 }
 
+void PointAtEntry(Links own, Links links) {
+    Context& context = CurrentContext();
+    context.hovered_next |= own | links;
+    context.entry_hovered_next = true;
+}
+
+bool IsEntryLit(Links own, Links links) {
+    const Context& context = CurrentContext();
+    const Links lighting = context.entry_hovered ? own : own | links;
+    return (lighting & context.hovered) != 0;
+}
+
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     constexpr float delay_s = 0.5F;
     Editing& editing = CurrentContext().editing;
@@ -122,4 +134,10 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
 }
 
 }  // namespace inner
+
+bool FollowEntry(Links own, Links links) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) inner::PointAtEntry(own, links);
+    return inner::IsEntryLit(own, links);
+}
+
 }  // namespace widgets

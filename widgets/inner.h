@@ -67,6 +67,11 @@ void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU3
 /// Adds to the links under the pointer for the last item, and says whether a control with these links is to be lit.
 bool FollowLinks(Links links);
 
+/// The pointer is over something that stands for a matrix entry.
+void PointAtEntry(Links own, Links links);
+/// Whether what stands for a matrix entry is to be lit: for itself, or for a parameter whose control is hovered.
+bool IsEntryLit(Links own, Links links);
+
 /// Whether the pointer has rested long enough on the item with this rectangle. In a frame only the first item that asks
 /// gets a yes: a part explains itself before the group around it.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);

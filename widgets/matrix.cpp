@@ -190,12 +190,11 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
 }
 
 CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell, int hovered_cell) {
-    const Context& context = CurrentContext();
     CellState state{false, cell == hovered_cell, std::abs(value) < 0.5 * std::pow(10.0, -decimals)};
     if (style.cells.empty()) return state;
     const MatrixCell& info = style.cells[static_cast<std::size_t>(cell)];
     state.changed = info.changed;
-    state.lit |= !context.entry_hovered && (info.links & context.hovered) != 0;
+    state.lit |= inner::IsEntryLit(info.own, info.links);
     return state;
 }
 
@@ -239,8 +238,8 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     ImGui::EndGroup();
 
     if (hovered_cell >= 0 && !style.cells.empty()) {
-        context.hovered_next |= style.cells[static_cast<std::size_t>(hovered_cell)].links;
-        context.entry_hovered_next = true;
+        const MatrixCell& info = style.cells[static_cast<std::size_t>(hovered_cell)];
+        inner::PointAtEntry(info.own, info.links);
     }
     if (hovered_cell >= 0) {
         const ImVec2 cell_min = measures.CellMin(min, hovered_cell);

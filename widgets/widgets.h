@@ -223,6 +223,7 @@ struct MatrixCell {
     const char* symbol = "";  ///< a Formula, drawn under the number
     Links links = 0;          ///< the parameters it comes from
     bool changed = false;     ///< since the last edit: tinted
+    Links own = 0;            ///< the entry itself: what names it elsewhere lights up with it, see FollowEntry
 };
 
 /// Rows as on the slides: cells[4 * row + column] belongs to value[column][row], since GLM indexes columns first.
@@ -242,6 +243,10 @@ struct MatrixStyle {
 bool Matrix(const char* label, glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
 /// The same without editing.
 void Matrix(const char* label, const glm::dmat4& value, const MatrixStyle& style, float width = 0.0F);
+
+/// Lets the last item stand for a matrix entry, as the line of code that fills it does: hovering either lights both and
+/// what the entry comes from. Says whether the item is to be lit.
+bool FollowEntry(Links own, Links links);
 
 /// One lamp of a row: does this degree of freedom exist in the mode, and is it moving now?
 struct Lamp {

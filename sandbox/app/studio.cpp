@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/hidden_answers.h"
+#include "app/mirror_measure.h"
 #include "frame/animation.h"
 #include "state/fields.h"
 #include "ui/fonts.h"
@@ -17,6 +18,14 @@ namespace {
 
 ImTextureID texture_id(const View& view) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(view.texture()));
+}
+
+/// Of several views.
+template <std::size_t count>
+std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views) {
+    std::array<ImTextureID, count> ids{};
+    std::ranges::transform(views, ids.begin(), texture_id);
+    return ids;
 }
 
 std::string renderer_name() {
@@ -114,6 +123,29 @@ Status Studio::draw_depth_below(glm::ivec2 size_px, View& view) {
     return renderer_.draw(frame, scene, size_px, view);
 }
 
+Status Studio::draw_after_pass(glm::ivec2 size_px) {
+    static constexpr Shows buffers[] = {Shows::color, Shows::depth, Shows::stencil};
+    FramePlan frame = inspected_;
+    frame.shown_range = contrast_range(params_, derived_, session.scene());
+    frame.samples = 0;
+    for (std::size_t buffer = 0; buffer < after_pass_.size(); ++buffer) {
+        frame.shows = buffers[buffer];
+        if (Status done = renderer_.draw(frame, session.scene(), size_px, after_pass_[buffer]); !done) return done;
+    }
+    return std::monostate{};
+}
+
+Status Studio::draw_mirror_ways() {
+    // Small enough to keep up with a light or a plane that is dragged.
+    constexpr int most_px = 480;
+    const double shrunk = std::min(1.0, static_cast<double>(most_px) / std::max(camera_px_.x, camera_px_.y));
+    const glm::ivec2 size_px = glm::max(glm::ivec2(glm::dvec2(camera_px_) * shrunk), 1);
+    Result<MirrorWays> ways = compare_mirror_ways(renderer_, params_, session.scene(), size_px, &mirror_way_views_);
+    if (!ways) return Error{ways.error()};
+    mirror_ways_ = std::make_shared<const MirrorWays>(*ways);
+    return std::monostate{};
+}
+
 Status Studio::draw_lower_view(Slot slot, const Layout& layout) {
     const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
     if (rect.empty()) return std::monostate{};
@@ -127,8 +159,14 @@ Status Studio::draw_lower_view(Slot slot, const Layout& layout) {
             return draw_outside(derive_observer(params_.observer, {size}));
         case Topic::moving_world:
             return draw_outside(derive_moving_world(params_.observer, derived_, {size}));
+        case Topic::from_light:
+            return draw_outside(derive_light_view(params_, derived_, {size}));
         case Topic::depth:
             return draw_depth_below(size, view);
+        case Topic::passes:
+            return draw_after_pass(pass_picture_size(rect, derived_.aspect));
+        case Topic::mirror_ways:
+            return draw_mirror_ways();
         default:
             return std::monostate{};  // drawn by the user interface alone
     }
@@ -257,7 +295,9 @@ Requests Studio::frame(const Surroundings& surroundings) {
     const StatusLine status{renderer_name_, surroundings.shows_time ? time : "–", pixel_parts()};
     const Pictures pictures{texture_id(camera_),
                             texture_id(beside_),
-                            {texture_id(lower_[0]), texture_id(lower_[1])},
+                            texture_ids(lower_),
+                            texture_ids(after_pass_),
+                            {texture_ids(mirror_way_views_), mirror_ways_},
                             {hidden_, hidden_worker_.fraction(), surroundings.shows_time},
                             std::move(depth)};
 

@@ -48,6 +48,8 @@ private:
     Status draw_views(const Layout& layout, bool is_interactive);
     Status draw_camera_view(const Layout& layout);
     Status draw_beside_view(const Layout& layout);
+    Status draw_after_pass(glm::ivec2 size_px);
+    Status draw_mirror_ways();
     Status draw_lower_view(Slot slot, const Layout& layout);
     Status draw_depth_below(glm::ivec2 size_px, View& view);
     /// What GL's own methods show of their steps.
@@ -62,6 +64,9 @@ private:
     glm::ivec2 camera_px_{1280, 720};  ///< of the camera's view when it was shown last
     View camera_, beside_;
     std::array<View, 2> lower_;  ///< of each Slot
+    std::array<View, mirror_way_count> mirror_way_views_;
+    std::shared_ptr<const MirrorWays> mirror_ways_;
+    std::array<View, 3> after_pass_;  ///< colour, depth and stencil
     gl::ColorTarget window_;
     HiddenWorker hidden_worker_;
     std::shared_ptr<const HiddenAnswer> hidden_;  ///< what the camera view shows

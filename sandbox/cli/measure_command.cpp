@@ -6,6 +6,7 @@
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/measure_fighting.h"
+#include "cli/measure_mirror.h"
 #include "cli/measure_visibility.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -18,7 +19,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::array<const char*, 3> quantities{"visibility", "growth", "fighting"};
+constexpr std::array<const char*, 4> quantities{"visibility", "growth", "fighting", "mirror"};
 constexpr std::array<const char*, 3> polygon_kinds{"small", "large", "scene"};
 constexpr std::array<const char*, 2> format_names{"json", "csv"};
 
@@ -31,13 +32,14 @@ void declare(Options& options, Typed& typed) {
     options.group("Measurement");
     options.text("--what", "QUANTITY", typed.what,
                  "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
-                 "costs on more and more polygons; fighting: where depth fights, counted and predicted");
+                 "costs on more and more polygons; fighting: where depth fights, counted and predicted; mirror: the "
+                 "mirror image in four ways, compared");
     options.text(
         "--size", "WxH", typed.size,
         "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
         "1280x720, for growth 320x240");
     options.text("--timeout", "S", typed.timeout, "Exit 8 when the measurement is not done after so many seconds");
-    options.group("Of visibility and fighting");
+    options.group("Of visibility, fighting and mirror");
     add_device_option(options, typed.device);
     options.group("Of growth");
     options.text("--max", "N", typed.max, "The largest number of polygons, 1 to 1000000; default 10000");
@@ -55,7 +57,7 @@ void refuse_strangers(const Options& options, const Typed& typed) {
     if (!grows && typed.polygons) options.refuse("--polygons needs --what growth");
     if (!grows && typed.format) options.refuse("--format needs --what growth");
     if (grows && typed.device)
-        options.refuse("--device needs --what visibility or fighting: growth draws nothing with GL");
+        options.refuse("--device needs --what visibility, fighting or mirror: growth draws nothing with GL");
 }
 
 /// The counts of the list below the largest one, and that one.
@@ -116,7 +118,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    if (!typed.what) options.refuse("--what is missing: one of visibility, growth, fighting");
+    if (!typed.what) options.refuse("--what is missing: one of visibility, growth, fighting, mirror");
     typed.what = quantities[choice_option(options, "--what", *typed.what, quantities)];
     refuse_strangers(options, typed);
     const glm::ivec2 size_px = size_option(options, typed.size);
@@ -132,7 +134,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         text = growth_text(state, scene, growth, as_csv);
     } else {
         Headless headless(device_option(options, typed.device));
-        const auto measure = typed.what == "fighting" ? fighting_as_json : visibility_as_json;
+        const auto measure = typed.what == "fighting" ? fighting_as_json
+                             : typed.what == "mirror" ? mirror_as_json
+                                                      : visibility_as_json;
         text = print_document(measure(headless, state, scene, size_px)) + "\n";
     }
     print(text);
@@ -143,8 +147,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
 constinit const Command measure_command{
     "measure",
-    "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting [--size WxH] [OPTIONS]",
-    "what the hidden-surface methods do and cost, and where depth fights, as JSON or CSV",
+    "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror [--size WxH] [OPTIONS]",
+    "what the hidden-surface methods do and cost, where depth fights, and how mirror images differ, as JSON or CSV",
     "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
     "and "
     "culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "
@@ -160,11 +164,18 @@ constinit const Command measure_command{
     "begins. "
     "elsewhere has the wrong pixels outside the pairs: what a polygon offset that is too large lets through. "
     "minimum_gap is found by drawing quads nearer and nearer to each other at the target's distance; null when no gap "
-    "is wide enough.",
+    "is wide enough. mirror draws the mirror image with clip distance, without clipping, with an oblique near plane, "
+    "and "
+    "with the camera mirrored in place of the scene: different counts the pixels without a like within 2 levels next "
+    "to "
+    "them in the first one's picture, worst is their largest difference, and the depths are those that the image "
+    "leaves "
+    "in the buffer before its mirror covers it.",
     "measure --what visibility\n"
     "measure painter-cycle --what visibility --size 640x360\n"
     "measure bunny.obj --set visibility.splitter=balanced --what visibility --timeout 60\n"
     "measure depth-fighting --what fighting\n"
+    "measure mirror-unclipped --what mirror\n"
     "measure --what growth --max 3000 --format csv > growth.csv\n"
     "measure teapot --what growth --polygons scene",
     "023489",

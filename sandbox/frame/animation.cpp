@@ -7,7 +7,7 @@
 namespace viewing {
 
 bool is_animated(const Params& params) {
-    return params.animation.jiggle;
+    return params.animation.jiggle || params.animation.light_orbit;
 }
 
 Params animated(const Params& params, double time_s) {
@@ -19,6 +19,12 @@ Params animated(const Params& params, double time_s) {
         const glm::dmat3 world_from_view(rotation_from_angles(params.camera.angles()));
         const double distance = std::max(glm::distance(params.camera.position, params.camera.target), 1.0);
         now.camera.position += world_from_view * glm::dvec3(away * 1e-3 * distance, 0.0, 0.4e-3 * away * distance);
+    }
+    if (params.animation.light_orbit) {
+        const double angle = glm::radians(params.animation.light_speed) * time_s;
+        const double c = std::cos(angle), s = std::sin(angle);
+        const glm::dvec4& light = params.light.position;
+        now.light.position = {c * light.x + s * light.z, light.y, c * light.z - s * light.x, light.w};
     }
     return now;
 }

@@ -9,6 +9,7 @@ namespace viewing {
 bool is_animated(const Params& params);
 
 /// At 0 s they are the parameters themselves. The camera's tremor is a thousandth of the target's distance, sideways.
+/// The light turns about the world's y axis, counter-clockwise seen from above where its speed is positive.
 Params animated(const Params& params, double time_s);
 
 }  // namespace viewing

@@ -1,41 +1,30 @@
 // The switches of the depth buffer, each with the sentence that says what it does to the picture. Part of problems.h.
 #include "frame/decals.h"
-#include "frame/problems.h"
+#include "frame/say.h"
 
 namespace viewing {
 namespace {
 
-/// Adds sentences to the group "depth".
-class Sayer {
-public:
-    explicit Sayer(std::vector<Problem>& problems) : problems_(problems) {}
-    void operator()(bool is_so, const char* sentence) {
-        if (is_so) problems_.push_back({sentence, "depth"});
-    }
-
-private:
-    std::vector<Problem>& problems_;
-};
-
 void say_tests(Sayer& say, const DepthParams& depth) {
     if (!depth.test) {
-        say(true,
-            "depth test off: whatever is drawn last wins, and no depth is written either, so the depth buffer "
-            "stays as it was cleared");
+        say.broken(true,
+                   "depth test off: whatever is drawn last wins, and no depth is written either, so the depth buffer "
+                   "stays as it was cleared");
         return;
     }
-    say(depth.func == CompareFunc::always,
-        "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same");
-    say(depth.func == CompareFunc::notequal,
-        "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already");
-    say(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes");
+    say.broken(depth.func == CompareFunc::always,
+               "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same");
+    say.broken(depth.func == CompareFunc::notequal,
+               "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already");
+    say.broken(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes");
     const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
-    say(wants_farther && !clears_to_near,
-        "only what is farther passes, and nothing is farther than what the buffer is cleared to");
-    say(depth.func == CompareFunc::equal, "GL_EQUAL: only what has the very depth that is stored already passes");
-    say(!depth.write,
-        "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later");
+    say.broken(wants_farther && !clears_to_near,
+               "only what is farther passes, and nothing is farther than what the buffer is cleared to");
+    say.broken(depth.func == CompareFunc::equal,
+               "GL_EQUAL: only what has the very depth that is stored already passes");
+    say.broken(!depth.write,
+               "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later");
 }
 
 /// Whether surfaces are compared by being nearer, as they should be.
@@ -45,27 +34,32 @@ bool wants_nearer(const DepthParams& depth) {
 
 void say_clears(Sayer& say, const DepthParams& depth) {
     if (!wants_nearer(depth)) return;
-    say(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now");
-    say(depth.clear && !depth.write_while_clearing,
+    say.broken(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now");
+    say.broken(
+        depth.clear && !depth.write_while_clearing,
         "glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on hiding what "
         "is drawn now");
 }
 
 void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) {
-    say(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
+    say.broken(
+        depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
         "the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide or show what "
         "they should not");
     if (depth.mapping != DepthMapping::reversed) return;
-    say(!derived.clip_zero_to_one,
+    say.broken(
+        !derived.clip_zero_to_one,
         depth.reversed_zero_to_one
             ? "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds a float's "
               "fine steps near 0 away, and little is won"
             : "reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's fine steps "
               "near 0 away, and little is won");
-    say(!depth.reversed_clear && wants_nearer(depth),
+    say.broken(
+        !depth.reversed_clear && wants_nearer(depth),
         "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
         "drawn");
-    say(!depth.reversed_offset,
+    say.broken(
+        !depth.reversed_offset,
         "with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it should pull "
         "nearer");
 }
@@ -73,20 +67,22 @@ void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) 
 void say_decals(Sayer& say, const Params& params, const Derived& derived, const Scene& scene) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || !has_decals(scene)) return;
-    say(method == DecalMethod::equal,
+    say.broken(
+        method == DecalMethod::equal,
         "GL_EQUAL: a decal passes only where its triangles round to the very depth of what they lie on; with triangles "
         "of its own it stipples");
     for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
         if (scene.objects[i].description.decal && derived.object_marks[i] == 0)
-            return say(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
+            return say.broken(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
 }
 
 /// What is left out of the picture, or out of its quality, without being wrong.
 void say_omissions(Sayer& say, const Params& params) {
-    say(params.view.call >= 0,
-        "the frame is drawn only as far as the step of the cell view: release it there, or undo");
+    say.broken(params.view.call >= 0,
+               "the frame is drawn only as far as the step of the cell view: release it there, or undo");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
-    say(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
+    say.broken(
+        params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
         "16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, so there "
         "is no multisampling");
 }
@@ -95,7 +91,7 @@ void say_omissions(Sayer& say, const Params& params) {
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene) {
-    Sayer say(problems);
+    Sayer say(problems, "depth");
     if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(say, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer) return;
     say_tests(say, params.depth);

@@ -7,41 +7,13 @@
 #include <numbers>
 
 #include "frame/decals.h"
+#include "frame/matrix_facts.h"
 #include "frame/problems.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 
 namespace viewing {
 namespace {
-
-double largest_entry(const glm::dmat4& matrix) {
-    double largest = 0.0;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) largest = std::max(largest, std::abs(matrix[column][row]));
-    return largest;
-}
-
-/// Rank by Gaussian elimination with full pivoting; entries below 1e-9 of the largest count as zero.
-int rank_of(glm::dmat4 matrix) {
-    const double threshold = largest_entry(matrix) * 1e-9;
-    int rank = 0;
-    for (int step = 0; step < 4; ++step) {
-        int pivot_column = step, pivot_row = step;
-        for (int column = step; column < 4; ++column)
-            for (int row = step; row < 4; ++row)
-                if (std::abs(matrix[column][row]) > std::abs(matrix[pivot_column][pivot_row])) {
-                    pivot_column = column;
-                    pivot_row = row;
-                }
-        if (std::abs(matrix[pivot_column][pivot_row]) <= threshold) break;
-        std::swap(matrix[step], matrix[pivot_column]);
-        for (int column = 0; column < 4; ++column) std::swap(matrix[column][step], matrix[column][pivot_row]);
-        for (int column = step + 1; column < 4; ++column)
-            matrix[column] -= matrix[step] * (matrix[column][step] / matrix[step][step]);
-        ++rank;
-    }
-    return rank;
-}
 
 void derive_camera(Derived& derived, const Params& params, const Viewport& viewport) {
     const CameraParams& camera = params.camera;
@@ -209,10 +181,11 @@ ObserverView derive_light_view(const Params& params, const Derived& derived, con
     const PlanePatch& patch = derived.patch;
     const double radius = patch.extent * std::numbers::sqrt2;
     const bool parallel = light.w < 1e-6;
-    const glm::dvec3 away = parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius)
-                                     : glm::dvec3(light) / light.w - patch.center;
+    const glm::dvec3 away =
+        parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - patch.center;
     const double distance = std::max(glm::length(away), 1e-6);
-    const glm::dvec3 back = away / distance;
+    const bool is_at_center = glm::length(away) < 1e-6;  // then it looks down the normal
+    const glm::dvec3 back = is_at_center ? patch.normal : away / distance;
 
     // Looking from straight above or below there is no y axis to hold upright.
     const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
@@ -221,9 +194,17 @@ ObserverView derive_light_view(const Params& params, const Derived& derived, con
     view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {patch.center + away, 1.0}};
     view.view_from_world = view_from_world(view.world_from_view);
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    const double widening = std::max(1.0, 1.0 / viewport.aspect());
-    const double fovy_deg = glm::degrees(2.0 * std::atan(std::min(radius * widening / distance, 4.0)));
-    const Lens lens{parallel, fovy_deg, 2.0 * radius * widening, distance * 0.02, distance + 40.0 * radius};
+    // As wide as the patch, with a little room; from within the patch's own depth as wide as can be looked at.
+    constexpr double room = 1.1, widest_slope = 4.0;
+    double half_height = 1e-3 * radius, slope = 1e-3;
+    for (const glm::dvec3& corner : patch.corners()) {
+        const glm::dvec3 seen(view.view_from_world * glm::dvec4(corner, 1.0));
+        const double half = room * std::max(std::abs(seen.y), std::abs(seen.x) / viewport.aspect());
+        half_height = std::max(half_height, half);
+        slope = std::max(slope, -seen.z > half / widest_slope ? half / -seen.z : widest_slope);
+    }
+    const double fovy_deg = glm::degrees(2.0 * std::atan(slope));
+    const Lens lens{parallel, fovy_deg, 2.0 * half_height, distance * 0.02, distance + 40.0 * radius};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
     return view;
 }

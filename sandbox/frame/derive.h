@@ -48,6 +48,7 @@ struct Facts {
 struct Problem {
     std::string sentence;
     std::string_view group;
+    bool breaks_picture = false;  ///< by a switch: said over the picture, too
 };
 
 /// The shadow that one light throws on one plane.

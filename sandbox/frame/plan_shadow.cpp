@@ -55,9 +55,11 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light) {
     pass.shading = Shading::flat;
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadow_from_world);
-    pass.forces_sign = level.params.shadow.sign == ShadowSign::forced;
+    // What is cut off at the light first has no negative w left to force.
+    const ShadowParams& shadow = level.params.shadow;
+    pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
     pass.cull = CullParams{};  // which shadows fall never depends on culling
-    pass.clip_planes = caster_clips(level.params.shadow, level.plane(plane).unit_plane, cast);
+    pass.clip_planes = caster_clips(shadow, level.plane(plane).unit_plane, cast);
     return pass;
 }
 

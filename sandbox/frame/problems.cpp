@@ -1,64 +1,94 @@
 #include "frame/problems.h"
 
-#include <algorithm>
+#include "frame/hidden_drawing.h"
+#include "frame/say.h"
 
 namespace viewing {
 namespace {
 
-/// Names of the objects of which some vertex lies at least as far from the plane as the light.
-std::string casters_beyond_light(const Derived& derived, const Scene& scene) {
-    const glm::dvec4 w_of_shadow = derived.shadow_sign * glm::transpose(derived.shadow_from_world)[3];
-    // w is linear, so where it is positive at the corners of the scene's bounds it is so everywhere inside: no need to
-    // look at a million vertices.
-    const Bounds& bounds = scene.bounds_world;
-    double smallest_w = w_of_shadow.w;
-    for (int axis = 0; axis < 3; ++axis)
-        smallest_w += std::min(w_of_shadow[axis] * bounds.min[axis], w_of_shadow[axis] * bounds.max[axis]);
-    if (!bounds.empty() && smallest_w > 0.0) return "";
-
-    std::string names;
-    for (const SceneObject& object : scene.objects) {
-        const glm::dvec4 w_of_model = w_of_shadow * object.world_from_model;
-        const auto is_beyond = [&](const glm::vec3& vertex) { return glm::dot(w_of_model, {vertex, 1.0}) <= 0.0; };
-        if (std::ranges::any_of(object.mesh->positions, is_beyond))
-            names += (names.empty() ? "" : ", ") + object.description.name;
-    }
-    return names;
+/// "the plane", or where there are several "plane 2", "planes 2, 3".
+std::string name_of(const char* thing, const std::vector<std::size_t>& which, std::size_t count) {
+    if (count == 1) return std::string("the ") + thing;
+    std::string name = std::string(thing) + (which.size() > 1 ? "s" : "");
+    for (std::size_t i = 0; i < which.size(); ++i) name += (i > 0 ? ", " : " ") + std::to_string(which[i] + 1);
+    return name;
 }
 
-void find_plane_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                         const Scene& scene) {
-    const auto say = [&](std::string_view group, std::string sentence) {
-        problems.push_back({std::move(sentence), group});
-    };
-    if (derived.light_in_plane && params.light.position.w == 0.0) {
-        say("light", "the parallel light runs along the plane: S sends every point to infinity, so no shadow is drawn");
-    } else if (derived.light_in_plane) {
-        say("light", "the light lies in the plane: S sends every point to the light, so no shadow is drawn");
-    } else if (!light_reaches(derived, derived.eye_side) && derived.eye_side != 0.0) {
-        say("light",
-            "the light is on the other side of the plane than the eye: this side of the patch is unlit and no shadow "
-            "falls on it");
-    } else if (params.shadow.enabled && params.light.position.w > 0.0) {
-        const std::string names = casters_beyond_light(derived, scene);
-        if (!names.empty())
-            say("shadow", "part of " + names +
-                              " is not between the light and the plane (w ≤ 0 there): that part casts no shadow");
+/// Where a light lies badly: in a plane, or behind it. Planes with the same trouble share a sentence.
+void say_light(Sayer& say, const Params& params, const Derived& derived, std::size_t index) {
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    std::vector<std::size_t> holding, turned_away;
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+        const double eye_side = eye_side_of(planes[plane], derived);
+        const CastShadow& cast = planes[plane].shadows[index];
+        if (cast.light_in_plane)
+            holding.push_back(plane);
+        else if (!cast.reaches(eye_side) && eye_side != 0.0)
+            turned_away.push_back(plane);
     }
-    if (derived.eye_side == 0.0)
-        say("plane", derived.eye_world.w == 0.0
-                         ? "the lines of sight run along the plane: its patch is seen edge-on and mirrors nothing"
-                         : "the eye lies in the plane: its patch is seen edge-on and mirrors nothing");
-    if (params.overrides.shadow_from_world)
-        say("shadow", "S is overridden by hand: plane and light no longer change it");
-    if (params.overrides.mirror_from_world)
-        say("reflection", "R is overridden by hand: the plane no longer changes it");
+    const bool is_alone = derived.lights_world.size() == 1;
+    const bool is_parallel = derived.lights_world[index].w == 0.0;
+    const std::string light = name_of("light", {index}, derived.lights_world.size());
+    if (!holding.empty()) {
+        const std::string where = name_of("plane", holding, planes.size());
+        const std::string parallel_light = name_of("parallel light", {index}, derived.lights_world.size());
+        say(is_parallel,
+            parallel_light + " runs along " + where + ": S sends every point to infinity, so no shadow is drawn");
+        say(!is_parallel, light + " lies in " + where + ": S sends every point to the light, so no shadow is drawn");
+    }
+    if (turned_away.empty()) return;
+    say(true, light + " is on the other side of " + name_of("plane", turned_away, planes.size()) + " than the eye: " +
+                  (is_alone ? "this side of the patch is unlit and no shadow falls on it"
+                            : "it neither lights this side of the patch nor throws a shadow on it"));
+}
+
+/// Between point and parallel.
+void say_weight(Sayer& say, const Derived& derived, std::size_t index) {
+    const glm::dvec4& light = derived.lights_world[index];
+    if (light.w <= 0.0 || light.w >= 1.0) return;
+    const std::string of = derived.lights_world.size() > 1 ? " of light " + std::to_string(index + 1) : "";
+    const std::string place = signed_figures(light.x / light.w) + ", " + signed_figures(light.y / light.w) + ", " +
+                              signed_figures(light.z / light.w);
+    const std::string sentence = "w = " + signed_figures(light.w) + of + " is a point light at (" + place +
+                                 "): its shadows spread; only w = 0 gives parallel ones";
+    const bool passes_for_parallel = light.w <= 0.1;
+    say.broken(passes_for_parallel, sentence);
+    say(!passes_for_parallel, sentence);
+}
+
+void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    Sayer say(problems, "light");
+    for (std::size_t light = 0; light < derived.lights_world.size(); ++light) {
+        say_light(say, params, derived, light);
+        say_weight(say, derived, light);
+    }
+}
+
+void find_plane_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    Sayer say(problems, "plane");
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    std::vector<std::size_t> edge_on;
+    for (std::size_t plane = 0; plane < planes.size(); ++plane)
+        if (eye_side_of(planes[plane], derived) == 0.0) edge_on.push_back(plane);
+    if (!edge_on.empty()) {
+        const std::string where = name_of("plane", edge_on, planes.size());
+        const char* const means = ": its patch is seen edge-on and mirrors nothing";
+        say(derived.eye_world.w == 0.0, "the lines of sight run along " + where + means);
+        say(derived.eye_world.w != 0.0, "the eye lies in " + where + means);
+    }
+    say(planes.size() < derived.planes.size(),
+        "the method of hidden surfaces draws one plane: further ones are left out of its picture");
+}
+
+void find_overrides(std::vector<Problem>& problems, const Overrides& overrides) {
+    if (overrides.shadow_from_world)
+        problems.push_back({"S is overridden by hand: plane and light no longer change it", "shadow"});
+    if (overrides.mirror_from_world)
+        problems.push_back({"R is overridden by hand: the plane no longer changes it", "reflection"});
 }
 
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
-    const auto say = [&](bool is_on, const char* sentence) {
-        if (is_on) problems.push_back({sentence, "camera"});
-    };
+    Sayer say(problems, "camera");
     say(slips.walk_slows, "slip: walking follows the view direction, so it slows when looking up or down");
     say(slips.creeping_roll, "slip: yaw and pitch both turn about the camera's own axes, so roll creeps in");
     say(slips.pole_flip, "slip: orbiting over the pole flips the picture");
@@ -66,29 +96,19 @@ void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
     say(slips.camera_as_view, "slip: C is uploaded where V belongs, so V C is not I");
 }
 
-/// What the state asks for and this version reads, keeps and does not draw yet: said, never silent.
-void find_unsupported(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
-    const auto say = [&](bool asked, std::string_view group, const char* sentence) {
-        if (asked) problems.push_back({sentence, group});
-    };
-    say(!params.lights.empty(), "light", "further lights are kept but not drawn yet: only \"light\" shines");
-    say(!params.planes.empty(), "plane", "further planes are kept but not drawn yet: only \"plane\" is there");
-    say(params.reflection.bounces > 1, "reflection",
-        "one plane mirrors once: reflection.bounces above 1 changes nothing yet");
-    say(params.reflection.clip == MirrorClip::oblique && params.depth.mapping == DepthMapping::reversed, "reflection",
-        "the oblique near plane is made for depth that grows with distance: with reversed depth the clip distance is "
-        "used");
-    say(params.follow && !derived.followed, "follow", "the followed vertex does not exist in this scene");
-}
-
 }  // namespace
 
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene) {
     std::vector<Problem> problems;
     find_slips(problems, params.slips);
-    find_plane_problems(problems, params, derived, scene);
+    find_light_problems(problems, params, derived);
+    find_plane_problems(problems, params, derived);
+    find_shadow_problems(problems, params, derived, scene);
+    find_mirror_problems(problems, params, derived, scene);
+    find_overrides(problems, params.overrides);
     find_depth_problems(problems, params, derived, scene);
-    find_unsupported(problems, params, derived);
+    if (params.follow && !derived.followed)
+        problems.push_back({"the followed vertex does not exist in this scene", "follow"});
     return problems;
 }
 

@@ -8,8 +8,12 @@ namespace viewing {
 /// Everything in `derived` but its problems must be there already.
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene);
 
-/// The depth buffer's part of it: every switch that breaks a picture says why.
+/// The parts of it on the depth buffer, on shadows and on mirrors: every switch that breaks a picture says why.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);
+void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                          const Scene& scene);
+void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                          const Scene& scene);
 
 }  // namespace viewing

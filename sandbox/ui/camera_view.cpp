@@ -5,6 +5,7 @@
 #include "frame/depth_colors.h"
 #include "state/fields.h"
 #include "ui/depth_views.h"
+#include "ui/derivation_views.h"
 #include "ui/look.h"
 #include "ui/view_parts.h"
 #include "ui/views.h"
@@ -14,16 +15,17 @@ namespace {
 
 /// What the picture shows, and what belongs to that.
 void view_choices(Params& params, const Rect& rect) {
-    static constexpr const char* shows[] = {"colour",   "depth",      "stencil", "facing",
-                                            "overdraw", "difference", "fighting"};
+    static constexpr const char* shows[] = {"colour",   "depth",      "stencil",  "facing",
+                                            "overdraw", "difference", "fighting", "w of S"};
     static constexpr const char* show_explanations[] = {
         "The picture as it is meant to be seen.",
         "The depth buffer: black is near, white is far, tinted was never written.",
-        "The stencil buffer: where the patch was marked, and where a shadow was counted on it.",
+        "The stencil buffer: which patch was marked, how deep in mirrors, and which light's shadow was counted on it.",
         "Which side of each polygon is seen: front faces and back faces in two colours.",
         "How often each pixel was drawn.",
         "Where the method and the one it is compared with see different polygons: red.",
-        "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight."};
+        "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight.",
+        "The w that S gives each point of the objects: it is positive between the light and the plane, and behind it."};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
@@ -41,6 +43,20 @@ void view_choices(Params& params, const Rect& rect) {
     }
 }
 
+/// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
+void stencil_legend(const Overlay& overlay, const Params& params) {
+    const std::size_t planes = params.planes.size() + 1, lights = params.lights.size() + 1;
+    const std::string patches = planes > 1 ? "1–" + std::to_string(planes) + ": the planes" : "1: the patch";
+    std::string missing = "+16";
+    for (std::size_t light = 1; light < lights; ++light) missing += ", " + std::to_string(16 << light);
+    missing += lights > 1 ? ": a light is missing" : ": the light is missing";
+    const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
+                                   {stencil_colors[1], patches.c_str()},
+                                   {stencil_colors[2], missing.c_str()},
+                                   {stencil_colors[3], "16 and more: beside the patch"}};
+    draw_legend(overlay.draw(), overlay.rect(), std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
+}
+
 void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
     if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
         const std::string differ = grouped_number(hidden.answer->different_pixels) + " pixels differ, away from edges";
@@ -51,9 +67,11 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
         const LegendEntry entries[] = {{front_color, "front faces"}, {back_color, "back faces (striped)"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::stencil) {
-        const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
-                                       {stencil_colors[1], "1: the patch"},
-                                       {stencil_colors[2], "2: in shadow"}};
+        stencil_legend(overlay, params);
+    } else if (params.view.shows == Shows::shadow_w) {
+        const LegendEntry entries[] = {{caster_colors[0], "w > 0: casts a shadow"},
+                                       {caster_colors[1], "w > 0 behind the plane: false shadow"},
+                                       {caster_colors[2], "w ≤ 0: beyond the light"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::overdraw) {
         const LegendEntry entries[] = {{overdraw_colors[0], "0"},
@@ -110,9 +128,9 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// What a switch of the depth buffer does to the picture, in the picture.
+/// What a switch does to the picture, in the picture: the first that breaks it.
 void tell_why(const Derived& derived, const Rect& rect) {
-    const auto found = std::ranges::find(derived.problems, std::string_view("depth"), &Problem::group);
+    const auto found = std::ranges::find(derived.problems, true, &Problem::breaks_picture);
     if (found == derived.problems.end()) return;
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
@@ -237,8 +255,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     tell_why(derived, rect);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
     if (!state.handles) return;
-    draw_handles(overlay, places, params, derived, hovered);
-    draw_followed(overlay, params, derived);
+    draw_handles(overlay, places, derived, hovered);
+    draw_derivation_overlay(overlay, params, derived);
 }
 
 }  // namespace viewing

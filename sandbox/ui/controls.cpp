@@ -41,7 +41,9 @@ struct DrawControl {
         number.decimals = 0;
         number.default_value = default_of<int>(field);
         double edited = *value;
-        if (!widgets::Number(label, edited, number, width())) return false;
+        const bool changed = style.slider ? widgets::Slider(label, edited, number, width())
+                                          : widgets::Number(label, edited, number, width());
+        if (!changed) return false;
         *value = static_cast<int>(edited);
         return true;
     }

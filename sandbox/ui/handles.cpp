@@ -13,6 +13,15 @@ bool is_parallel(const glm::dvec4& light) {
     return light.w < 1e-3;
 }
 
+/// A light with its name; a parallel one with its direction.
+void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived, const char* name, float radius) {
+    const ImU32 color = widgets::CurrentContext().palette.light;
+    const glm::dvec3 place = lamp_place(light, derived);
+    if (is_parallel(light)) overlay.arrow(place, place + 0.25 * (derived.patch.center - place), color);
+    overlay.dot(place, color, radius);
+    overlay.label(place, name, color);
+}
+
 /// Where a ray meets the plane through `point` that faces the eye.
 glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& facing) {
     const std::optional<double> t = intersect_plane(ray, glm::dvec4(facing, -glm::dot(facing, point)));
@@ -21,14 +30,17 @@ glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::
 
 }  // namespace
 
+glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived) {
+    return is_parallel(light_world)
+               ? derived.patch.center + glm::normalize(glm::dvec3(light_world)) * parallel_light_distance
+               : glm::dvec3(light_world) / light_world.w;
+}
+
 HandlePlaces handle_places(const Params& params, const Derived& derived) {
-    const glm::dvec4& light = params.light.position;
     HandlePlaces places{};
     places.plane = derived.patch.center;
     places.normal_tip = derived.patch.center + glm::dvec3(derived.unit_plane) * 1.4;
-    places.light = is_parallel(light)
-                       ? derived.patch.center + glm::normalize(glm::dvec3(light)) * parallel_light_distance
-                       : glm::dvec3(light) / light.w;
+    places.light = lamp_place(params.light.position, derived);
     return places;
 }
 
@@ -104,10 +116,8 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
     clamp_to_ranges(params);
 }
 
-void draw_handles(Overlay& overlay, const HandlePlaces& places, const Params& params, const Derived& derived,
-                  Handle hovered) {
+void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered) {
     const widgets::Palette& palette = widgets::CurrentContext().palette;
-    const bool parallel = is_parallel(params.light.position);
     const auto radius = [hovered](Handle handle, float usual) { return hovered == handle ? usual + 2.0F : usual; };
 
     overlay.arrow(places.plane, places.normal_tip, palette.plane);
@@ -115,11 +125,12 @@ void draw_handles(Overlay& overlay, const HandlePlaces& places, const Params& pa
     overlay.label(places.normal_tip, "n", palette.plane);
     if (hovered == Handle::plane_tilt) overlay.ring(places.normal_tip, palette.plane, 9.0F);
 
-    if (parallel)
-        overlay.arrow(places.light, places.light + 0.25 * (derived.patch.center - places.light), palette.light);
-    overlay.dot(places.light, palette.light, radius(Handle::light, 6.0F));
+    const glm::dvec4& light = derived.lights_world.front();
+    draw_lamp(overlay, light, derived, is_parallel(light) ? "l (parallel)" : "l", radius(Handle::light, 6.0F));
     overlay.ring(places.light, palette.light, radius(Handle::light, 10.0F));
-    overlay.label(places.light, parallel ? "l (parallel)" : "l", palette.light);
+    static constexpr const char* names[] = {"l₂", "l₃", "l₄"};
+    for (std::size_t further = 1; further < derived.lights_world.size() && further <= std::size(names); ++further)
+        draw_lamp(overlay, derived.lights_world[further], derived, names[further - 1], 5.0F);
 }
 
 }  // namespace viewing

@@ -16,6 +16,9 @@ struct HandlePlaces {
 };
 HandlePlaces handle_places(const Params& params, const Derived& derived);
 
+/// Where a light is drawn: itself, or a place along its direction when it is parallel.
+glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);
+
 /// A handle that is being dragged.
 struct Grip {
     Handle handle = Handle::none;
@@ -35,8 +38,8 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 /// normal, the normal's tip about the patch's centre. The equation keeps its length and sign.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
-/// Draws them with their labels.
-void draw_handles(Overlay& overlay, const HandlePlaces& places, const Params& params, const Derived& derived,
-                  Handle hovered);
+/// Draws them with their labels, and the lamps that have no handle: of further lights, and of the first one while it
+/// moves by itself, away from its handle.
+void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

@@ -1,6 +1,7 @@
 #include "ui/links.h"
 
 #include <cmath>
+#include <utility>
 
 namespace viewing {
 
@@ -30,21 +31,26 @@ MatrixCells shadow_cells() {
             const auto cell = static_cast<std::size_t>(4 * row + column);
             const Links links =
                 row == column ? link::all_light | link::all_plane : link::light[row] | link::plane[column];
-            cells[cell] = {symbols[cell], links, false};
+            cells[cell] = {symbols[cell], links, false, link::shadow_entry(static_cast<int>(cell))};
         }
     return cells;
 }
 
-MatrixCells mirror_cells() {
+MatrixCells mirror_cells(bool printed_by_rows) {
     const Links* p = link::plane;
-    return cells_of({"1 - 2a^2", "-2ab", "-2ac", "-2ad",  //
-                     "-2ab", "1 - 2b^2", "-2bc", "-2bd",  //
-                     "-2ac", "-2bc", "1 - 2c^2", "-2cd",  //
-                     "0", "0", "0", "1"},
-                    {p[0], p[0] | p[1], p[0] | p[2], p[0] | p[3],  //
-                     p[0] | p[1], p[1], p[1] | p[2], p[1] | p[3],  //
-                     p[0] | p[2], p[1] | p[2], p[2], p[2] | p[3],  //
-                     0, 0, 0, 0});
+    MatrixCells cells = cells_of({"1 - 2a^2", "-2ab", "-2ac", "-2ad",  //
+                                  "-2ab", "1 - 2b^2", "-2bc", "-2bd",  //
+                                  "-2ac", "-2bc", "1 - 2c^2", "-2cd",  //
+                                  "0", "0", "0", "1"},
+                                 {p[0], p[0] | p[1], p[0] | p[2], p[0] | p[3],  //
+                                  p[0] | p[1], p[1], p[1] | p[2], p[1] | p[3],  //
+                                  p[0] | p[2], p[1] | p[2], p[2], p[2] | p[3],  //
+                                  0, 0, 0, 0});
+    for (std::size_t row = 0; printed_by_rows && row < 4; ++row)
+        for (std::size_t column = 0; column < row; ++column)
+            std::swap(cells[4 * row + column], cells[4 * column + row]);
+    for (int cell = 0; cell < 16; ++cell) cells[static_cast<std::size_t>(cell)].own = link::mirror_entry(cell);
+    return cells;
 }
 
 MatrixCells view_cells(bool swapped_order) {

@@ -22,13 +22,21 @@ constexpr Links fovy = bit(14), near = bit(15), far = bit(16), height = bit(17),
 constexpr Links all_light = light[0] | light[1] | light[2] | light[3];
 constexpr Links all_plane = plane[0] | plane[1] | plane[2] | plane[3];
 constexpr Links turning = yaw | pitch | roll;
+/// The entries themselves, 4 · row + column.
+constexpr Links shadow_entry(int cell) {
+    return bit(20 + cell);
+}
+constexpr Links mirror_entry(int cell) {
+    return bit(36 + cell);
+}
 }  // namespace link
 
 using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
 /// Symbols and links of each entry, row by row.
 MatrixCells shadow_cells();
-MatrixCells mirror_cells();
+/// `printed_by_rows`: of the transpose, which GL gets from the slide's code.
+MatrixCells mirror_cells(bool printed_by_rows = false);
 /// `swapped_order`: for the slip C = R T.
 MatrixCells view_cells(bool swapped_order);
 MatrixCells camera_cells(bool swapped_order);

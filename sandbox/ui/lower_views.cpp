@@ -2,8 +2,12 @@
 #include <algorithm>
 
 #include "ui/depth_views.h"
+#include "ui/derivation_views.h"
 #include "ui/fighting_view.h"
+#include "ui/lecture_code.h"
 #include "ui/look.h"
+#include "ui/mirror_ways_view.h"
+#include "ui/passes_view.h"
 #include "ui/pixel_view.h"
 #include "ui/precision_view.h"
 #include "ui/view_parts.h"
@@ -11,28 +15,6 @@
 
 namespace viewing {
 namespace {
-
-void passes_list(const FramePlan& plan, const Rect& rect) {
-    const widgets::Context& context = widgets::CurrentContext();
-    ImGui::SetCursorScreenPos(rect.min);
-    ImGui::PushStyleColor(ImGuiCol_ChildBg, context.palette.raised);
-    ImGui::BeginChild("passes", {rect.width(), rect.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    for (std::size_t number = 0; number < plan.passes.size(); ++number) {
-        const Pass& pass = plan.passes[number];
-        ImGui::PushFont(context.fonts.heading);
-        ImGui::Text("%zu  %s", number + 1, pass.name.c_str());
-        ImGui::PopFont();
-        widgets::Note(pass.reason.c_str());
-        ImGui::PushFont(context.fonts.small_number);
-        ImGui::Indent(px(12.0F));
-        for (const std::string& call : gl_calls(pass)) ImGui::TextWrapped("%s", call.c_str());
-        ImGui::Unindent(px(12.0F));
-        ImGui::PopFont();
-        ImGui::Dummy({0.0F, px(4.0F)});
-    }
-    ImGui::EndChild();
-    ImGui::PopStyleColor();
-}
 
 /// The headline: which topic it is, as a list of all of them.
 void topic_choice(Params& params, Slot slot, const Rect& rect) {
@@ -45,8 +27,23 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
         "What this view shows",
         "The observer, who sees the camera from outside; the world moving while the camera stays; the depth buffer and "
         "what can be told of it: histogram, precision, codes, one pixel, a block of them, depth fighting; the frame as "
-        "GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
+        "GL calls, pass by pass; the lecture's code; what the light sees; and of the hidden-surface methods the tree, "
+        "the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
+}
+
+/// What the light sees: the picture with its sentence.
+void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
+    picture_item("light view", rect, picture);
+    const char* whole = "what the light sees: each of its shadows is hidden behind its caster";
+    const char* brief = "its shadows are hidden";
+    if (derived.light_in_plane) {
+        whole = "the light lies in the plane and sees it edge-on: there is no shadow";
+        brief = "there is no shadow";
+    }
+    const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
+    widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().light,
+                      fits ? whole : brief);
 }
 
 }  // namespace
@@ -85,13 +82,23 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::moving_world:
             return draw_moving_world_view(session, state, derived, rect, picture);
         case Topic::passes:
-            return passes_list(plan, rect);
+            return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
         case Topic::tree:
             return draw_tree_view(state.laboratory, session, pictures.hidden, rect);
         case Topic::order:
             return draw_order_view(state.laboratory, session, pictures.hidden, rect);
         case Topic::growth:
             return draw_growth_view(state.laboratory, session, rect);
+        case Topic::shadow_derivation:
+            return draw_shadow_derivation(session, derived, rect);
+        case Topic::mirror_derivation:
+            return draw_mirror_derivation(session, derived, rect);
+        case Topic::lecture_code:
+            return draw_lecture_code(session, derived, rect);
+        case Topic::mirror_ways:
+            return draw_mirror_ways_view(session, rect, pictures.mirror_ways);
+        case Topic::from_light:
+            return draw_light_view(derived, rect, picture);
         default:
             break;
     }

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
+#include "ui/display_code.h"
 #include "ui/links.h"
 #include "ui/look.h"
 
@@ -82,8 +84,9 @@ struct Shown {
     glm::dmat4 now, before;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
-    glm::dmat4 derived{1.0};  ///< what it would be without an entry by hand
-    const char* factor = "";  ///< what it is uploaded with
+    glm::dmat4 derived{1.0};    ///< what it would be without an entry by hand
+    std::string heading = "";   ///< in place of the letter
+    std::string property = "";  ///< what one by hand should have, and how far it is from that
 };
 
 /// Buttons beside Copy, from the right; returns which one was pressed.
@@ -92,7 +95,7 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     const char* pressed = nullptr;
     ImGui::PushID(shown.name);
     mark_changed(shown.cells, shown.now, shown.before);
-    heading(shown.title, (std::string(shown.factor) + shown.letter).c_str(), note, shown.role);
+    heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role);
     widgets::Tooltip(shown.name, shown.explains);
     float right = ImGui::GetContentRegionMax().x - px(56.0F);
     for (const char* button : buttons) {
@@ -105,6 +108,11 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
         const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
         widgets::Matrix(shown.letter, **by_hand, style);
         widgets::Trouble("by hand: light and plane change nothing here");
+        const double difference = largest_entry(**by_hand - shown.derived);
+        const std::string told =
+            std::string("largest difference to the right ") + shown.letter + ": " + widgets::NumberText(difference, 3);
+        widgets::ValueText(told.c_str(), difference < 5e-4 ? Role::plane : Role::trouble);
+        widgets::Note(shown.property.c_str());
     } else {
         const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles};
         const glm::dmat4& value = shown.now;
@@ -115,8 +123,12 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     return pressed;
 }
 
-/// S or R with a button to enter it by hand, or to go back.
-void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand) {
+/// S or R with a button to enter it by hand, or to go back, unless it belongs to a further plane or light.
+void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand, bool is_first) {
+    if (!is_first) {
+        show(shown, note, {});
+        return;
+    }
     const char* const buttons[] = {by_hand ? "release" : "edit"};
     if (!show(shown, note, buttons, &by_hand)) return;
     if (by_hand)
@@ -162,46 +174,6 @@ void followed_point(Session& session, const Derived& derived) {
     widgets::ValueText(distance.c_str(), Role::plane);
 }
 
-/// A number as code has it.
-std::string literal(double value, int decimals) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
-/// The lecture's display() as it would read for this camera, with the two slips of the slide put right.
-void display_code(const Params& params, const Derived& derived) {
-    const CameraParams& camera = params.camera;
-    const ProjectionParams& projection = params.projection;
-    const widgets::Context& context = widgets::CurrentContext();
-    const auto line = [&](Role role, const std::string& code) {
-        ImGui::PushFont(context.fonts.small_number);
-        ImGui::PushStyleColor(ImGuiCol_Text, role == Role::none ? context.palette.text : context.palette.of(role));
-        ImGui::TextUnformatted(code.c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopFont();
-    };
-    // 0 − x, since −x would print a zero as −0.
-    const auto opposite = [](double value, int decimals) { return literal(0.0 - value, decimals); };
-    const std::string range = literal(projection.near, 3) + ", " + literal(projection.far, 1) + ");";
-    const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
-
-    line(Role::none, "void display() {");
-    if (projection.type == ProjectionType::perspective)
-        line(Role::none, "  P = perspective(radians(" + literal(projection.fovy, 1) + "),\n      " +
-                             literal(derived.aspect, 3) + ", " + range);
-    else
-        line(Role::none, "  P = ortho(" + literal(-half_width, 2) + ", " + literal(half_width, 2) + ",\n      " +
-                             literal(-half_height, 2) + ", " + literal(half_height, 2) + ", " + range);
-    line(Role::none, "  V = mat4(1);  // move the world instead:");
-    line(Role::camera, "  W = rotate(radians(" + opposite(camera.roll, 1) + "), z)  // −roll");
-    line(Role::camera, "    * rotate(radians(" + opposite(camera.pitch, 1) + "), x)  // −pitch");
-    line(Role::camera, "    * rotate(radians(" + opposite(camera.yaw, 1) + "), y)  // −heading");
-    line(Role::camera, "    * translate(" + opposite(camera.position.x, 2) + ", " + opposite(camera.position.y, 2) +
-                           ", " + opposite(camera.position.z, 2) + ");");
-    line(Role::none, "  drawObjects();  // with P V W\n}");
-}
-
 /// Camera movement read both ways: V and C take turns, and below P stands the slide's display().
 void camera_matrices(const Params& params, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
     const SlipParams& slips = params.slips;
@@ -234,35 +206,99 @@ void camera_matrices(const Params& params, const Derived& derived, const Derived
         "Moving the camera is moving the world the other way",
         "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
         "the same.");
-    display_code(params, derived);
+    draw_display_code(params, derived);
 }
 
-}  // namespace
+/// How far points of the plane are moved: "points of the plane stay ± 0", "points of the plane move by 0.25".
+std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
+    double moved = 0.0;
+    for (const glm::dvec3& corner : patch.corners()) {
+        const glm::dvec4 sent = matrix * glm::dvec4(corner, 1.0);
+        if (std::abs(sent.w) < 1e-12) return "points of the plane go to infinity";
+        moved = std::max(moved, glm::length(glm::dvec3(sent) / sent.w - corner));
+    }
+    if (moved > 1e-3) return "points of the plane move by up to " + widgets::NumberText(moved, 3);
+    return identity_text("points of the plane stay", moved);
+}
 
-void draw_matrices(Session& session, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
-    const widgets::Group group("matrices");
-    const Facts& facts = derived.facts;
+/// "plane 1", "plane 2", …: which one S and R are of.
+void choose_one(const char* name, std::size_t& index, std::size_t count) {
+    index = index < count ? index : 0;
+    if (count == 1) return;
+    std::vector<std::string> texts;
+    std::vector<const char*> names;
+    for (std::size_t i = 0; i < count; ++i) texts.push_back(name + (" " + std::to_string(i + 1)));
+    for (const std::string& text : texts) names.push_back(text.c_str());
+    int chosen = static_cast<int>(index);
+    ImGui::SameLine(0.0F, px(8.0F));
+    if (widgets::Choice((std::string("##") + name).c_str(), chosen, names, 0)) index = static_cast<std::size_t>(chosen);
+    widgets::Tooltip(name,
+                     "Each plane has an R, and with each light an S. Those of plane 1 and light 1 can be entered "
+                     "by hand.");
+}
+
+void choose_pair(MatrixChoice& choice, const Derived& derived) {
+    if (derived.planes.size() > 1 || derived.lights_world.size() > 1) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("S and R of");
+    }
+    choose_one("plane", choice.plane, derived.planes.size());
+    choose_one("light", choice.light, derived.lights_world.size());
+}
+
+/// Hovering an entry points at the first plane's and light's controls: not where it belongs to others.
+MatrixCells cells_for(MatrixCells cells, bool is_first) {
+    if (!is_first)
+        for (widgets::MatrixCell& cell : cells) cell.links = cell.own = 0;
+    return cells;
+}
+
+void shadow_and_mirror(Session& session, const Derived& derived, const Derived& before, const MatrixChoice& choice) {
     Overrides& overrides = session.params.overrides;
+    const DerivedPlane& plane = derived.planes[choice.plane];
+    const CastShadow& cast = plane.shadows[choice.light];
+    const bool was_there = choice.plane < before.planes.size() && choice.light < before.lights_world.size();
+    const DerivedPlane& plane_before = was_there ? before.planes[choice.plane] : plane;
+    const glm::dmat4& shadow_before =
+        was_there ? plane_before.shadows[choice.light].shadow_from_world : cast.shadow_from_world;
+    const bool is_first_plane = choice.plane == 0, is_first = is_first_plane && choice.light == 0;
+
+    const glm::dmat4& shadow = cast.shadow_from_world;
+    const double shadow_residual = largest_entry(shadow * shadow - cast.plane_dot_light * shadow);
     show_overridable(
         {"Shadow", "S", "shadow_from_world",
          "S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
          "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
          "the same map, but with w > 0, which the clipper keeps.",
-         Role::light, derived.shadow_from_world, before.shadow_from_world, shadow_cells(), shadow_roles(),
-         shadow_matrix(derived.unit_plane, session.params.light.position), derived.shadow_sign < 0.0 ? "−1·" : "+1·"},
-        "rank " + std::to_string(facts.rank_shadow) + " · " + identity_text("S² = (P·L)S", facts.shadow_residual),
-        overrides.shadow_from_world);
+         Role::light, shadow, shadow_before, cells_for(shadow_cells(), is_first), shadow_roles(),
+         shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
+         moved_text(shadow, plane.patch)},
+        "rank " + std::to_string(rank_of(shadow)) + " · " + identity_text("S² = (P·L)S", shadow_residual),
+        overrides.shadow_from_world, is_first);
+
+    const glm::dmat4& mirror = plane.mirror_from_world;
+    const bool by_rows = session.params.reflection.printed_by_rows;
+    const bool is_transposed = by_rows && !(is_first_plane && overrides.mirror_from_world);
+    const std::string fact = is_transposed ? "as printed" : "det " + widgets::NumberText(glm::determinant(mirror), 0);
     show_overridable(
         {"Reflection", "R", "mirror_from_world",
          "R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
          "winding around.",
-         Role::mirror, derived.mirror_from_world, before.mirror_from_world, mirror_cells(), mirror_roles(),
-         mirror_matrix(derived.unit_plane)},
-        "det " + widgets::NumberText(facts.det_mirror, 0) + " · " + identity_text("R² = I", facts.mirror_residual),
-        overrides.mirror_from_world);
+         Role::mirror, mirror, plane_before.mirror_from_world, cells_for(mirror_cells(by_rows), is_first_plane),
+         mirror_roles(), mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
+        fact + " · " + identity_text("R² = I", largest_entry(mirror * mirror - glm::dmat4(1.0))),
+        overrides.mirror_from_world, is_first_plane);
+}
+
+}  // namespace
+
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
+    const widgets::Group group("matrices");
+    choose_pair(choice, derived);
+    shadow_and_mirror(session, derived, before, choice);
     followed_point(session, derived);
     ImGui::Dummy({0.0F, px(4.0F)});
-    camera_matrices(session.params, derived, before, shows_camera_matrix);
+    camera_matrices(session.params, derived, before, choice.shows_camera);
 }
 
 }  // namespace viewing

@@ -6,8 +6,13 @@
 
 namespace viewing {
 
-/// `before`: the same numbers before the latest edit; entries that differ are tinted. `shows_camera_matrix`: C in the
-/// place of V.
-void draw_matrices(Session& session, const Derived& derived, const Derived& before, bool& shows_camera_matrix);
+/// Which matrices the column shows; kept between frames.
+struct MatrixChoice {
+    bool shows_camera = false;         ///< C in the place of V
+    std::size_t plane = 0, light = 0;  ///< of S and R; the first ones where there are no such any more
+};
+
+/// `before`: the same numbers before the latest edit; entries that differ are tinted.
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
 
 }  // namespace viewing

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "state/fields.h"
+#include "ui/derivation_views.h"
 #include "ui/look.h"
+#include "ui/observer_parts.h"
 #include "ui/view_parts.h"
 #include "ui/views.h"
 
@@ -19,31 +21,6 @@ void world_axes(Overlay& overlay) {
         overlay.arrow(glm::dvec3(0.0), tip, palette().quiet, 1.5F);
         overlay.label(tip, names[axis], palette().quiet);
     }
-}
-
-void frustum_lines(Overlay& overlay, const Params& params, const Derived& derived) {
-    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
-        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
-        overlay.line(corners[corner], corners[corner + 4], palette().camera, 1.5F);
-    }
-    const ImU32 faint = (palette().camera & ~IM_COL32_A_MASK) | (28U << IM_COL32_A_SHIFT);
-    overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
-    overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
-    const glm::dvec3 eye(derived.world_from_view[3]);
-    if (params.projection.type == ProjectionType::perspective)
-        for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
-    overlay.dot(eye, palette().camera, 5.0F);
-    overlay.label(eye, "camera", palette().camera);
-    overlay.label((corners[0] + corners[1]) * 0.5, "near", palette().camera);
-    overlay.label((corners[4] + corners[5]) * 0.5, "far", palette().camera);
-}
-
-void patch_outline(Overlay& overlay, const Derived& derived) {
-    const std::array<glm::dvec3, 4> corners = derived.patch.corners();
-    for (std::size_t corner = 0; corner < 4; ++corner)
-        overlay.line(corners[corner], corners[(corner + 1) % 4], palette().plane, 1.5F);
 }
 
 void observer_mouse(ViewState& state, Session& session) {
@@ -86,11 +63,15 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     observer_mouse(state, session);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
 
-    patch_outline(overlay, derived);
-    frustum_lines(overlay, session.params, derived);
+    draw_patches(overlay, derived);
+    draw_frustum(overlay, session.params, derived);
+    const ObserverParams& shows = session.params.observer;
+    if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.lights_world.front());
+    if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
+    if (shows.image_space) label_image_space(overlay, derived);
     draw_laboratory_observer(state.laboratory, hidden, overlay);
-    draw_handles(overlay, places, session.params, derived, hovered);
-    draw_followed(overlay, session.params, derived);
+    draw_handles(overlay, places, derived, hovered);
+    draw_derivation_overlay(overlay, session.params, derived);
 }
 
 void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
@@ -100,9 +81,9 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
     Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
     world_axes(overlay);
-    patch_outline(overlay, derived);
-    frustum_lines(overlay, session.params, derived);
-    const glm::dvec3 light = handle_places(session.params, derived).light;
+    draw_patches(overlay, derived);
+    draw_frustum(overlay, session.params, derived);
+    const glm::dvec3 light = lamp_place(derived.lights_world.front(), derived);
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "l", palette().light);
     widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,

@@ -8,29 +8,14 @@
 #include "ui/depth_panel.h"
 #include "ui/links.h"
 #include "ui/look.h"
+#include "ui/panel_parts.h"
+#include "ui/shadow_panel.h"
 
 namespace viewing {
 namespace {
 
 using widgets::Lamp;
 using widgets::Role;
-
-void tell_problems(const Derived& derived, std::string_view group) {
-    for (const Problem& problem : derived.problems)
-        if (problem.group == group) widgets::Trouble(problem.sentence.c_str());
-}
-
-/// A second control in the same row, at a fixed column.
-void beside(float design_x) {
-    ImGui::SameLine(px(design_x));
-}
-
-/// What is wanted less often stays folded. Returns whether it is open.
-bool details(const char* label) {
-    const bool open = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
-    widgets::Record(label);
-    return open;
-}
 
 void camera_lamps(const Session& session) {
     const Navigation mode = session.params.camera.navigation;
@@ -159,85 +144,6 @@ void hidden_surfaces_section(Session& session, const Derived& derived, Laborator
     tell_problems(derived, "visibility");
 }
 
-void light_section(Session& session, const Derived& derived) {
-    if (!widgets::Section("Light  l")) return;
-    const widgets::Group group("light");
-    widgets::Light("position", session.params.light.position, default_params().light.position, link::light);
-    explain(field("light.position"), "light");
-    tell_problems(derived, "light");
-}
-
-void plane_section(Session& session, const Derived& derived) {
-    if (!widgets::Section("Plane  n·p + d = 0")) return;
-    const widgets::Group group("plane");
-    widgets::PlaneEquation("equation", session.params.plane.equation, default_params().plane.equation, link::plane);
-    explain(field("plane.equation"), "plane");
-    const glm::dvec4& unit = derived.unit_plane;
-    if (glm::length(unit - session.params.plane.equation) > 5e-4) {
-        const std::string note = "unit normal: (" + widgets::NumberText(unit.x, 3) + ", " +
-                                 widgets::NumberText(unit.y, 3) + ", " + widgets::NumberText(unit.z, 3) + ", " +
-                                 widgets::NumberText(unit.w, 3) + ")";
-        widgets::Note(note.c_str());
-    }
-    control(session.params, "plane.extent", {.slider = true, .min = 0.5, .max = 50.0});
-    tell_problems(derived, "plane");
-}
-
-void shadow_details(Params& params) {
-    static constexpr const char* styles[] = {"Blend", "Missing light"};
-    control(params, "shadow.style", {.segments = true, .names = styles, .label = "##style"});
-    if (params.shadow.style == ShadowStyle::missing_light) {
-        widgets::Note("Ambient light first, then the light only where the stencil is clear: no colour, no offset.");
-        return;
-    }
-    control(params, "shadow.color");
-    static constexpr const char* offsets[] = {"none", "glPolygonOffset", "lift", "no depth test"};
-    control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = "offset"});
-    if (params.shadow.offset == ShadowOffset::polygon_offset) {
-        control(params, "shadow.offset_factor", {.label = "factor"});
-        control(params, "shadow.offset_units", {.label = "units"});
-    } else if (params.shadow.offset == ShadowOffset::lift) {
-        control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
-    }
-}
-
-void shadow_and_reflection_section(Session& session, const Derived& derived) {
-    if (!widgets::Section("Shadow and reflection")) return;
-    Params& params = session.params;
-    static constexpr float second = 142.0F;
-    struct Row {
-        const char *shadow, *shadow_label, *reflection, *reflection_label;
-    };
-    static constexpr Row rows[] = {
-        {"shadow.enabled", "Shadow", "reflection.enabled", "Reflection"},
-        {"shadow.stencil_once", "Stencil once", "reflection.stencil", "Clip to mirror"},
-        {"shadow.clip_to_receiver", "Clip to patch", "reflection.flip_winding", "Flip winding"},
-        {"shadow.clip_casters", "Clip casters", "reflection.reflect_light", "Mirror light"},
-    };
-    for (const Row& row : rows) {
-        {
-            const widgets::Group group("shadow");
-            control(params, row.shadow, {.label = row.shadow_label});
-        }
-        beside(second);
-        const widgets::Group group("reflection");
-        control(params, row.reflection, {.label = row.reflection_label});
-    }
-    {
-        const widgets::Group group("shadow");
-        if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
-        if (details("Shadow: style and offset")) shadow_details(params);
-        tell_problems(derived, "shadow");
-    }
-    const widgets::Group group("reflection");
-    control(params, "reflection.reflectance", {.slider = true});
-    static constexpr const char* clips[] = {"no clipping", "clip distance", "oblique near plane"};
-    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = "clip at the plane"});
-    if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
-        widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
-    tell_problems(derived, "reflection");
-}
-
 void observer_section(Session& session) {
     if (!widgets::Section("Observer", false)) return;
     const widgets::Group group("observer");
@@ -245,6 +151,10 @@ void observer_section(Session& session) {
     control(session.params, "observer.yaw", {.decimals = 1, .label = "yaw"});
     control(session.params, "observer.pitch", {.decimals = 1, .label = "pitch"});
     control(session.params, "observer.distance", {.label = "distance"});
+    control(session.params, "observer.light_rays", {.label = "Light rays"});
+    beside(118.0F);
+    control(session.params, "observer.mirrored_eye", {.label = "Mirrored eye"});
+    control(session.params, "observer.image_space", {.label = "Image space"});
 }
 
 }  // namespace
@@ -255,9 +165,9 @@ void draw_panel(Session& session, const Derived& derived, LaboratoryState& labor
     projection_section(session, derived);
     hidden_surfaces_section(session, derived, laboratory, hidden);
     draw_depth_section(session);
-    light_section(session, derived);
-    plane_section(session, derived);
-    shadow_and_reflection_section(session, derived);
+    draw_light_section(session, derived);
+    draw_plane_section(session, derived);
+    draw_shadow_and_reflection_section(session, derived);
     observer_section(session);
     ImGui::PopItemWidth();
 }

@@ -11,6 +11,9 @@
 #include "ui/handles.h"
 #include "ui/input.h"
 #include "ui/laboratory.h"
+#include "ui/mirror_ways_view.h"
+#include "ui/observer_parts.h"
+#include "ui/passes_view.h"
 #include "ui/session.h"
 #include "ui/topics.h"
 
@@ -20,6 +23,8 @@ namespace viewing {
 struct Pictures {
     ImTextureID camera = nullptr, beside = nullptr;
     std::array<ImTextureID, 2> lower{};  ///< of each Slot
+    PassPictures passes{};
+    MirrorWaysShown mirror_ways;
     HiddenStatus hidden;
     DepthData depth;
 };
@@ -35,12 +40,14 @@ struct ViewState {
     ViewName hovered = ViewName::none;
     LaboratoryState laboratory;
     StepPlayer call_player;  ///< of the draw calls
+    StepPlayer pass_player;  ///< of the passes
     glm::ivec2 cells{0};     ///< columns and rows that the cell view had room for
+    LightRays light_rays;    ///< of the observer
 };
 
 /// Whether something goes on by itself, step by step.
 inline bool is_playing(const ViewState& state) {
-    return state.laboratory.playing || state.call_player.playing;
+    return state.laboratory.playing || state.call_player.playing || state.pass_player.playing;
 }
 
 /// The camera's picture; adds what the mouse did to the motion input.

@@ -6,7 +6,6 @@
 
 #include "ui/areas.h"
 #include "ui/look.h"
-#include "ui/matrices.h"
 #include "ui/panel.h"
 
 namespace viewing {
@@ -79,7 +78,7 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     }
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
-        draw_matrices(session, derived, before, shows_camera_matrix_);
+        draw_matrices(session, derived, before, matrix_choice_);
         ImGui::End();
     }
     ImGui::PopStyleVar();
@@ -169,7 +168,8 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_columns(session, derived, before, pictures.hidden, now);
     draw_views(session, derived, plan, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
-    if (!std::exchange(views.call_player.drawn, false)) views.call_player.playing = false;
+    for (StepPlayer* player : {&views.call_player, &views.pass_player})
+        if (!std::exchange(player->drawn, false)) player->playing = false;
     LaboratoryState& laboratory = views.laboratory;
     end_laboratory_frame(laboratory, session);
     take_growth_rows(laboratory);

@@ -9,6 +9,7 @@
 #include "frame/plan.h"
 #include "state/presets.h"
 #include "ui/dialogs.h"
+#include "ui/matrices.h"
 #include "ui/views.h"
 
 namespace viewing {
@@ -69,7 +70,7 @@ private:
     Params preset_params_;
     std::optional<double> pending_scale_;
     bool help_open_ = false;
-    bool shows_camera_matrix_ = false;  ///< C in the place of V
+    MatrixChoice matrix_choice_;
 };
 
 }  // namespace viewing

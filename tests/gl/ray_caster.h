@@ -1,6 +1,7 @@
 // An oracle that shares nothing with the code under test: what each pixel shows, found by rays alone. A pixel is an
-// object, or patch in shadow ⇔ the segment from it to the light meets a caster, or a mirror that shows what the
-// reflected ray meets. Spheres and boxes are met by formula; no mesh, no matrix of the program, no buffer is involved.
+// object, or a patch where those lights are missing to which the segment meets a caster, or a mirror that shows what
+// the reflected ray meets, and so on from mirror to mirror. Spheres and boxes are met by formula; no mesh, no matrix of
+// the program, no buffer is involved. Read ray_caster_test.cpp next, then laboratory_rays_test.cpp.
 #pragma once
 
 #include <cmath>
@@ -47,12 +48,18 @@ struct Solid {
     }
 };
 
+struct OraclePlane {
+    glm::dvec4 equation{0, 1, 0, 0};  ///< any length and sign
+    double extent = 4.0;
+    bool receives = true, mirrors = false;
+};
+
 struct OracleScene {
     std::vector<Solid> solids;
-    glm::dvec4 plane{0, 1, 0, 0};  ///< any length and sign
-    double extent = 4.0;
-    glm::dvec4 light{0, 1, 0, 0};
-    bool casts = true, mirrors = false;
+    std::vector<OraclePlane> planes;
+    std::vector<glm::dvec4> lights;  ///< w from 0, a direction, to 1
+    bool casts = true;
+    int bounces = 1;  ///< a mirror met after so many others is a plain patch
 };
 
 struct OracleCamera {
@@ -62,8 +69,22 @@ struct OracleCamera {
     double fovy_deg = 40, height = 6, near = 0.1, far = 100;
 };
 
-/// What a pixel shows: 0, 1, 2 … a solid; or one of these.
-constexpr int shows_background = -1, shows_patch = -2, shows_shadow = -3;
+/// What a line of sight meets: a solid, or a patch on which some lights are missing.
+struct Met {
+    int solid = -1, patch = -1;
+    unsigned missing = 0;  ///< bit i: a caster is between light i and the side that is seen
+    bool operator==(const Met&) const = default;
+};
+
+/// All that it meets one after another: mirrors, and at the end what is seen in the last of them. After as many
+/// mirrors as there are members, it is the background that is seen.
+struct Sight {
+    std::vector<Met> met;
+    std::size_t mirrors = 0;  ///< the first members of `met`
+    bool operator==(const Sight&) const = default;
+
+    bool ends_in_background() const { return met.size() == mirrors; }
+};
 
 class RayCaster {
 public:
@@ -72,31 +93,39 @@ public:
         axes_ = glm::dmat3(glm::rotate(one, glm::radians(camera.yaw_deg), {0, 1, 0}) *
                            glm::rotate(one, glm::radians(camera.pitch_deg), {1, 0, 0}) *
                            glm::rotate(one, glm::radians(camera.roll_deg), {0, 0, 1}));
-        const double length = glm::length(glm::dvec3(scene.plane));
-        normal_ = glm::dvec3(scene.plane) / length;
-        offset_ = scene.plane.w / length;
+        for (OraclePlane& plane : scene_.planes) plane.equation /= glm::length(glm::dvec3(plane.equation));
     }
 
-    /// The pixel (x, y) of width × height from the top left, at its centre.
-    int at(int x, int y, int width, int height) const {
-        const double across = ((x + 0.5) / width * 2.0 - 1.0) * width / height;
-        const double up = 1.0 - (y + 0.5) / height * 2.0;
-        // Parameters of the ray are distances along the line of sight in both projections.
-        glm::dvec3 origin = camera_.position, direction = -axes_[2];
-        if (camera_.orthographic) {
-            origin += (axes_[0] * across + axes_[1] * up) * camera_.height * 0.5;
-        } else {
-            direction += (axes_[0] * across + axes_[1] * up) * std::tan(glm::radians(camera_.fovy_deg) * 0.5);
-        }
-        return seen(origin, direction);
+    /// The point (x, y) of a picture of width × height pixels, from its top left: pixel centres are at ½.
+    Sight at(double x, double y, int width, int height) const {
+        const Ray ray = line_of_sight(x, y, width, height);
+        return seen(ray.origin, ray.direction);
+    }
+
+    /// The patch that would be seen if there were no solids: its index, and the lights missing there.
+    Met patch_at(double x, double y, int width, int height) const {
+        const Ray ray = line_of_sight(x, y, width, height);
+        double t = camera_.far;
+        return nearest_patch(ray.origin, ray.direction, camera_.near, t, -1);
     }
 
 private:
-    double side(const glm::dvec3& point) const { return glm::dot(normal_, point) + offset_; }
+    struct Ray {
+        glm::dvec3 origin, direction;
+    };
+
+    /// Parameters of the ray are distances along the line of sight in both projections.
+    Ray line_of_sight(double x, double y, int width, int height) const {
+        const double across = (x / width * 2.0 - 1.0) * width / height;
+        const double up = 1.0 - y / height * 2.0;
+        const glm::dvec3 aside = axes_[0] * across + axes_[1] * up;
+        if (camera_.orthographic) return {camera_.position + aside * camera_.height * 0.5, -axes_[2]};
+        return {camera_.position, -axes_[2] + aside * std::tan(glm::radians(camera_.fovy_deg) * 0.5)};
+    }
 
     /// The solid met first, and where; −1 for none.
-    int nearest(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to) const {
-        int found = shows_background;
+    int nearest_solid(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to) const {
+        int found = -1;
         for (std::size_t i = 0; i < scene_.solids.size(); ++i) {
             if (const auto t = scene_.solids[i].first_hit(origin, direction, from, to)) {
                 to = *t;
@@ -106,49 +135,83 @@ private:
         return found;
     }
 
-    bool is_on_patch(const glm::dvec3& point) const {
+    static bool is_on_patch(const OraclePlane& plane, const glm::dvec3& point) {
         // The contract's axes: n′ with its largest component positive, e the axis of the smallest (the last on a tie).
-        const glm::dvec3 size = glm::abs(normal_);
+        const glm::dvec3 normal(plane.equation), size = glm::abs(normal);
         const int largest = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const int smallest = size.z <= size.x && size.z <= size.y ? 2 : size.y <= size.x ? 1 : 0;
-        const glm::dvec3 n = normal_[largest] < 0.0 ? -normal_ : normal_;
+        const glm::dvec3 n = normal[largest] < 0.0 ? -normal : normal;
         glm::dvec3 e(0.0);
         e[smallest] = 1.0;
         const glm::dvec3 u = glm::normalize(glm::cross(n, e)), v = glm::cross(u, n);
-        const glm::dvec3 from_center = point + normal_ * offset_;
-        return std::abs(glm::dot(from_center, u)) <= scene_.extent &&
-               std::abs(glm::dot(from_center, v)) <= scene_.extent;
+        const glm::dvec3 from_center = point + normal * plane.equation.w;
+        return std::abs(glm::dot(from_center, u)) <= plane.extent && std::abs(glm::dot(from_center, v)) <= plane.extent;
     }
 
-    bool is_in_shadow(const glm::dvec3& point) const {
-        const glm::dvec3 to_light = glm::dvec3(scene_.light) - scene_.light.w * point;
-        const double reach = scene_.light.w == 0.0 ? 1e9 : 1.0 / scene_.light.w;
-        double to = reach;
-        return nearest(point, to_light, 0.0, to) >= 0;
+    bool is_in_shadow(const glm::dvec3& point, const glm::dvec4& light) const {
+        const glm::dvec3 to_light = glm::dvec3(light) - light.w * point;
+        double to = light.w == 0.0 ? 1e9 : 1.0 / light.w;
+        return nearest_solid(point, to_light, 0.0, to) >= 0;
     }
 
-    int seen(const glm::dvec3& origin, const glm::dvec3& direction) const {
-        double t_object = camera_.far;
-        const int object = nearest(origin, direction, camera_.near, t_object);
-        const double approach = glm::dot(normal_, direction);
-        const double t_plane = approach != 0.0 ? -side(origin) / approach : -1.0;
-        const glm::dvec3 on_plane = origin + t_plane * direction;
-        if (t_plane <= camera_.near || t_plane >= t_object || !is_on_patch(on_plane)) return object;
+    /// The lights that casters keep from a point of a patch, on the side that the line of sight comes from.
+    unsigned missing_at(const OraclePlane& plane, const glm::dvec3& point, const glm::dvec3& direction) const {
+        if (!scene_.casts || !plane.receives) return 0;
+        const double seen_side = glm::dot(glm::dvec3(plane.equation), direction) < 0.0 ? 1.0 : -1.0;
+        unsigned missing = 0;
+        for (std::size_t i = 0; i < scene_.lights.size(); ++i)
+            if (glm::dot(plane.equation, scene_.lights[i]) * seen_side > 0.0 && is_in_shadow(point, scene_.lights[i]))
+                missing |= 1U << i;
+        return missing;
+    }
 
-        // The side that is seen is the one the line of sight comes from.
-        const double seen_side = approach < 0.0 ? 1.0 : -1.0;
-        const double light_side = glm::dot(normal_, glm::dvec3(scene_.light)) + offset_ * scene_.light.w;
-        if (scene_.casts && light_side * seen_side > 0.0 && is_in_shadow(on_plane)) return shows_shadow;
-        if (!scene_.mirrors) return shows_patch;
-        double t_mirrored = camera_.far - t_plane;
-        return nearest(on_plane, direction - 2.0 * approach * normal_, 0.0, t_mirrored);
+    /// The patch met first, but for the one that the ray starts from, and where.
+    Met nearest_patch(const glm::dvec3& origin, const glm::dvec3& direction, double from, double& to, int start) const {
+        Met found;
+        for (std::size_t i = 0; i < scene_.planes.size(); ++i) {
+            const glm::dvec4& plane = scene_.planes[i].equation;
+            const double approach = glm::dot(glm::dvec3(plane), direction);
+            if (static_cast<int>(i) == start || approach == 0.0) continue;
+            const double t = -glm::dot(plane, glm::dvec4(origin, 1.0)) / approach;
+            if (t <= from || t >= to || !is_on_patch(scene_.planes[i], origin + t * direction)) continue;
+            to = t;
+            found.patch = static_cast<int>(i);
+        }
+        if (found.patch >= 0)
+            found.missing =
+                missing_at(scene_.planes[static_cast<std::size_t>(found.patch)], origin + to * direction, direction);
+        return found;
+    }
+
+    Sight seen(glm::dvec3 origin, glm::dvec3 direction) const {
+        Sight sight;
+        double from = camera_.near, left = camera_.far;
+        for (int start = -1;;) {
+            double t = left;
+            Met met{.solid = nearest_solid(origin, direction, from, t)};
+            double t_patch = t;
+            if (const Met patch = nearest_patch(origin, direction, from, t_patch, start); patch.patch >= 0) {
+                met = patch;
+                t = t_patch;
+            }
+            if (met == Met{}) return sight;
+            sight.met.push_back(met);
+            if (met.patch < 0 || static_cast<int>(sight.mirrors) >= scene_.bounces) return sight;
+            const OraclePlane& plane = scene_.planes[static_cast<std::size_t>(met.patch)];
+            if (!plane.mirrors) return sight;
+            ++sight.mirrors;
+            const glm::dvec3 normal(plane.equation);
+            origin += t * direction;
+            direction -= 2.0 * glm::dot(normal, direction) * normal;
+            from = 0.0;
+            left -= t;
+            start = met.patch;
+        }
     }
 
     OracleScene scene_;
     OracleCamera camera_;
     glm::dmat3 axes_{1.0};
-    glm::dvec3 normal_{0.0};
-    double offset_ = 0.0;
 };
 
 }  // namespace viewing::testing

@@ -14,18 +14,19 @@ namespace {
 
 using testing::object;
 using testing::OracleCamera;
+using testing::OraclePlane;
 using testing::OracleScene;
 using testing::RayCaster;
 using testing::Rgb;
 using testing::rgb_at;
 using testing::scene_of;
-using testing::shows_background;
-using testing::shows_patch;
-using testing::shows_shadow;
+using testing::Sight;
 using testing::Solid;
 
 constexpr glm::ivec2 size_px(160, 120);
-constexpr int undefined = -9;
+
+/// What a pixel shows: 0, 1, 2 … a solid; or one of these.
+constexpr int shows_background = -1, shows_patch = -2, shows_shadow = -3, undefined = -9;
 
 /// A random situation, and the same as parameters and meshes.
 struct Situation {
@@ -33,6 +34,10 @@ struct Situation {
     OracleCamera camera;
     Params params;
     Scene scene;
+
+    OraclePlane& plane() { return oracle.planes.front(); }
+    const OraclePlane& plane() const { return oracle.planes.front(); }
+    glm::dvec4& light() { return oracle.lights.front(); }
 };
 
 glm::dmat3 rotation_of(const Angles& angles) {
@@ -72,27 +77,28 @@ bool is_clear_of_solids(const Situation& made, const glm::dvec3& point, double d
 }
 
 void add_light(Situation& made, Random& random) {
-    const glm::dvec4 plane = made.oracle.plane;
+    const glm::dvec4 plane = made.plane().equation;
     do {
-        made.oracle.light = {random.vec3(5.0), random.number(0, 1) < 0.7 ? 1.0 : 0.0};
-        const double side = glm::dot(plane, made.oracle.light);
+        made.light() = {random.vec3(5.0), random.number(0, 1) < 0.7 ? 1.0 : 0.0};
+        const double side = glm::dot(plane, made.light());
         const double eye_side = glm::dot(plane, glm::dvec4(made.camera.position, 1.0));
         if (side * eye_side < 0.0 && random.number(0, 1) < 0.9)  // mostly where shadows are seen
-            made.oracle.light -= 2.0 * side * glm::dvec4(glm::dvec3(plane), 0.0);
-    } while (std::abs(glm::dot(plane, made.oracle.light)) < 0.3 ||
-             (made.oracle.light.w > 0.0 && !is_clear_of_solids(made, glm::dvec3(made.oracle.light), 0.1)));
+            made.light() -= 2.0 * side * glm::dvec4(glm::dvec3(plane), 0.0);
+    } while (std::abs(glm::dot(plane, made.light())) < 0.3 ||
+             (made.light().w > 0.0 && !is_clear_of_solids(made, glm::dvec3(made.light()), 0.1)));
 }
 
 Situation situation(unsigned number) {
     Random random(number);
     Situation made;
     add_solids(made, random);
-    made.oracle.plane = {random.direction(), random.number(-1.2, 1.2)};
-    made.oracle.extent = random.number(2.0, 5.0);
+    made.oracle.planes = {{.equation = {random.direction(), random.number(-1.2, 1.2)}}};
+    made.plane().extent = random.number(2.0, 5.0);
+    made.oracle.lights.resize(1);
 
     OracleCamera& camera = made.camera;
     do camera.position = random.direction() * random.number(4.5, 8.0);
-    while (std::abs(glm::dot(made.oracle.plane, glm::dvec4(camera.position, 1.0))) < 0.8 ||
+    while (std::abs(glm::dot(made.plane().equation, glm::dvec4(camera.position, 1.0))) < 0.8 ||
            !is_clear_of_solids(made, camera.position, 0.5));
     const Angles angles = angles_looking_at(camera.position, random.vec3(1.0));
     camera.yaw_deg = angles.yaw_deg;
@@ -103,7 +109,7 @@ Situation situation(unsigned number) {
     camera.height = random.number(3, 7);
     add_light(made, random);
     made.oracle.casts = number % 3 != 1;
-    made.oracle.mirrors = number % 3 != 0;
+    made.plane().mirrors = number % 3 != 0;
 
     Params& params = made.params;
     params.camera.position = camera.position;
@@ -112,15 +118,15 @@ Situation situation(unsigned number) {
     params.camera.roll = camera.roll_deg;
     params.projection = {camera.orthographic ? ProjectionType::orthographic : ProjectionType::perspective,
                          camera.fovy_deg, camera.height, camera.near, camera.far};
-    params.plane = {made.oracle.plane * (random.number(0, 1) < 0.5 ? -1.0 : 1.0) * random.number(0.3, 3.0),
-                    made.oracle.extent};
-    params.light.position = made.oracle.light;
+    params.plane = {made.plane().equation * (random.number(0, 1) < 0.5 ? -1.0 : 1.0) * random.number(0.3, 3.0),
+                    made.plane().extent};
+    params.light.position = made.light();
     params.shadow.enabled = made.oracle.casts;
     params.shadow.color = {255, 0, 255};
     params.shadow.opacity = 1.0;
     params.shadow.stencil_once = random.number(0, 1) < 0.5;
     params.shadow.offset = number % 5 == 4 ? ShadowOffset::no_depth_test : ShadowOffset::polygon_offset;
-    params.reflection.enabled = made.oracle.mirrors;
+    params.reflection.enabled = made.plane().mirrors;
     params.reflection.reflectance = 1.0;
     params.reflection.clip = number % 2 == 0 ? MirrorClip::clip_distance : MirrorClip::oblique;
     params.depth.mapping = static_cast<DepthMapping>(number % 7 % 3);
@@ -142,11 +148,20 @@ int class_of(const Rgb& color, const Rgb& background) {
     return undefined;
 }
 
+/// Shadow is painted on mirrors, too.
+int class_of(const Sight& sight) {
+    for (const testing::Met& met : sight.met)
+        if (met.missing != 0) return shows_shadow;
+    if (sight.ends_in_background()) return shows_background;
+    return sight.met.back().patch >= 0 ? shows_patch : sight.met.back().solid;
+}
+
 std::vector<int> classes_by_rays(const Situation& made) {
     const RayCaster caster(made.oracle, made.camera);
     std::vector<int> classes;
     for (int y = 0; y < size_px.y; ++y)
-        for (int x = 0; x < size_px.x; ++x) classes.push_back(caster.at(x, y, size_px.x, size_px.y));
+        for (int x = 0; x < size_px.x; ++x)
+            classes.push_back(class_of(caster.at(x + 0.5, y + 0.5, size_px.x, size_px.y)));
     return classes;
 }
 
@@ -207,9 +222,9 @@ TEST_F(RayCasterTest, AgreesWithEveryPicture) {
         sum.compared += tally.compared;
         sum.shadow += tally.shadow;
         sum.patch += tally.patch;
-        if (made.oracle.mirrors) {
+        if (made.plane().mirrors) {
             Situation blind = made;
-            blind.oracle.mirrors = false;
+            blind.plane().mirrors = false;
             const std::vector<int> with = classes_by_rays(made), without = classes_by_rays(blind);
             for (std::size_t i = 0; i < with.size(); ++i) mirrored += with[i] >= 0 && with[i] != without[i];
         }
@@ -236,7 +251,7 @@ TEST_F(RayCasterTest, WouldNoticeAWrongMatrix) {
     EXPECT_GT(tally_of(made).wrong, 0);
 
     Situation mirror = situation(52000);
-    ASSERT_TRUE(mirror.oracle.mirrors);
+    ASSERT_TRUE(mirror.plane().mirrors);
     ASSERT_EQ(tally_of(mirror).wrong, 0);
     derived = derive_for(mirror.params, mirror.scene, size_px);
     mirror.params.overrides.mirror_from_world = glm::translate(derived.mirror_from_world, {0.3, 0.3, 0.3});

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -168,7 +169,8 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label : {"camera/Famous slips", "Depth buffer", "shadow/Shadow: style and offset"})
+        for (const char* label : {"camera/Famous slips", "Depth buffer", "shadow/Shadow: style and offset",
+                                  "shadow/Shadow: clip at light, sign, stencil", "reflection/Mirror: how it is drawn"})
             if (!is_folded_out(label)) click(label);
         if (ui.text_of("Observer") == "folded") click("Observer");
     }
@@ -203,9 +205,15 @@ private:
                 rect.min.y + rect.height() * static_cast<float>(1.0 - clip.y / clip.w) * 0.5F};
     }
     bool is_folded_out(std::string_view details) const {
-        const std::string_view inside = details == "camera/Famous slips" ? "camera/walk slows"
-                                        : details == "Depth buffer"      ? "buffer/depth format"
-                                                                         : "shadow/style/Blend";
+        struct Inside {
+            std::string_view details, item;
+        };
+        static constexpr Inside all[] = {{"camera/Famous slips", "camera/C sent as V"},
+                                         {"Depth buffer", "buffer/depth format"},
+                                         {"shadow/Shadow: style and offset", "shadow/style/Blend"},
+                                         {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},
+                                         {"reflection/Mirror: how it is drawn", "reflection/Mirror last"}};
+        const std::string_view inside = std::ranges::find(all, details, &Inside::details)->item;
         return ui.has(inside);
     }
     void set_down(Key key, bool down) {

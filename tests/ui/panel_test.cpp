@@ -56,11 +56,16 @@ constexpr Control controls[] = {
     {"light/position/y", "light.position"},
     {"light/position/z", "light.position"},
     {"light/position/w", "light.position"},
+    {"light/Orbit", "animation.light_orbit"},
+    {"light/speed", "animation.light_speed"},
     {"plane/equation/a", "plane.equation"},
     {"plane/equation/b", "plane.equation"},
     {"plane/equation/c", "plane.equation"},
     {"plane/equation/d", "plane.equation"},
     {"plane/extent", "plane.extent"},
+    {"plane/Receiver", "plane.receives_shadow"},
+    {"plane/Mirrors", "plane.mirrors"},
+    {"plane/Gloss", "plane.gloss"},
     {"shadow/Shadow", "shadow.enabled"},
     {"shadow/Stencil once", "shadow.stencil_once"},
     {"shadow/Clip to patch", "shadow.clip_to_receiver"},
@@ -72,18 +77,33 @@ constexpr Control controls[] = {
     {"shadow/offset", "shadow.offset"},
     {"shadow/factor", "shadow.offset_factor"},
     {"shadow/units", "shadow.offset_units"},
+    {"shadow/Write depth", "shadow.write_depth"},
+    {"shadow/Clip at light", "shadow.clip_at_light"},
+    {"shadow/Own stencil", "shadow.own_stencil"},
+    {"shadow/sign of S", "shadow.sign"},
     {"reflection/Reflection", "reflection.enabled"},
     {"reflection/Clip to mirror", "reflection.stencil"},
     {"reflection/Flip winding", "reflection.flip_winding"},
     {"reflection/Mirror light", "reflection.reflect_light"},
     {"reflection/reflectance", "reflection.reflectance"},
+    {"reflection/bounces", "reflection.bounces"},
     {"reflection/clip at the plane", "reflection.clip"},
+    {"reflection/mirrored/Mirror the scene", "reflection.mirrored"},
+    {"reflection/mirrored/the camera", "reflection.mirrored"},
+    {"reflection/Side of the eye", "reflection.side_of_eye"},
+    {"reflection/Shadows inside", "reflection.shadows"},
+    {"reflection/Mask writes depth", "reflection.mask_writes_depth"},
+    {"reflection/Mirror last", "reflection.after_objects"},
+    {"reflection/R as printed", "reflection.printed_by_rows"},
     {"observer/target/x", "observer.target"},
     {"observer/target/y", "observer.target"},
     {"observer/target/z", "observer.target"},
     {"observer/yaw", "observer.yaw"},
     {"observer/pitch", "observer.pitch"},
     {"observer/distance", "observer.distance"},
+    {"observer/Light rays", "observer.light_rays"},
+    {"observer/Mirrored eye", "observer.mirrored_eye"},
+    {"observer/Image space", "observer.image_space"},
 };
 
 bool is_switch(const RecordedItem& item) {
@@ -180,6 +200,10 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "coplanar.tilt",
                     "coplanar.distance",
                     "shadow.lift",
+                    "lights",
+                    "planes",
+                    "reflection.same_projection",
+                    "reflection.printed_by_rows",
                     "follow",
                     "view.shows",
                     "view.depth_range",
@@ -191,6 +215,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "view.pixel",
                     "view.call",
                     "view.triangle",
+                    "view.pass",
                     "view.lower_left",
                     "view.lower_right",
                     "ui.theme",
@@ -205,8 +230,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "visibility.exact_curves",
                     "visibility.compare_with",
                     "visibility.numbers"});
-    // They take effect with later issues.
-    const std::set<std::string> later = {"version", "lights", "planes", "reflection.bounces"};
+    const std::set<std::string> later = {"version"};  // there is only one
     for (const Field& field : fields()) {
         const std::string path(field.path);
         EXPECT_TRUE(reached.contains(path) != later.contains(path)) << path;
@@ -357,6 +381,70 @@ TEST_F(PanelTest, LightIsPointOrParallel) {
     EXPECT_EQ(params.light.position, glm::dvec4(2.6, 5.2, 2.2, 1.0));
 }
 
+TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
+    for (std::size_t count = 1; count <= 3; ++count) {
+        desk.click("light/add a light");
+        ASSERT_EQ(params.lights.size(), count);
+    }
+    const std::vector<LightParams> three = params.lights;
+    EXPECT_EQ(three[0].position, glm::dvec4(-2.6, 5.2, 2.2, 1.0));
+    EXPECT_NE(three[0], three[1]);
+    EXPECT_NE(three[1], three[2]);
+    EXPECT_FALSE(ui.find("light/add a light").enabled);
+    desk.enter("light/light 3/y", "4");
+    EXPECT_EQ(params.lights[1].position.y, 4.0);
+    desk.click("light/light 4/parallel");
+    EXPECT_EQ(params.lights[2].position.w, 0.0);
+    desk.click("light/remove light 2");
+    ASSERT_EQ(params.lights.size(), 2U);
+    EXPECT_EQ(params.lights[0].position.y, 4.0);
+    EXPECT_TRUE(ui.find("light/add a light").enabled);
+    desk.undo();
+    EXPECT_EQ(params.lights.size(), 3U);
+}
+
+TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
+    for (std::size_t count = 1; count <= 7; ++count) {
+        desk.click("plane/add a plane");
+        ASSERT_EQ(params.planes.size(), count);
+    }
+    EXPECT_EQ(params.planes[0].equation, glm::dvec4(0, 0, 1, 3));
+    EXPECT_EQ(params.planes[1].equation, glm::dvec4(1, 0, 0, 3));
+    for (std::size_t one = 0; one < 7; ++one)
+        for (std::size_t other = 0; other < one; ++other) EXPECT_NE(params.planes[one], params.planes[other]);
+    EXPECT_FALSE(ui.find("plane/add a plane").enabled);
+    desk.click("plane/Plane 3");
+    desk.enter("plane/plane 3/equation/d", "4");
+    EXPECT_EQ(params.planes[1].equation, glm::dvec4(1, 0, 0, 4));
+    desk.enter("plane/plane 3/extent", "7");
+    EXPECT_EQ(params.planes[1].extent, 7.0);
+    for (const char* flag : {"plane/plane 3/Receiver", "plane/plane 3/Mirrors", "plane/plane 3/Gloss"})
+        desk.click(flag);
+    EXPECT_FALSE(params.planes[1].receives_shadow || params.planes[1].mirrors);
+    EXPECT_TRUE(params.planes[1].gloss);
+    EXPECT_EQ(params.plane, PlaneParams{});
+    desk.click("plane/plane 3/remove plane 3");
+    ASSERT_EQ(params.planes.size(), 6U);
+    EXPECT_EQ(params.planes[1].equation, glm::dvec4(-1, 0, 0, 3));
+}
+
+TEST_F(PanelTest, TheMirroredCamerasProjectionIsChosenWhereThereIsOne) {
+    desk.fold_out_all();
+    EXPECT_FALSE(ui.has("reflection/Same projection"));
+    desk.click("reflection/mirrored/the camera");
+    desk.click("reflection/Same projection");
+    EXPECT_FALSE(params.reflection.same_projection);
+}
+
+TEST_F(PanelTest, ABrokenSwitchIsToldWhereItIs) {
+    ASSERT_FALSE(ui.has("shadow/trouble"));
+    ASSERT_FALSE(ui.has("reflection/trouble"));
+    desk.click("shadow/Stencil once");
+    EXPECT_TRUE(ui.has("shadow/trouble"));
+    desk.click("reflection/Mirror light");
+    EXPECT_TRUE(ui.has("reflection/trouble"));
+}
+
 TEST_F(PanelTest, ALightInThePlaneIsToldWhereItsCauseIs) {
     ASSERT_FALSE(ui.has("light/trouble"));
     desk.enter("light/position/y", "0");
@@ -415,6 +503,28 @@ TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
     desk.ui.frames(3);
     EXPECT_FALSE(desk.params().overrides.shadow_from_world);
     EXPECT_EQ(desk.derived.shadow_from_world, derived);
+}
+
+TEST(Matrices, EachPlaneAndLightHasItsOwn) {
+    Desk desk({1600, 1500}, "opening");
+    EXPECT_FALSE(desk.ui.has("matrices/plane"));
+    desk.click("plane/add a plane");
+    desk.click("light/add a light");
+    desk.ui.frames(3);
+    EXPECT_EQ(desk.ui.text_of("matrices/R/r2c2"), "1.000");
+    desk.choose("matrices/plane", "matrices/plane/plane 2");
+    EXPECT_EQ(desk.ui.text_of("matrices/R/r2c2"), "−1.000");  // the wall z = −3
+    EXPECT_EQ(desk.ui.text_of("matrices/R/r2c3"), "−6.000");
+    EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "−2.600");  // −l_x n_z
+    EXPECT_FALSE(desk.ui.has("matrices/edit"));
+    desk.choose("matrices/light", "matrices/light/light 2");
+    EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "2.600");
+    desk.choose("matrices/plane", "matrices/plane/plane 1");
+    EXPECT_TRUE(desk.ui.has("matrices/edit"));  // R's
+    desk.click("plane/Plane 2");
+    desk.click("plane/plane 2/remove plane 2");
+    desk.ui.frames(3);
+    EXPECT_FALSE(desk.ui.has("matrices/plane"));
 }
 
 }  // namespace viewing::test

@@ -232,19 +232,25 @@ TEST_F(LectureTest, EveryButtonOfThePlaneExplainsItselfBeforeTheGroup) {
 
 class LinksTest : public WidgetTest {
 protected:
-    static constexpr Links light_x = 1, light_y = 2, plane_a = 4;
+    static constexpr Links light_x = 1, light_y = 2, plane_a = 4, plane_b = 8, own = 16;
     double x = 1, y = 2;
     std::array<MatrixCell, 16> cells{};
     int hovered_cell = -1;
+    bool line_lit = false;
 
     void SetUp() override {
         cells[1].links = light_x | plane_a;
         cells[2].links = light_y;
+        cells[5].links = plane_b;
+        cells[5].own = own;
         start([this] {
             bool changed = Number("x", x, {.links = light_x});
             changed |= Number("y", y, {.links = light_y});
             const glm::dmat4 shown(1.0);
             Matrix("S", shown, {.cells = cells, .hovered_cell = &hovered_cell});
+            ImGui::Dummy(ImVec2(100, 20));
+            line_lit = FollowEntry(own, plane_b | light_x);
+            Record("line");
             return changed;
         });
     }
@@ -291,6 +297,26 @@ int vertices_colored(ImU32 color) {
         for (const ImDrawVert& vertex : data.CmdLists[i]->VtxBuffer) count += vertex.col == color ? 1 : 0;
     }
     return count;
+}
+
+TEST_F(LinksTest, WhatStandsForAnEntryLightsUpWithIt) {
+    const ImU32 cell_outline = (context.palette.accent & ~IM_COL32_A_MASK) | (179U << IM_COL32_A_SHIFT);
+    const auto after_hovering = [&](const char* label) {
+        ui.hover(label);
+        ui.frame();
+        return line_lit;
+    };
+    EXPECT_TRUE(after_hovering("S/r1c1"));
+    const int one_entry = vertices_colored(cell_outline);
+    EXPECT_GT(one_entry, 0);
+    EXPECT_EQ(context.hovered, plane_b | own);
+
+    EXPECT_TRUE(after_hovering("line"));
+    EXPECT_EQ(context.hovered, plane_b | light_x | own) << "the controls that it comes from";
+    EXPECT_EQ(vertices_colored(cell_outline), one_entry) << "its own entry, and none that shares a parameter";
+    EXPECT_TRUE(after_hovering("x")) << "a control lights all that come from it";
+    EXPECT_FALSE(after_hovering("S/r0c1")) << "another entry";
+    EXPECT_FALSE(after_hovering("y"));
 }
 
 TEST_F(LinksTest, WhatIsLinkedIsDrawnInTheAccent) {

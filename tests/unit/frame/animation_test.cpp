@@ -1,4 +1,5 @@
-// What moves by itself: at its beginning nothing has moved, and the tremor stays as small as it says.
+// What moves by itself: at its beginning nothing has moved, the tremor stays as small as it says, the light on its
+// circle.
 #include "frame/animation.h"
 
 #include "unit/frame/frame_test.h"
@@ -13,6 +14,9 @@ TEST(Animation, BeginsAtTheParametersThemselves) {
     const Params jiggling = testing::params_with({"camera.yaw=12", "animation.jiggle=true"});
     EXPECT_TRUE(is_animated(jiggling));
     EXPECT_EQ(animated(jiggling, 0.0), jiggling);
+    const Params orbiting = testing::params_with({"light.position=[1,2,3,0.25]", "animation.light_orbit=true"});
+    EXPECT_TRUE(is_animated(orbiting));
+    EXPECT_EQ(animated(orbiting, 0.0), orbiting);
 }
 
 TEST(Animation, TremblesByAThousandthOfTheTargetsDistance) {
@@ -28,6 +32,36 @@ TEST(Animation, TremblesByAThousandthOfTheTargetsDistance) {
     }
     EXPECT_GT(farthest, 0.5e-3 * 50.0);
     EXPECT_LT(farthest, 1.2e-3 * 50.0);
+}
+
+TEST(Animation, TurnsTheLightToTheLeftAboutTheWorldsY) {
+    // Seen from above, x to the right and z towards the onlooker: a quarter turn to the left leads from x to −z.
+    const Params quarter =
+        testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true", "animation.light_speed=30"});
+    const glm::dvec4 turned = animated(quarter, 3.0).light.position;
+    EXPECT_LT(glm::length(turned - glm::dvec4(0, 5, -2, 1)), 1e-12);
+    Params backwards = quarter;
+    backwards.animation.light_speed = -30.0;
+    EXPECT_LT(glm::length(animated(backwards, 3.0).light.position - glm::dvec4(0, 5, 2, 1)), 1e-12);
+}
+
+TEST(Animation, KeepsTheLightOnItsCircleAndEverythingElse) {
+    for (const char* light :
+         {"light.position=[2,5,-1,1]", "light.position=[-3,4,2,0]", "light.position=[1,-2,6,0.4]"}) {
+        const Params params = testing::params_with(
+            {light, "animation.light_orbit=true", "animation.light_speed=-77.5", "lights=[{\"position\":[1,2,3,1]}]"});
+        const glm::dvec4 start = params.light.position;
+        for (double time_s = 0.0; time_s < 20.0; time_s += 0.37) {
+            Params now = animated(params, time_s);
+            const glm::dvec4 moved = now.light.position;
+            EXPECT_EQ(moved.y, start.y);
+            EXPECT_EQ(moved.w, start.w);
+            EXPECT_NEAR(std::hypot(moved.x, moved.z), std::hypot(start.x, start.z), 1e-12);
+            now.light.position = start;
+            EXPECT_EQ(now, params) << "nothing else moves";
+        }
+        EXPECT_LT(glm::length(animated(params, 360.0 / 77.5).light.position - start), 1e-9) << "a whole turn";
+    }
 }
 
 }  // namespace

@@ -1,0 +1,14 @@
+// The mirror image in four ways, drawn by GL and compared: read frame/mirror_ways.h for what is counted.
+#pragma once
+
+#include "frame/mirror_ways.h"
+#include "render/buffer_read.h"
+
+namespace viewing {
+
+/// Draws all ways of the state, without samples, and compares them with the first one. With `pictures` each becomes
+/// what shows its differences. The error is GL's.
+Result<MirrorWays> compare_mirror_ways(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px,
+                                       std::array<View, mirror_way_count>* pictures = nullptr);
+
+}  // namespace viewing

@@ -1,0 +1,43 @@
+// How problems are said, and which planes they can be about. Part of problems.h.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frame/problems.h"
+
+namespace viewing {
+
+/// Adds sentences to one group.
+class Sayer {
+public:
+    Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
+
+    /// Something to know.
+    void operator()(bool is_so, std::string sentence) { add(is_so, std::move(sentence), false); }
+    /// A switch breaks the picture: why it looks as it does.
+    void broken(bool is_so, std::string sentence) { add(is_so, std::move(sentence), true); }
+
+private:
+    void add(bool is_so, std::string sentence, bool breaks_picture) {
+        if (is_so) problems_.push_back({std::move(sentence), group_, breaks_picture});
+    }
+    std::vector<Problem>& problems_;
+    std::string_view group_;
+};
+
+/// Whether pictures with shadows and mirror images are asked for: not while a method is gone through step by step.
+bool shows_effects(const Params& params);
+
+/// Those that the frame draws: hidden-surface methods other than GL's own know of the first one alone.
+std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
+
+/// P·eye: positive before the plane.
+double eye_side_of(const DerivedPlane& plane, const Derived& derived);
+
+/// "−0.25": figures() with a sign, and 0.
+std::string signed_figures(double value);
+
+}  // namespace viewing

@@ -1,0 +1,136 @@
+// The derivations of shadow and mirror image as a person meets them: chosen as topics, l_w under the pointer, and in
+// every special case.
+#include <algorithm>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+class DerivationViews : public ::testing::Test {
+protected:
+    Desk desk{{1600, 1100}, "shadow-derivation"};
+    widgets::test::Harness& ui = desk.ui;
+    Params& params = desk.session.params;
+
+    void show(Topic topic) {
+        params.view.lower_right = topic;
+        desk.settle();
+    }
+    bool says(std::string_view start) const {
+        return std::ranges::any_of(desk.recorded(), [&](const RecordedItem& item) {
+            return item.label.starts_with("lower/" + std::string(start)) ||
+                   (item.label.starts_with("lower/") && item.text.starts_with(start));
+        });
+    }
+};
+
+TEST_F(DerivationViews, AreTopicsOfTheLowerViews) {
+    EXPECT_TRUE(says("figure"));
+    EXPECT_TRUE(says("s = l + t (p - l)"));
+    EXPECT_TRUE(says("t = (n·l + d)/(n·l - n·p)"));
+    EXPECT_TRUE(says("t = l_y/(l_y - p_y)")) << "the plane is y = 0";
+    EXPECT_TRUE(says("Largest difference of any two entries: 0."));
+    desk.choose("lower/topic", "lower/topic/Mirror, derived");
+    desk.settle();
+    EXPECT_EQ(params.view.lower_right, Topic::mirror_derivation);
+    EXPECT_TRUE(says("q′ = q - 2 k n"));
+    EXPECT_TRUE(says("R for the xz-plane"));
+    params.plane.equation = {0.3, 1.0, 0.1, 0.5};
+    desk.settle();
+    EXPECT_TRUE(says("R for any plane"));
+    EXPECT_FALSE(says("R for the xz-plane"));
+}
+
+TEST_F(DerivationViews, TheLightSlidesFromPointToParallel) {
+    const Params before = params;
+    const glm::dvec4 light = params.light.position;
+    ASSERT_EQ(light.w, 1.0);
+    ui.drag("lower/l_w", -40.0F, 0.0F, 5, 0.95F);
+    desk.settle();
+    EXPECT_EQ(differing_fields(before, params), (Paths{"light.position"}));
+    EXPECT_EQ(glm::dvec3(params.light.position), glm::dvec3(light));
+    EXPECT_GT(params.light.position.w, 0.0);
+    EXPECT_LT(params.light.position.w, 1.0);
+    EXPECT_TRUE(says("l = (x, y, z)/l_w"));
+    EXPECT_TRUE(says("only for l_w = 1"));
+
+    ui.drag("lower/l_w", -2000.0F, 0.0F);
+    desk.settle();
+    EXPECT_EQ(params.light.position, glm::dvec4(glm::dvec3(light), 0.0));
+    EXPECT_TRUE(says("s = p + τ l"));
+    desk.undo();
+    desk.undo();
+    EXPECT_EQ(params, before);
+}
+
+TEST_F(DerivationViews, SayWhatIsSpecial) {
+    params.light.position = {1.0, 0.0, 2.0, 1.0};
+    desk.settle();
+    EXPECT_TRUE(says("The light lies in the plane"));
+    EXPECT_TRUE(says("figure"));
+    params.light.position = {1.0, 0.2, 2.0, 1.0};
+    desk.settle();
+    EXPECT_TRUE(says("p is farther from the plane than the light"));
+    ASSERT_TRUE(desk.derived.followed);
+    params.light.position = glm::dvec4(desk.derived.followed->point_world, 1.0);
+    desk.settle();
+    EXPECT_TRUE(says("p is where the light is"));
+    params.light.position.x += 2.0;
+    desk.settle();
+    EXPECT_TRUE(says("The ray is parallel to the plane"));
+    params.follow.reset();
+    desk.settle();
+    EXPECT_TRUE(says("Click an object to follow"));
+    params.overrides.shadow_from_world = glm::dmat4(1.0);
+    desk.settle();
+    EXPECT_TRUE(says("S is entered by hand"));
+}
+
+/// A light at the world's origin has no direction: it cannot become parallel.
+TEST_F(DerivationViews, ALightAtTheOriginStaysAPoint) {
+    params.plane.equation = {0.0, 1.0, 0.0, 2.0};
+    params.light.position = {0.0, 0.0, 0.0, 1.0};
+    desk.settle();
+    ui.drag("lower/l_w", -2000.0F, 0.0F);
+    desk.settle();
+    EXPECT_GT(params.light.position.w, 0.0);
+}
+
+/// Whatever the state, in views of every size: drawn, and showing it changes nothing.
+TEST_F(DerivationViews, HoldEverywhere) {
+    const glm::dvec4 lights[] = {{2.6, 5.2, 2.2, 1}, {2.6, 5.2, 2.2, 0}, {2.6, 5.2, 2.2, 1e-7}, {0, 5, 0, 1},
+                                 {0, -5, 0, 0},      {1, 0, 0, 0},       {1e6, 1e6, 1e6, 1},    {0, 0, 0, 1},
+                                 {0, 1e-9, 1, 0},    {1.4, 1.3, -0.6, 1}};
+    const glm::dvec4 planes[] = {{0, 1, 0, 0}, {0, -3, 0, 1}, {1, 0, 0, 2}, {0.3, 0.2, -0.5, -1e5}};
+    for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{700, 480}, ImVec2{420, 320}}) {
+        ImGui::GetIO().DisplaySize = size;
+        for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {
+            for (const glm::dvec4& light : lights) {
+                for (const glm::dvec4& plane : planes) {
+                    params.light.position = light;
+                    params.plane.equation = plane;
+                    params.view.lower_left = Topic::observer;
+                    params.view.lower_right = topic;
+                    const Params before = params;
+                    ui.frames(2);
+                    EXPECT_EQ(params, before);
+                }
+            }
+        }
+    }
+}
+
+TEST_F(DerivationViews, FillTheWindow) {
+    for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {
+        show(topic);
+        desk.workbench.arrangement.maximised = ViewName::lower_right;
+        desk.settle();
+        const RecordedItem figure = ui.find("lower/figure");
+        EXPECT_GT(figure.max.x - figure.min.x, 300.0F);
+        EXPECT_GT(figure.max.y - figure.min.y, 300.0F);
+    }
+}
+
+}  // namespace
+}  // namespace viewing::test

@@ -1,0 +1,332 @@
+// Every switch that breaks shadows and mirrors says why, where that can be seen, and nowhere else.
+#include "frame/problems.h"
+
+#include <algorithm>
+
+#include "frame_test.h"
+#include "state/fields.h"
+
+namespace viewing {
+namespace {
+
+using testing::box_scene;
+using testing::object;
+using testing::params_with;
+using testing::scene_of;
+using Settings = std::vector<std::string>;
+
+std::vector<Problem> problems_of(const Settings& settings, const Scene& scene) {
+    return derive(params_with(settings), scene, {}).problems;
+}
+
+std::string all_of(const std::vector<Problem>& problems) {
+    std::string text;
+    for (const Problem& problem : problems) text += std::string(problem.group) + ": " + problem.sentence + "\n";
+    return text;
+}
+
+bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
+    return std::ranges::any_of(problems, [&](const Problem& problem) {
+        return problem.group == group && problem.sentence.find(words) != std::string::npos;
+    });
+}
+
+/// A box on the floor in front of the eye, one that crosses the floor, and one that is higher than the light.
+Scene crossing_scene() {
+    return scene_of({object("box", box_mesh(), {0, 1, 0}), object("sunk", box_mesh(), {2, 0, 0})});
+}
+Scene buried_scene() {
+    return scene_of({object("box", box_mesh(), {0, 1, 0}), object("buried", box_mesh(), {2, -3, 0})});
+}
+Scene high_scene() {
+    return scene_of({object("box", box_mesh(), {0, 1, 0}), object("tower", box_mesh(), {-1, 5, 0})});
+}
+Scene small_scene() {
+    return scene_of({object("pea", sphere_mesh(), {0, 0.1, 0}, glm::dvec3(0.1))});
+}
+
+const std::string wall = "planes=[{\"equation\":[0,0,1,3]}]";
+const std::string facing_walls =
+    "planes=[{\"equation\":[0,0,1,8],\"receives_shadow\":false},{\"equation\":[0,0,-1,8],\"receives_shadow\":false}]";
+const std::string side_light = "lights=[{\"position\":[-3,5,2,1]}]";
+
+struct Case {
+    std::string group, words;
+    Scene (*scene)();
+    Settings told, not_told;
+    Scene (*scene_of_not_told)() = nullptr;  ///< none: the same
+};
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all = {
+        // shadow: artefacts 22 to 33
+        {"shadow",
+         "darkens shadow",
+         box_scene,
+         {"shadow.stencil_once=false"},
+         {"shadow.stencil_once=false", "shadow.opacity=1"}},
+        {"shadow",
+         "darkens shadow",
+         box_scene,
+         {"shadow.stencil_once=false"},
+         {"shadow.stencil_once=false", "shadow.style=missing_light"}},
+        {"shadow",
+         "beyond the floor's edge",
+         box_scene,
+         {"shadow.clip_to_receiver=false", "plane.extent=1.5"},
+         {"shadow.clip_to_receiver=false", "plane.extent=50"}},
+        {"shadow",
+         "beyond the floor's edge",
+         box_scene,
+         {"shadow.clip_to_receiver=false", "plane.extent=1.5"},
+         {"plane.extent=1.5"}},
+        {"shadow", "fight", box_scene, {"shadow.offset=none"}, {"shadow.offset=none", "depth.test=false"}},
+        {"shadow",
+         "fight",
+         box_scene,
+         {"shadow.offset_factor=0", "shadow.offset_units=0"},
+         {"shadow.offset_factor=0", "shadow.offset_units=-1"}},
+        {"shadow",
+         "away from the eye",
+         box_scene,
+         {"shadow.offset_factor=1", "shadow.offset_units=1"},
+         {"shadow.offset_factor=-1", "shadow.offset_units=0"}},
+        {"shadow", "too large", box_scene, {"shadow.offset_factor=-50"}, {"shadow.offset_factor=-2"}},
+        {"shadow",
+         "too large",
+         box_scene,
+         {"shadow.offset_units=-100", "depth.format=d16", "projection.near=0.01"},
+         {"shadow.offset_units=-100"}},
+        {"shadow", "floats 0.05 above", box_scene, {"shadow.offset=lift", "shadow.lift=0.05"}, {"shadow.lift=0.05"}},
+        {"shadow",
+         "writes its depth",
+         box_scene,
+         {"shadow.write_depth=true"},
+         {"shadow.write_depth=true", "shadow.offset=no_depth_test"}},
+        {"shadow", "highlight", box_scene, {"plane.gloss=true"}, {"plane.gloss=true", "shadow.style=missing_light"}},
+        {"shadow",
+         "covers the plane's pattern",
+         box_scene,
+         {"shadow.opacity=1"},
+         {"shadow.opacity=1", "shadow.enabled=false"}},
+        {"shadow", "part of sunk lies behind the plane", crossing_scene, {"shadow.clip_casters=false"}, {}},
+        {"shadow",
+         "false shadow",
+         buried_scene,
+         {"shadow.clip_casters=false"},
+         {"shadow.clip_casters=false"},
+         box_scene},
+        {"shadow",
+         "part of tower is beyond the light",
+         high_scene,
+         {"shadow.sign=forced", "shadow.clip_at_light=false"},
+         {"shadow.sign=forced"}},
+        {"shadow",
+         "anti-shadow",
+         high_scene,
+         {"shadow.sign=forced", "shadow.clip_at_light=false"},
+         {"shadow.sign=forced", "shadow.clip_at_light=false"},
+         box_scene},
+        {"shadow",
+         "removes every shadow",
+         box_scene,
+         {"shadow.sign=none", "plane.equation=[0,-1,0,0]"},
+         {"shadow.sign=none"}},
+        {"shadow",
+         "removes every shadow",
+         box_scene,
+         {"shadow.sign=none", "plane.equation=[0,-1,0,0]"},
+         {"plane.equation=[0,-1,0,0]"}},
+        {"shadow",
+         "tower crosses the plane through the light",
+         high_scene,
+         {"shadow.clip_at_light=false"},
+         {"shadow.clip_at_light=false", "light.position=[2.6,7,2.2,1]"}},
+        {"shadow", "part of tower is not between", high_scene, {}, {"light.position=[2.6,7,2.2,1]"}},
+        {"shadow",
+         "share one stencil value",
+         box_scene,
+         {"shadow.own_stencil=false", wall},
+         {"shadow.own_stencil=false"}},
+        {"shadow", "share one stencil value", box_scene, {"shadow.own_stencil=false", side_light}, {side_light}},
+        // light
+        {"light",
+         "w = 0.05 is a point light at (52, 104, 44)",
+         box_scene,
+         {"light.position=[2.6,5.2,2.2,0.05]"},
+         {"light.position=[2.6,5.2,2.2,0]"}},
+        {"light",
+         "w = 0.5 of light 2 is a point light at (2, 10, −4)",
+         box_scene,
+         {"lights=[{\"position\":[1,5,-2,0.5]}]"},
+         {side_light}},
+        {"light",
+         "the light lies in the plane",
+         box_scene,
+         {"light.position=[3,0,-2,1]"},
+         {"light.position=[3,0.1,-2,1]"}},
+        {"light",
+         "parallel light 2 runs along plane 1:",
+         box_scene,
+         {"lights=[{\"position\":[3,0,1,0]}]", wall},
+         {"lights=[{\"position\":[3,0,1,0]}]"}},
+        {"light",
+         "the light is on the other side of planes 1, 2 than the eye",
+         box_scene,
+         {"light.position=[0,-1,-9,1]", wall},
+         {wall}},
+        // plane
+        {"plane", "the eye lies in plane 2", box_scene, {"planes=[{\"equation\":[1,0,0,-3.9]}]"}, {wall}},
+        {"plane", "draws one plane", box_scene, {wall, "visibility.method=bsp"}, {wall}},
+        // mirror: artefacts 34 to 45
+        {"reflection",
+         "beyond the mirror's edge",
+         box_scene,
+         {"reflection.stencil=false", "plane.extent=1.2"},
+         {"reflection.stencil=false", "plane.extent=1.2"},
+         small_scene},
+        {"reflection",
+         "beyond the mirror's edge",
+         box_scene,
+         {"reflection.stencil=false", "plane.extent=1.2"},
+         {"plane.extent=1.2"}},
+        {"reflection", "buried lies behind the mirror", buried_scene, {"reflection.clip=none"}, {}},
+        {"reflection",
+         "sunk crosses the mirror's plane",
+         crossing_scene,
+         {"reflection.clip=none"},
+         {"reflection.clip=none"},
+         box_scene},
+        {"reflection",
+         "bends depth",
+         box_scene,
+         {"reflection.clip=oblique"},
+         {"reflection.clip=oblique", "reflection.enabled=false"}},
+        {"reflection",
+         "bends depth",
+         box_scene,
+         {"reflection.clip=oblique"},
+         {"reflection.clip=oblique", "visibility.method=none"}},
+        {"reflection",
+         "seen inside out",
+         box_scene,
+         {"reflection.flip_winding=false", "cull.enabled=true"},
+         {"reflection.flip_winding=false"}},
+        {"reflection",
+         "count as back faces",
+         box_scene,
+         {"reflection.flip_winding=false", "view.shows=facing"},
+         {"view.shows=facing"}},
+        {"reflection",
+         "not mirrored with the scene",
+         box_scene,
+         {"reflection.reflect_light=false"},
+         {"reflection.reflect_light=false", "plane.mirrors=false"}},
+        {"reflection",
+         "leaves the mirror's own depth",
+         box_scene,
+         {"reflection.mask_writes_depth=true"},
+         {"reflection.mask_writes_depth=true", "depth.test=false"}},
+        {"reflection",
+         "covers what stands in front",
+         box_scene,
+         {"reflection.after_objects=true"},
+         {"reflection.after_objects=true", "plane.equation=[0,0,1,-3]", "plane.extent=0.5"}},
+        {"reflection",
+         "seen from behind",
+         box_scene,
+         {"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
+         {"reflection.side_of_eye=false"}},
+        {"reflection",
+         "aspect of a square",
+         box_scene,
+         {"reflection.mirrored=camera", "reflection.same_projection=false"},
+         {"reflection.same_projection=false"}},
+        {"reflection",
+         "filled by rows",
+         box_scene,
+         {"reflection.printed_by_rows=true", "plane.equation=[0,1,0,0.5]"},
+         {"reflection.printed_by_rows=true"}},
+        {"reflection", "without shadows", box_scene, {"reflection.shadows=false", wall}, {"reflection.shadows=false"}},
+        {"reflection",
+         "a line of sight can meet 2 of these mirrors: a mirror seen in a mirror",
+         box_scene,
+         {wall},
+         {wall, "reflection.bounces=2"}},
+        {"reflection",
+         "without end: the mirror after 3 bounces",
+         box_scene,
+         {facing_walls, "reflection.bounces=3"},
+         {facing_walls, "reflection.enabled=false"}},
+        {"reflection",
+         "of 16 bounces are drawn",
+         box_scene,
+         {facing_walls, "reflection.bounces=16"},
+         {"reflection.bounces=16"}},
+    };
+    return all;
+}
+
+TEST(Problems, EachSwitchIsToldWhereItShowsAndOnlyThere) {
+    for (const Case& each : cases()) {
+        const auto trace = [](const Settings& settings) {
+            std::string text;
+            for (const std::string& setting : settings) text += setting + " ";
+            return text;
+        };
+        SCOPED_TRACE(each.words + " | " + trace(each.told) + "| " + trace(each.not_told));
+        const std::vector<Problem> told = problems_of(each.told, each.scene());
+        EXPECT_TRUE(says(told, each.group, each.words)) << all_of(told);
+        const auto other_scene = each.scene_of_not_told ? each.scene_of_not_told : each.scene;
+        const std::vector<Problem> not_told = problems_of(each.not_told, other_scene());
+        EXPECT_FALSE(says(not_told, each.group, each.words)) << all_of(not_told);
+    }
+}
+
+TEST(Problems, TheDefaultsTellNothing) {
+    EXPECT_EQ(all_of(problems_of({}, box_scene())), "");
+    EXPECT_EQ(all_of(problems_of({"plane.equation=[0,-2,0,0]"}, box_scene())), "");
+    EXPECT_EQ(all_of(problems_of({"light.position=[2.6,5.2,2.2,0]", "shadow.style=missing_light"}, box_scene())), "");
+}
+
+TEST(Problems, WhatIsMissingFromThePictureIsNotExplained) {
+    const Settings broken = {"shadow.stencil_once=false",      "shadow.offset=none",   "reflection.stencil=false",
+                             "reflection.reflect_light=false", "reflection.clip=none", "plane.extent=1.2"};
+    EXPECT_GE(problems_of(broken, crossing_scene()).size(), 5U);
+    for (const char* hides : {"visibility.step=3", "view.shows=overdraw", "view.shows=fighting"}) {
+        Settings hidden = broken;
+        hidden.emplace_back(hides);
+        EXPECT_EQ(all_of(problems_of(hidden, crossing_scene())), "") << hides;
+    }
+}
+
+TEST(Problems, ASwitchThatBreaksThePictureIsToldOverIt) {
+    const auto breaks = [](const Settings& settings) {
+        const std::vector<Problem> problems = problems_of(settings, high_scene());
+        return std::ranges::count(problems, true, &Problem::breaks_picture);
+    };
+    EXPECT_EQ(breaks({}), 0);  // a tower above the light is no broken switch
+    EXPECT_EQ(breaks({"light.position=[3,-4,2,1]"}), 0);
+    EXPECT_EQ(breaks({"shadow.offset=none"}), 1);
+    EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // on the way from point to parallel
+    EXPECT_EQ(breaks({"light.position=[2,5,2,0.01]"}), 1);
+    EXPECT_EQ(breaks({"reflection.clip=oblique", "shadow.stencil_once=false"}), 2);
+}
+
+TEST(Problems, EveryOppositeOfADefaultIsTried) {
+    // The table above names each switch of shadow and mirror at least once.
+    std::string tried;
+    for (const Case& each : cases())
+        for (const std::string& setting : each.told) tried += setting + " ";
+    for (const Field& field : fields()) {
+        const std::string path(field.path);
+        const bool is_switch = path.starts_with("shadow.") || path.starts_with("reflection.");
+        const bool is_taste = path == "shadow.enabled" || path == "shadow.color" || path == "shadow.style" ||
+                              path == "reflection.enabled" || path == "reflection.reflectance";
+        if (!is_switch || is_taste) continue;
+        EXPECT_NE(tried.find(path + "="), std::string::npos) << path;
+    }
+}
+
+}  // namespace
+}  // namespace viewing
