@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "frame/decals.h"
 #include "frame/matrix_facts.h"
@@ -158,82 +157,6 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
 
 bool light_reaches(const Derived& derived, double eye_side) {
     return derived.planes.front().shadows.front().reaches(eye_side);
-}
-
-ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport) {
-    ObserverView view;
-    const Angles angles{observer.yaw, observer.pitch, 0.0};
-    const glm::dvec3 back = glm::dvec3(rotation_from_angles(angles)[2]);
-    view.eye_world = {observer.target + back * observer.distance, 1.0};
-    view.world_from_view = world_from_view(glm::dvec3(view.eye_world), angles);
-    view.view_from_world = view_from_world(view.world_from_view);
-    // A narrow view keeps the width of what it shows: the camera stays in the picture.
-    constexpr double usual_aspect = 1.8;
-    const double widening = std::max(1.0, usual_aspect / viewport.aspect());
-    const double fovy_deg = glm::degrees(2.0 * std::atan(std::tan(glm::radians(20.0)) * widening));
-    const Lens lens{false, fovy_deg, 6.0, observer.distance * 0.01, observer.distance * 100.0};
-    view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
-    return view;
-}
-
-ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport) {
-    const glm::dvec4& light = params.light.position;
-    const PlanePatch& patch = derived.patch;
-    const double radius = patch.extent * std::numbers::sqrt2;
-    const bool parallel = light.w < 1e-6;
-    const glm::dvec3 away =
-        parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - patch.center;
-    const double distance = std::max(glm::length(away), 1e-6);
-    const bool is_at_center = glm::length(away) < 1e-6;  // then it looks down the normal
-    const glm::dvec3 back = is_at_center ? patch.normal : away / distance;
-
-    // Looking from straight above or below there is no y axis to hold upright.
-    const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
-    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
-    ObserverView view;
-    view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {patch.center + away, 1.0}};
-    view.view_from_world = view_from_world(view.world_from_view);
-    view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    // As wide as the patch, with a little room; from within the patch's own depth as wide as can be looked at.
-    constexpr double room = 1.1, widest_slope = 4.0;
-    double half_height = 1e-3 * radius, slope = 1e-3;
-    for (const glm::dvec3& corner : patch.corners()) {
-        const glm::dvec3 seen(view.view_from_world * glm::dvec4(corner, 1.0));
-        const double half = room * std::max(std::abs(seen.y), std::abs(seen.x) / viewport.aspect());
-        half_height = std::max(half_height, half);
-        slope = std::max(slope, -seen.z > half / widest_slope ? half / -seen.z : widest_slope);
-    }
-    const double fovy_deg = glm::degrees(2.0 * std::atan(slope));
-    const Lens lens{parallel, fovy_deg, 2.0 * half_height, distance * 0.02, distance + 40.0 * radius};
-    view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
-    return view;
-}
-
-ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport) {
-    ObserverParams beside_camera = observer;
-    beside_camera.target = {0.0, 0.0, -0.4 * observer.distance};
-    const ObserverView fixed = derive_observer(beside_camera, viewport);
-    ObserverView view;
-    view.view_from_world = fixed.view_from_world * derived.view_from_world;
-    view.world_from_view = glm::inverse(view.view_from_world);
-    view.clip_from_world = fixed.clip_from_world * derived.view_from_world;
-    view.eye_world = view.world_from_view[3];
-    return view;
-}
-
-std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {
-    const Lens lens = params.projection.lens();
-    std::array<glm::dvec3, 8> corners{};
-    const double slope = std::tan(glm::radians(lens.fovy_deg) * 0.5);
-    for (int corner = 0; corner < 8; ++corner) {
-        const double distance = corner < 4 ? lens.near : lens.far;
-        const double half_height = lens.orthographic ? lens.height * 0.5 : slope * distance;
-        const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
-        const double y = corner % 4 >= 2 ? 1.0 : -1.0;
-        const glm::dvec4 corner_view(x * half_height * derived.aspect, y * half_height, -distance, 1.0);
-        corners[static_cast<std::size_t>(corner)] = glm::dvec3(derived.world_from_view * corner_view);
-    }
-    return corners;
 }
 
 }  // namespace viewing

@@ -6,14 +6,6 @@
 namespace viewing {
 namespace {
 
-/// "the plane", or where there are several "plane 2", "planes 2, 3".
-std::string name_of(const char* thing, const std::vector<std::size_t>& which, std::size_t count) {
-    if (count == 1) return std::string("the ") + thing;
-    std::string name = std::string(thing) + (which.size() > 1 ? "s" : "");
-    for (std::size_t i = 0; i < which.size(); ++i) name += (i > 0 ? ", " : " ") + std::to_string(which[i] + 1);
-    return name;
-}
-
 /// Where a light lies badly: in a plane, or behind it. Planes with the same trouble share a sentence.
 void say_light(Sayer& say, const Params& params, const Derived& derived, std::size_t index) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
@@ -51,7 +43,7 @@ void say_weight(Sayer& say, const Derived& derived, std::size_t index) {
                               signed_figures(light.z / light.w);
     const std::string sentence = "w = " + signed_figures(light.w) + of + " is a point light at (" + place +
                                  "): its shadows spread; only w = 0 gives parallel ones";
-    const bool passes_for_parallel = light.w <= 0.1;
+    const bool passes_for_parallel = light.w <= 0.25;
     say.broken(passes_for_parallel, sentence);
     say(!passes_for_parallel, sentence);
 }

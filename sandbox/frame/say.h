@@ -37,6 +37,9 @@ std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& 
 /// P·eye: positive before the plane.
 double eye_side_of(const DerivedPlane& plane, const Derived& derived);
 
+/// "the plane", or where there are several "plane 2", "planes 2, 3". `which` counts from 0.
+std::string name_of(const char* thing, const std::vector<std::size_t>& which, std::size_t count);
+
 /// "−0.25": figures() with a sign, and 0.
 std::string signed_figures(double value);
 

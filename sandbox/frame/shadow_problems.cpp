@@ -14,6 +14,7 @@ namespace {
 struct Thrown {
     const DerivedPlane& plane;
     const CastShadow& cast;
+    std::string name;  ///< "the light and the plane", "light 2 and plane 1"
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
@@ -25,9 +26,17 @@ struct Thrown {
 std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived) {
     std::vector<Thrown> thrown;
     if (!params.shadow.enabled) return thrown;
-    for (const DerivedPlane& plane : drawn_planes(params, derived))
-        for (const CastShadow& cast : plane.shadows)
-            if (plane.receives_shadow && cast.reaches(eye_side_of(plane, derived))) thrown.push_back({plane, cast});
+    const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
+    for (std::size_t plane = 0; plane < planes.size(); ++plane) {
+        const std::vector<CastShadow>& shadows = planes[plane].shadows;
+        for (std::size_t light = 0; light < shadows.size(); ++light) {
+            if (!planes[plane].receives_shadow || !shadows[light].reaches(eye_side_of(planes[plane], derived)))
+                continue;
+            thrown.push_back(
+                {planes[plane], shadows[light],
+                 name_of("light", {light}, shadows.size()) + " and " + name_of("plane", {plane}, planes.size())});
+        }
+    }
     return thrown;
 }
 
@@ -37,6 +46,24 @@ std::string first_names(const std::vector<Thrown>& thrown, Find find) {
     for (const Thrown& shadow : thrown)
         if (std::string names = find(shadow); !names.empty()) return names;
     return "";
+}
+
+/// Casters beyond a point light. Returns whether there are any.
+bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
+    const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
+    if (beyond.empty()) return false;
+    const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
+    if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
+        say.broken(true, "part of " + beyond +
+                             " is beyond the light (w ≤ 0): its sign is forced, so it throws an anti-shadow" +
+                             (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"));
+    else if (!across.empty())
+        say.broken(true, across +
+                             " crosses the plane through the light, where w = 0: its triangles are not cut there, and "
+                             "their shadow stretches to infinity");
+    else
+        say(true, "part of " + beyond + " is not between " + one.name + " (w ≤ 0 there): that part casts no shadow");
+    return true;
 }
 
 /// Where a caster is not between light and plane, and what the switches make of it.
@@ -53,22 +80,9 @@ void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Throw
                                        " lies behind the plane, where w > 0 all the same: it is not clipped, and "
                                        "throws a false shadow");
     }
-    const std::string beyond = first_names(thrown, [&](const Thrown& one) {
-        return one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
-    });
-    if (beyond.empty() || vanishes) return;
-    if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
-        return say.broken(true, "part of " + beyond +
-                                    " is beyond the light (w ≤ 0): its sign is forced, so it throws an anti-shadow on "
-                                    "the other side of the light");
-    const std::string across = shadow.clip_at_light ? "" : first_names(thrown, [&](const Thrown& one) {
-        return one.is_from_point() ? objects_across(scene, one.right_w(), 0.0) : "";
-    });
-    if (!across.empty())
-        return say.broken(true, across +
-                                    " crosses the plane through the light, where w = 0: its triangles are not cut "
-                                    "there, and their shadow stretches to infinity");
-    say(true, "part of " + beyond + " is not between the light and the plane (w ≤ 0 there): that part casts no shadow");
+    if (vanishes) return;
+    for (const Thrown& one : thrown)
+        if (say_beyond(say, shadow, one, scene)) return;
 }
 
 /// The offset that keeps a blended shadow from fighting with its plane.
@@ -87,6 +101,8 @@ void say_offset(Sayer& say, const Params& params, const Derived& derived) {
                           "rounding, and fight");
     say.broken(by_polygon && factor >= 0.0 && units >= 0.0,
                "the polygon offset pushes the shadow away from the eye: the plane hides it");
+    say.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
+               "the shadow writes its depth, offset included: the stored depths are no longer the plane's own");
     // The slope's part is about one pixel of the plane for each 1, the constant one a step of depth.
     const bool pulls = factor < -8.0 || units * derived.facts.depth_step_at_target < -0.1;
     say.broken(by_polygon && pulls,
@@ -94,8 +110,6 @@ void say_offset(Sayer& say, const Params& params, const Derived& derived) {
                "through them");
     say.broken(by_lift, "the shadow floats " + signed_figures(shadow.lift) +
                             " above the plane: at a grazing view it slides away from its caster");
-    say.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
-               "the shadow writes its depth, offset included: the stored depths are no longer the plane's own");
 }
 
 /// What paint cannot do that missing light does.

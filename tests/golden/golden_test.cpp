@@ -10,6 +10,7 @@
 #include "cli/compare.h"
 #include "gl/gl_test.h"
 #include "render/png.h"
+#include "state/json.h"
 
 namespace viewing {
 namespace {
@@ -84,6 +85,40 @@ LoadedState state_of_scene(const std::string& name) {
     return state;
 }
 
+/// Presets that break shadow or mirror, and the switch that mends each: the README's sheet shows both pictures.
+struct Mending {
+    const char *preset, *setting;
+};
+constexpr Mending mendings[] = {
+    {"shadow-double-blend", "shadow.stencil_once=true"},
+    {"shadow-off-the-edge", "shadow.clip_to_receiver=true"},
+    {"shadow-fights", "shadow.offset=polygon_offset"},
+    {"shadow-lift", "shadow.offset=polygon_offset"},
+    {"shadow-writes-depth", "shadow.write_depth=false"},
+    {"shadow-highlight", "shadow.style=missing_light"},
+    {"shadow-black-paint", "shadow.style=missing_light"},
+    {"shadow-false", "shadow.clip_casters=true"},
+    {"shadow-anti", "shadow.sign=plane_dot_light"},
+    {"shadow-normal-flipped", "shadow.sign=plane_dot_light"},
+    {"shadow-to-infinity", "shadow.clip_at_light=true"},
+    {"light-tiny-w", "light.position=[1.6,1.3,0.9,0]"},
+    {"shadow-shared-stencil", "shadow.own_stencil=true"},
+    {"shadow-leaks", "shadow.own_stencil=true"},
+    {"mirror-off-the-edge", "reflection.stencil=true"},
+    {"mirror-behind", "reflection.clip=clip_distance"},
+    {"mirror-unclipped", "reflection.clip=clip_distance"},
+    {"mirror-inside-out", "reflection.flip_winding=true"},
+    {"mirror-light", "reflection.reflect_light=true"},
+    {"mirror-hides-itself", "reflection.mask_writes_depth=false"},
+    {"mirror-over-objects", "reflection.after_objects=false"},
+    {"mirror-from-behind", "reflection.side_of_eye=true"},
+    {"mirror-other-projection", "reflection.same_projection=true"},
+    {"mirror-oblique-depth", "reflection.clip=clip_distance"},
+    {"mirror-without-shadow", "reflection.shadows=true"},
+    {"mirrors-facing", "reflection.bounces=8"},
+    {"lecture-code-as-printed", "reflection.printed_by_rows=false"},
+};
+
 struct WindowCase {
     const char *name, *preset;
     glm::ivec2 size_px;
@@ -98,6 +133,12 @@ constexpr WindowCase windows[] = {
     {"window-depth-precision", "depth-precision", {1600, 900}},
     {"window-fighting-map", "fighting-map", {1600, 900}},
     {"window-fighting-divider", "fighting-divider", {1280, 720}},
+    {"window-shadow-derivation", "shadow-derivation", {1600, 900}},
+    {"window-mirror-derivation", "mirror-derivation", {1600, 900}},
+    {"window-lecture-code", "lecture-code", {1600, 900}},
+    {"window-observer-rays", "observer-rays", {1600, 900}},
+    {"window-passes", "passes", {1280, 720}},
+    {"window-mirror-ways", "mirror-ways", {1280, 720}},
 };
 
 class Golden : public testing::GlTest {
@@ -121,6 +162,20 @@ TEST_F(Golden, Presets) {
         const Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
         check("preset-" + preset.name, camera_picture_of(*state));
+    }
+}
+
+TEST_F(Golden, Mended) {
+    for (const Mending& each : mendings) {
+        Result<LoadedState> state = load_state(each.preset);
+        ASSERT_TRUE(state) << state.error();
+        const Image broken = camera_picture_of(*state);
+        const Result<Params> mended = apply_settings(state->params, std::vector<std::string>{each.setting});
+        ASSERT_TRUE(mended) << mended.error();
+        state->params = *mended;
+        const Image picture = camera_picture_of(*state);
+        check(std::string("mended-") + each.preset, picture);
+        EXPECT_GT(compare_images(broken, picture, usual).beyond, 40) << each.preset << ": the switch must show";
     }
 }
 
@@ -150,6 +205,7 @@ TEST(GoldenReferences, EachBelongsToAPicture) {
     std::set<std::string> known = {"view-depth", "view-stencil", "view-observer"};
     for (const NamedFile& preset : presets()) known.insert("preset-" + preset.name);
     for (const NamedFile& scene : scenes()) known.insert("scene-" + scene.name);
+    for (const Mending& each : mendings) known.insert(std::string("mended-") + each.preset);
     for (const WindowCase& window : windows) known.insert(window.name);
     for (const Loosened& each : loosened) EXPECT_TRUE(known.contains(each.name)) << each.name << ": " << each.reason;
     for (const fs::directory_entry& file : fs::directory_iterator(references()))

@@ -1,0 +1,111 @@
+// What others see than the camera: the observer, the light, and an observer before whom the world moves.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "frame/derive.h"
+#include "geometry/camera.h"
+#include "geometry/projection.h"
+
+namespace viewing {
+namespace {
+
+/// Moves and enlarges a picture until points in it fill it, both axes alike; I where some are not before the eye.
+glm::dmat4 centred_on(const std::array<glm::dvec3, 4>& points, const glm::dmat4& clip_from_world) {
+    glm::dvec2 low(1e9), high(-1e9);
+    for (const glm::dvec3& point : points) {
+        const glm::dvec4 clip = clip_from_world * glm::dvec4(point, 1.0);
+        if (clip.w <= 1e-6) return glm::dmat4(1.0);
+        low = glm::min(low, glm::dvec2(clip) / clip.w);
+        high = glm::max(high, glm::dvec2(clip) / clip.w);
+    }
+    constexpr double filled = 0.9, most = 4.0;
+    const glm::dvec2 half = 0.5 * (high - low), center = 0.5 * (high + low);
+    const double scale = std::clamp(filled / std::max({half.x, half.y, 1e-6}), 1.0, most);
+    glm::dmat4 zoomed(1.0);
+    zoomed[0][0] = zoomed[1][1] = scale;
+    zoomed[3][0] = -scale * center.x;
+    zoomed[3][1] = -scale * center.y;
+    return zoomed;
+}
+
+}  // namespace
+
+ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport) {
+    ObserverView view;
+    const Angles angles{observer.yaw, observer.pitch, 0.0};
+    const glm::dvec3 back = glm::dvec3(rotation_from_angles(angles)[2]);
+    view.eye_world = {observer.target + back * observer.distance, 1.0};
+    view.world_from_view = world_from_view(glm::dvec3(view.eye_world), angles);
+    view.view_from_world = view_from_world(view.world_from_view);
+    // A narrow view keeps the width of what it shows: the camera stays in the picture.
+    constexpr double usual_aspect = 1.8;
+    const double widening = std::max(1.0, usual_aspect / viewport.aspect());
+    const double fovy_deg = glm::degrees(2.0 * std::atan(std::tan(glm::radians(20.0)) * widening));
+    const Lens lens{false, fovy_deg, 6.0, observer.distance * 0.01, observer.distance * 100.0};
+    view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
+    return view;
+}
+
+ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport) {
+    const glm::dvec4& light = params.light.position;
+    const PlanePatch& patch = derived.patch;
+    const double radius = patch.extent * std::numbers::sqrt2;
+    const bool parallel = light.w < 1e-6;
+    const glm::dvec3 away =
+        parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - patch.center;
+    const double distance = std::max(glm::length(away), 1e-6);
+    const bool is_at_center = glm::length(away) < 1e-6;  // then it looks down the normal
+    const glm::dvec3 back = is_at_center ? patch.normal : away / distance;
+
+    // Looking from straight above or below there is no y axis to hold upright.
+    const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    const glm::dvec3 right = glm::normalize(glm::cross(up, back));
+    ObserverView view;
+    view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {patch.center + away, 1.0}};
+    view.view_from_world = view_from_world(view.world_from_view);
+    view.eye_world = view.world_from_view[parallel ? 2 : 3];
+    // As wide as the patch, with a little room; from within the patch's own depth as wide as can be looked at.
+    constexpr double room = 1.1, widest_slope = 4.0;
+    double half_height = 1e-3 * radius, slope = 1e-3;
+    for (const glm::dvec3& corner : patch.corners()) {
+        const glm::dvec3 seen(view.view_from_world * glm::dvec4(corner, 1.0));
+        const double half = room * std::max(std::abs(seen.y), std::abs(seen.x) / viewport.aspect());
+        half_height = std::max(half_height, half);
+        slope = std::max(slope, -seen.z > half / widest_slope ? half / -seen.z : widest_slope);
+    }
+    const double fovy_deg = glm::degrees(2.0 * std::atan(slope));
+    const Lens lens{parallel, fovy_deg, 2.0 * half_height, distance * 0.02, distance + 40.0 * radius};
+    view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
+    view.clip_from_world = centred_on(patch.corners(), view.clip_from_world) * view.clip_from_world;
+    return view;
+}
+
+ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport) {
+    ObserverParams beside_camera = observer;
+    beside_camera.target = {0.0, 0.0, -0.4 * observer.distance};
+    const ObserverView fixed = derive_observer(beside_camera, viewport);
+    ObserverView view;
+    view.view_from_world = fixed.view_from_world * derived.view_from_world;
+    view.world_from_view = glm::inverse(view.view_from_world);
+    view.clip_from_world = fixed.clip_from_world * derived.view_from_world;
+    view.eye_world = view.world_from_view[3];
+    return view;
+}
+
+std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {
+    const Lens lens = params.projection.lens();
+    std::array<glm::dvec3, 8> corners{};
+    const double slope = std::tan(glm::radians(lens.fovy_deg) * 0.5);
+    for (int corner = 0; corner < 8; ++corner) {
+        const double distance = corner < 4 ? lens.near : lens.far;
+        const double half_height = lens.orthographic ? lens.height * 0.5 : slope * distance;
+        const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
+        const double y = corner % 4 >= 2 ? 1.0 : -1.0;
+        const glm::dvec4 corner_view(x * half_height * derived.aspect, y * half_height, -distance, 1.0);
+        corners[static_cast<std::size_t>(corner)] = glm::dvec3(derived.world_from_view * corner_view);
+    }
+    return corners;
+}
+
+}  // namespace viewing
