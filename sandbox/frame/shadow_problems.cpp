@@ -40,14 +40,6 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived)
     return thrown;
 }
 
-/// The names that `find` gives for the first shadow for which it gives any.
-template <typename Find>
-std::string first_names(const std::vector<Thrown>& thrown, Find find) {
-    for (const Thrown& shadow : thrown)
-        if (std::string names = find(shadow); !names.empty()) return names;
-    return "";
-}
-
 /// Casters beyond a point light. Returns whether there are any.
 bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
     const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
@@ -73,12 +65,13 @@ void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Throw
     say.broken(vanishes,
                "S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every "
                "shadow");
-    if (!shadow.clip_casters) {
-        const std::string names = first_names(
-            thrown, [&](const Thrown& one) { return objects_at_most(scene, one.towards_light(), -standing); });
-        say.broken(!names.empty(), "part of " + names +
-                                       " lies behind the plane, where w > 0 all the same: it is not clipped, and "
-                                       "throws a false shadow");
+    for (const Thrown& one : thrown) {
+        const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
+        if (names.empty()) continue;
+        say.broken(true, "part of " + names +
+                             " lies behind the plane, where w > 0 all the same: it is not clipped, and throws a false "
+                             "shadow");
+        break;
     }
     if (vanishes) return;
     for (const Thrown& one : thrown)

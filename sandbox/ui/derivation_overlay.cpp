@@ -78,7 +78,7 @@ void mirror_overlay(Overlay& overlay, const MirrorDerivation& found) {
 void draw_derivation_overlay(Overlay& overlay, const Params& params, const Derived& derived) {
     const bool shadow = is_shown(params, Topic::shadow_derivation);
     const bool mirror = is_shown(params, Topic::mirror_derivation);
-    if (!shadow && !mirror) return draw_followed(overlay, params, derived);
+    if (!shadow && !mirror) return draw_followed(overlay, derived);
     const glm::dvec3 point = derivation_point(derived);
     if (shadow) shadow_overlay(overlay, derived, derive_shadow(derived.unit_plane, params.light.position, point));
     if (mirror) mirror_overlay(overlay, derive_mirror(derived.unit_plane, point));

@@ -25,10 +25,11 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
         choose_topic(params, slot, static_cast<Topic>(topic));
     widgets::Tooltip(
         "What this view shows",
-        "The observer, who sees the camera from outside; the world moving while the camera stays; the depth buffer and "
-        "what can be told of it: histogram, precision, codes, one pixel, a block of them, depth fighting; the frame as "
-        "GL calls, pass by pass; the lecture's code; what the light sees; and of the hidden-surface methods the tree, "
-        "the order and the costs as they grow.");
+        "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
+        "stays; the depth buffer and what can be told of it: histogram, precision, codes, one pixel, a block of them, "
+        "depth fighting; shadow and mirror as the lecture derives and codes them, and four ways to mirror; the frame "
+        "as "
+        "GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
 }
 

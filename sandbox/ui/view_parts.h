@@ -36,6 +36,6 @@ struct LegendEntry {
 void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
 
 /// p with its ray from the light, s, the foot on the plane and the mirror image.
-void draw_followed(Overlay& overlay, const Params& params, const Derived& derived);
+void draw_followed(Overlay& overlay, const Derived& derived);
 
 }  // namespace viewing

@@ -200,15 +200,19 @@ private:
             differences_.push_back(here);
     }
 
-    /// A rasteriser may leave a pinhole where it clips a triangle. In a picture three times as large the same point is
-    /// the centre of a pixel, too: there it is no longer missed.
+    /// A rasteriser may miss a point where it clips the two triangles of a square: without area, it is almost gone in
+    /// a picture five times as large. What is wrong there is wrong on all 25 pixels.
     void forget_pinholes(const Room& room) {
-        read(room, 3 * size_px);
-        const std::size_t before = differences_.size();
-        std::erase_if(differences_, [&](const Difference& here) {
-            return found_at(here.is_stencil, 3 * here.x + 1, 3 * here.y + 1) == here.expected;
-        });
-        pinholes_ = static_cast<int>(before - differences_.size());
+        constexpr int larger = 5, few = 2;
+        read(room, larger * size_px);
+        const auto is_pinhole = [&](const Difference& here) {
+            int wrong = 0;
+            for (int y = larger * here.y; y < larger * (here.y + 1); ++y)
+                for (int x = larger * here.x; x < larger * (here.x + 1); ++x)
+                    wrong += found_at(here.is_stencil, x, y) != here.expected;
+            return wrong <= few;
+        };
+        pinholes_ = static_cast<int>(std::erase_if(differences_, is_pinhole));
         tally_.pinholes += pinholes_;
     }
 

@@ -1,0 +1,196 @@
+// What the pictures of several planes, lights and mirrors must not depend on: sign and length of an equation, culling
+// of closed objects, scene or camera mirrored, the way of clipping, the bits of depth. laboratory_rays_test.cpp says
+// what they show; laboratory_switches_test.cpp breaks them.
+#include "laboratory.h"
+#include "render/buffer_read.h"
+
+namespace viewing {
+namespace {
+
+using testing::object;
+using testing::params_with;
+using testing::pixels_beyond;
+using testing::planes_of;
+using testing::Rgb;
+using testing::rgb_at;
+using testing::Room;
+using testing::scene_of;
+
+constexpr glm::ivec2 size_px(128, 72);
+constexpr unsigned first_room = 62000;
+
+/// A room as a person sees it: half transparent mirrors and shadows, with every way to lift a shadow.
+Room lived_in(unsigned number) {
+    Room room = testing::room(number);
+    Random random(number);
+    room.params.shadow.opacity = random.number(0.3, 0.7);
+    room.params.shadow.stencil_once = true;
+    room.params.shadow.offset = number % 3 == 0 ? ShadowOffset::lift : ShadowOffset::polygon_offset;
+    room.params.reflection.reflectance = random.number(0.2, 0.9);
+    room.params.reflection.enabled = room.params.shadow.enabled = true;
+    return room;
+}
+
+/// Pixels of `a` that lie more than `worst` levels outside what `b` shows on the pixel and its eight neighbours: edges
+/// may move by a pixel.
+int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
+    int count = 0;
+    for (int y = 1; y + 1 < a.height; ++y) {
+        for (int x = 1; x + 1 < a.width; ++x) {
+            Rgb least(255), most(0);
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
+                    least = glm::min(least, rgb_at(b, {x + dx, y + dy}));
+                    most = glm::max(most, rgb_at(b, {x + dx, y + dy}));
+                }
+            }
+            const Rgb here = rgb_at(a, {x, y});
+            count += glm::any(glm::lessThan(here, least - worst)) || glm::any(glm::greaterThan(here, most + worst));
+        }
+    }
+    return count;
+}
+
+class Laboratory : public testing::GlTest {
+protected:
+    /// Draws rooms twice, as they are and changed, and expects the same off edges.
+    template <typename Change>
+    static void expect_same_off_edges(const Change& change) {
+        int mirrored = 0;
+        for (unsigned number = first_room; number < first_room + testing::rooms(24); ++number) {
+            SCOPED_TRACE("room " + std::to_string(number));
+            const Room room = lived_in(number);
+            Params changed = room.params, without = room.params;
+            change(changed);
+            without.reflection.enabled = false;
+            const Image a = draw(room.params, room.scene, size_px), b = draw(changed, room.scene, size_px);
+            // The pinholes that a rasteriser leaves where it clips.
+            EXPECT_LE(pixels_beyond_edges(a, b, 2) + pixels_beyond_edges(b, a, 2), 2);
+            mirrored += pixels_beyond(a, draw(without, room.scene, size_px), 8) > 300;
+        }
+        EXPECT_GT(mirrored, 10);
+    }
+};
+
+TEST_F(Laboratory, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
+    for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
+        Room room = lived_in(number);
+        const Image picture = draw(room.params, room.scene, size_px);
+        for (PlaneParams* const plane : planes_of(room.params)) {
+            const glm::dvec4 equation = plane->equation;
+            for (const double factor : {-1.0, 2.0}) {
+                plane->equation = factor * equation;
+                EXPECT_EQ(draw(room.params, room.scene, size_px), picture) << "room " << number << " times " << factor;
+            }
+            plane->equation = equation;
+        }
+    }
+}
+
+TEST_F(Laboratory, CullingBackFacesOfClosedObjectsDoesNotShow) {
+    for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
+        Room room = lived_in(number);
+        room.params.cull.enabled = false;
+        const Image all = draw(room.params, room.scene, size_px);
+        room.params.cull.enabled = true;
+        EXPECT_EQ(draw(room.params, room.scene, size_px), all) << "room " << number;
+    }
+}
+
+TEST_F(Laboratory, MirroringTheCameraShowsWhatMirroringTheSceneShows) {
+    expect_same_off_edges([](Params& params) {
+        const bool was_scene = params.reflection.mirrored == MirroredThing::scene;
+        params.reflection.mirrored = was_scene ? MirroredThing::camera : MirroredThing::scene;
+    });
+}
+
+TEST_F(Laboratory, ObliqueNearPlaneShowsWhatClipDistanceShows) {
+    expect_same_off_edges([](Params& params) {
+        const bool was_oblique = params.reflection.clip == MirrorClip::oblique;
+        params.reflection.clip = was_oblique ? MirrorClip::clip_distance : MirrorClip::oblique;
+    });
+}
+
+TEST_F(Laboratory, FurtherPlanesAndLightsMayStandInAnyOrder) {
+    // What is painted is not: the last light covers the others, and all of them the image in the mirror.
+    for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
+        Room room = lived_in(number);
+        if (room.params.planes.size() < 2) continue;
+        room.params.shadow.style = ShadowStyle::missing_light;
+        const Image picture = draw(room.params, room.scene, size_px);
+        std::ranges::reverse(room.params.planes);
+        std::ranges::reverse(room.params.lights);
+        const Image reversed = draw(room.params, room.scene, size_px);
+        EXPECT_LE(pixels_beyond_edges(picture, reversed, 2), 2) << "room " << number;
+    }
+}
+
+/// Bodies without dents that touch neither each other nor a plane, on three planes that do not meet.
+Scene floating() {
+    return scene_of({object("box", box_mesh(), {-1.3, 1.1, -0.2}, {0.6, 0.5, 0.7}),
+                     object("ball", sphere_mesh(), {1.2, 1.0, 0.6}, glm::dvec3(0.7)),
+                     object("high box", box_mesh(), {0.1, 2.6, -1.0}, {0.5, 0.3, 0.4})});
+}
+
+TEST_F(Laboratory, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
+    const Scene scene = floating();
+    Random random(seed);
+    int shadows = 0;
+    for (int trial = 0; trial < 16; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        Params params = params_with(
+            {"view.samples=0", "cull.enabled=true", "projection.near=2", "projection.far=60", "plane.extent=3",
+             R"(planes=[{"equation":[0,0,1,4.5],"extent":3},{"equation":[1,0,0,5],"extent":2.5,"gloss":true}])",
+             R"(lights=[{"position":[-2,5,4,0]},{"position":[3,6,1,1]}])"});
+        params.camera.position = {random.number(0, 4), random.number(1.5, 5.0), random.number(6, 9)};
+        const Angles angles = angles_looking_at(params.camera.position, {-1.0, 0.7, -1.0});
+        params.camera.yaw = angles.yaw_deg;
+        params.camera.pitch = angles.pitch_deg;
+        params.shadow.style = trial % 2 == 0 ? ShadowStyle::blend : ShadowStyle::missing_light;
+        params.shadow.offset = ShadowOffset::no_depth_test;
+        params.shadow.own_stencil = trial % 5 != 4;
+        params.reflection.bounces = 1 + trial % 3;
+        params.reflection.clip = trial % 4 < 2 ? MirrorClip::clip_distance : MirrorClip::oblique;
+        params.reflection.mirrored = trial % 3 == 0 ? MirroredThing::camera : MirroredThing::scene;
+        for (const Shows shows : {Shows::color, Shows::stencil}) {
+            params.view.shows = shows;
+            params.depth.format = DepthFormat::d24;
+            const Image picture = draw(params, scene, size_px);
+            params.depth.format = DepthFormat::d16;
+            EXPECT_EQ(pixels_beyond(draw(params, scene, size_px), picture, 0), 0) << static_cast<int>(shows);
+            params.shadow.enabled = false;
+            shadows += pixels_beyond(draw(params, scene, size_px), picture, 8) > 100;
+            params.shadow.enabled = true;
+        }
+    }
+    EXPECT_GT(shadows, 24);
+}
+
+TEST_F(Laboratory, GlossIsMissingOnlyWhereTheLightIsReallyMissing) {
+    const Scene scene = testing::scene_named("torus-and-boxes");
+    for (const bool is_painted : {true, false}) {
+        Params params = params_with({"view.samples=0", "reflection.enabled=false", "light.position=[-2,6,-7,1]"});
+        params.shadow.style = is_painted ? ShadowStyle::blend : ShadowStyle::missing_light;
+        View view;
+        const Derived derived = derive_for(params, scene, size_px);
+        const Image plain = draw(plan(params, derived), scene, size_px, renderer(), view);
+        Result<BufferReader> reader = BufferReader::make(renderer().capabilities());
+        ASSERT_TRUE(reader) << reader.error();
+        const std::vector<StoredPixel> stored = reader->stored(view, params.depth.format, {{0, 0}, size_px});
+        params.plane.gloss = true;
+        const Image glossy = draw(params, scene, size_px);
+        int changed_in_shadow = 0, changed_in_light = 0;
+        for (int y = 0; y < size_px.y; ++y) {
+            for (int x = 0; x < size_px.x; ++x) {
+                const bool in_shadow = stored[static_cast<std::size_t>(y * size_px.x + x)].stencil >> 4 != 0;
+                (in_shadow ? changed_in_shadow : changed_in_light) += rgb_at(plain, {x, y}) != rgb_at(glossy, {x, y});
+            }
+        }
+        EXPECT_GT(changed_in_light, 100);
+        EXPECT_EQ(changed_in_shadow > 20, is_painted) << changed_in_shadow;
+        EXPECT_EQ(changed_in_shadow == 0, !is_painted) << changed_in_shadow;
+    }
+}
+
+}  // namespace
+}  // namespace viewing
