@@ -148,7 +148,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 constinit const Command measure_command{
     "measure",
     "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror [--size WxH] [OPTIONS]",
-    "what the hidden-surface methods do and cost, where depth fights, and how mirror images differ, as JSON or CSV",
+    "what hidden-surface methods do and cost, where depth fights, how mirror images differ: JSON or CSV",
     "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
     "and "
     "culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "

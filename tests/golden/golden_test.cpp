@@ -115,7 +115,7 @@ constexpr Mending mendings[] = {
     {"mirror-other-projection", "reflection.same_projection=true"},
     {"mirror-oblique-depth", "reflection.clip=clip_distance"},
     {"mirror-without-shadow", "reflection.shadows=true"},
-    {"mirrors-facing", "reflection.bounces=8"},
+    {"mirrors-facing-once", "reflection.bounces=8"},
     {"lecture-code-as-printed", "reflection.printed_by_rows=false"},
 };
 
