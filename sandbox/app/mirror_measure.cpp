@@ -3,37 +3,42 @@
 #include <algorithm>
 #include <set>
 
-#include "frame/pixel_report.h"
-
 namespace viewing {
 namespace {
 
+/// What GL's depth buffer makes of it in colour, whatever the state's own view shows.
 FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const Viewport& viewport) {
-    Params params = probed(mirrored_in(state, way));
+    Params params = mirrored_in(state, way);
+    params.visibility = {};
+    params.view = ViewParams{};
     params.view.samples = 0;
-    params.view.call = params.view.triangle = params.view.pass = -1;
     return plan(params, derive(params, scene, viewport));
 }
 
-/// The pass after which the first image is there and its mirror not yet; −1 without a mirror.
-int last_pass_of_image(const FramePlan& frame) {
+/// The frame until the first image is there and its mirror not yet; without a mirror it has no passes.
+FramePlan until_image(FramePlan frame) {
     const auto first = std::ranges::find_if(frame.passes, &Pass::is_mirror_image);
-    if (first == frame.passes.end()) return -1;
     const auto after = std::find_if(first, frame.passes.end(), [](const Pass& pass) { return !pass.is_mirror_image; });
-    return static_cast<int>(after - frame.passes.begin()) - 1;
+    frame.passes.erase(after, frame.passes.end());
+    if (frame.passes.empty() || !frame.passes.back().is_mirror_image) {
+        frame.passes.clear();
+    } else if (!frame.passes.back().stencil.test) {  // nothing tells its pixels from those of other passes
+        std::erase_if(frame.passes, [](const Pass& pass) { return !pass.is_mirror_image; });
+    }
+    return frame;
 }
 
 /// The depths that the image leaves inside its mask.
-Status read_depths(Renderer& renderer, BufferReader& reader, FramePlan frame, const Scene& scene, glm::ivec2 size_px,
-                   MirrorWayReport& report) {
-    frame.limit.pass = last_pass_of_image(frame);
-    if (frame.limit.pass < 0) return std::monostate{};
-    const int region = frame.passes[static_cast<std::size_t>(frame.limit.pass)].stencil.reference;
+Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& whole, const Scene& scene,
+                   glm::ivec2 size_px, MirrorWayReport& report) {
+    const FramePlan frame = until_image(whole);
+    if (frame.passes.empty()) return std::monostate{};
+    const StencilState& mask = frame.passes.back().stencil;
     View view;
     if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return drawn;
     std::set<std::uint32_t> codes;
     for (const StoredPixel& pixel : reader.stored(view, frame.depth_format, {{0, 0}, size_px})) {
-        const bool is_inside = region == 0 || (pixel.stencil & stencil_region_bits) == region;
+        const bool is_inside = !mask.test || (pixel.stencil & mask.read_bits) == mask.reference;
         if (!is_inside || pixel.window_depth == frame.clear_depth_value) continue;
         const bool is_first = report.image_pixels++ == 0;
         report.first_depth = is_first ? pixel.window_depth : std::min(report.first_depth, pixel.window_depth);

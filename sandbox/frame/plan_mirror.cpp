@@ -34,7 +34,7 @@ void mirror_scene(Level& inside, const glm::dmat4& mirror_from_world) {
     if (!inside.params.reflection.reflect_light) return;
     for (std::size_t light = 0; light < inside.lights_world.size(); ++light)
         inside.lights_world[light] = inside.world_from_scene * inside.derived.lights_world[light];
-    inside.sky_world = glm::dmat3(mirror_from_world) * inside.sky_world;
+    inside.sky_world = glm::dmat3(inside.world_from_scene) * sky_scene;
 }
 
 /// The camera goes through R, and its picture is flipped: (F P) (F V R) = P V R. The lights stay where they are.
@@ -104,6 +104,8 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     pass.color = color_of(background, 1.0);
     pass.depth.func = CompareFunc::always;
     pass.stencil = {true, CompareFunc::equal, level.region_of(plane), StencilOp::keep, stencil_region_bits};
+    pass.world_from_scene = glm::dmat4(1.0);
+    pass.clip_planes.clear();
     // The square of ±1 in x and z fills the picture, as far away as depth goes.
     pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, far_clip, 1}};
     pass.view_from_world = glm::dmat4(0.0);

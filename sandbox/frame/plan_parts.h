@@ -6,6 +6,9 @@
 
 namespace viewing {
 
+/// Where ambient light is strongest.
+inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
+
 /// Level 0 is the real world; a mirror in it opens level 1, a mirror seen in that mirror level 2, and so on. "Scene" is
 /// space before the mirrors, "world" after them: where the image seems to be.
 struct Level {
@@ -18,7 +21,7 @@ struct Level {
     glm::dmat4 scene_from_world{1.0};     ///< of the true mirrors, whatever has been put in the place of R
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
     std::vector<glm::dvec4> lights_world;
-    glm::dvec3 sky_world{0.0, 1.0, 0.0};
+    glm::dvec3 sky_world = sky_scene;
     bool flips_winding = false;
     int mirrors_met = 0;
     int region = 0;                       ///< the stencil's low bits inside which it is drawn; 0 for level 0

@@ -50,9 +50,9 @@ bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const
                              " is beyond the light (w ≤ 0): its sign is forced, so it throws an anti-shadow" +
                              (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"));
     else if (!across.empty())
-        say.broken(true, across +
-                             " crosses the plane through the light, where w = 0: its triangles are not cut there, and "
-                             "their shadow stretches to infinity");
+        say(true, across +
+                      " crosses the plane through the light, where w = 0: its shadow reaches to infinity, and GL alone "
+                      "cuts off what lies beyond (w ≤ 0)");
     else
         say(true, "part of " + beyond + " is not between " + one.name + " (w ≤ 0 there): that part casts no shadow");
     return true;

@@ -174,6 +174,42 @@ TEST_F(Measure, FightingOfNoPairsAndWithoutADepthTestHasNullsAndAReason) {
     EXPECT_FALSE(measured["search"]["problem"].get<std::string>().empty());
 }
 
+TEST_F(Measure, MirrorHasEveryWayWithItsPictureAndDepths) {
+    const Json measured = expect(0, {"measure", "mirror-unclipped", "--what", "mirror", "--size", "320x180"}).json();
+    EXPECT_EQ(measured["scene"], "torus-and-boxes");
+    EXPECT_EQ(measured["size"], Json({320, 180}));
+    const std::vector<std::string> names{"clip distance", "no clipping", "oblique near plane", "mirrored camera"};
+    ASSERT_EQ(measured["ways"].size(), names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Json& way = measured["ways"][i];
+        SCOPED_TRACE(way.dump());
+        EXPECT_EQ(way["way"], names[i]);
+        EXPECT_EQ(way["pixels"], 320 * 180);
+        EXPECT_EQ(way["different"].get<int>() > 320 * 180 / 20, names[i] == "no clipping");
+        EXPECT_EQ(way["different"] == 0, names[i] != "no clipping");
+        EXPECT_EQ(way["worst"] == 0, way["different"] == 0);
+        EXPECT_GT(way["image_pixels"], 500);
+        EXPECT_GT(way["distinct_depths"], 100);
+        EXPECT_GE(way["first_depth"], 0.0);
+        EXPECT_LT(way["first_depth"], way["last_depth"]);
+        EXPECT_LE(way["last_depth"], 1.0);
+        EXPECT_EQ(way.size(), 8U);
+    }
+    EXPECT_LT(measured["ways"][2]["first_depth"], 0.001) << "the near plane is the mirror";
+    const Json off =
+        expect(0, {"measure", "--what", "mirror", "--size", "16x9", "--set", "reflection.enabled=false"}).json();
+    for (const Json& way : off["ways"]) {
+        EXPECT_EQ(way["different"], 0);
+        EXPECT_EQ(way["image_pixels"], 0);
+    }
+}
+
+TEST_F(Measure, RefusesWhatIsNoQuantityAndNamesAllThereAre) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"measure"}, {"measure", "--what", "miror"}})
+        refused(arguments, {"visibility", "growth", "fighting", "mirror"});
+}
+
 TEST_F(Measure, EndsInTime) {
     const Ended ended = expect(8, {"measure", "--what", "growth", "--max", "1000000", "--timeout", "0.05"});
     EXPECT_NE(ended.err.find("--timeout"), std::string::npos);

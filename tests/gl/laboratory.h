@@ -77,7 +77,7 @@ private:
             room_.oracle.solids.push_back(solid);
             // Fine enough that the sphere's facets stay far inside a pixel.
             SceneObject placed =
-                object(std::to_string(i), solid.is_sphere ? sphere_mesh(96, 48) : box_mesh(), solid.position);
+                object(std::to_string(i), solid.is_sphere ? sphere_mesh(64, 32) : box_mesh(), solid.position);
             placed.world_from_model = world_from_model(solid.position, angles, solid.scale);
             placed.description.color = colors[i];
             objects.push_back(std::move(placed));
