@@ -129,7 +129,7 @@ int mask_after() {
 // 1.055 x^(1/2.4) - 0.055 as a polynomial in the fourth root of x, off by a hundredth of a level at most: a software
 // renderer takes long over pow, to compile it and to run it.
 vec3 srgb_from_linear(vec3 linear) {
-    vec3 root = sqrt(sqrt(linear));
+    vec3 root = sqrt(sqrt(max(linear, vec3(0.0))));
     vec3 curve = (((0.0813307 * root - 0.3355051) * root + 1.1226862) * root + 0.1961336) * root - 0.0646112;
     return mix(linear * 12.92, curve, greaterThan(linear, vec3(0.0031308)));
 }

@@ -9,6 +9,9 @@ out vec3 vertex_albedo;
 flat out vec2 ids;
 #endif
 
+// Passes that are told apart by stencil or equal depth must cover the very same pixels, whatever their program.
+invariant gl_Position;
+
 uniform mat4 clip_from_model;
 uniform mat4 world_from_model;
 uniform mat3 world_from_normal;
@@ -48,7 +51,8 @@ float logarithmic_depth(float distance) {
 void main() {
     vec4 position = vec4(position_model, 1.0);
     gl_Position = clip_from_model * position;
-    position_world = (world_from_model * position).xyz;
+    vec4 placed = world_from_model * position;
+    position_world = placed.w == 0.0 ? placed.xyz : placed.xyz / placed.w;
     normal_world = world_from_normal * normal_model;
     position_patch = position_model.xz;
 #ifdef PER_VERTEX
@@ -57,7 +61,7 @@ void main() {
 #endif
 #ifdef FORCE_SIGN
     // The w that S gives the point, before the camera's: GL would keep a triangle that changes its sign in one piece.
-    if ((world_from_model * position).w < 0.0) gl_Position = -gl_Position;
+    if (placed.w < 0.0) gl_Position = -gl_Position;
 #endif
 #ifdef CLIP_DISTANCE
     for (int plane = 0; plane < 2; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);

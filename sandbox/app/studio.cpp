@@ -9,7 +9,6 @@
 
 #include "app/hidden_answers.h"
 #include "app/mirror_measure.h"
-#include "frame/animation.h"
 #include "state/fields.h"
 #include "ui/fonts.h"
 
@@ -250,8 +249,10 @@ Requests Studio::frame(const Surroundings& surroundings) {
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 
     const bool moves = surroundings.shows_time && is_animated(session.params);
-    animation_s_ = moves ? animation_s_ + surroundings.input.dt_s : 0.0;
-    params_ = animated(session.params, animation_s_);
+    const bool has_begun =
+        surroundings.shows_time && (session.params.animation.jiggle || session.params.animation.light_orbit);
+    moment_ = moves ? advanced(moment_, session.params, surroundings.input.dt_s) : has_begun ? moment_ : Moment{};
+    params_ = animated(session.params, moment_);
 
     const Layout layout = workbench.layout(io.DisplaySize, params_);
     if (!layout.camera.empty()) camera_px_ = layout.camera.size_px();  // else another view has the whole window
@@ -272,7 +273,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     wanted.hidden = hidden_;
     const bool catch_up = views_are_behind_ && !session.is_moving() && !ImGui::IsAnyItemActive();
     if (wanted != drawn_ || catch_up) {
-        before_ = derive(animated(session.before_latest_edit(), animation_s_), session.scene(), viewport);
+        before_ = derive(animated(session.before_latest_edit(), moment_), session.scene(), viewport);
         const HiddenPictures found = hidden_ ? hidden_->pictures : HiddenPictures{};
         plan_ = plan(params_, derived_, found);
         inspected_ = plan(probed(params_), derived_, found);

@@ -7,6 +7,7 @@
 #include "app/depth_inspector.h"
 #include "app/fighting_counter.h"
 #include "app/hidden_worker.h"
+#include "frame/animation.h"
 #include "render/renderer.h"
 #include "ui/workbench.h"
 
@@ -94,7 +95,7 @@ private:
     Theme theme_ = Theme::dark;
     float looks_scale_ = 0.0F;
     int settling_ = 0;          ///< frames until ImGui has laid out what changed
-    double animation_s_ = 0.0;  ///< how long something has been moving by itself
+    Moment moment_;             ///< of what moves by itself
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

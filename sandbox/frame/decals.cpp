@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-constexpr int first_mark = 3;  ///< 1 is the patch, 2 is where a shadow falls on it
+constexpr int first_mark = 3;
 constexpr int mark_count = 252;
 
 }  // namespace

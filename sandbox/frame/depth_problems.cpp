@@ -80,6 +80,8 @@ void say_decals(Sayer& say, const Params& params, const Derived& derived, const 
 void say_omissions(Sayer& say, const Params& params) {
     say.broken(params.view.call >= 0,
                "the frame is drawn only as far as the step of the cell view: release it there, or undo");
+    say.broken(params.view.pass >= 0,
+               "the frame is drawn only as far as one of its passes: release it in the list of passes, or undo");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
     say.broken(
         params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,

@@ -107,15 +107,12 @@ const char* sentence_of(ShadowRay ray) {
         case ShadowRay::parallel:
             return "The ray is parallel to the plane: w = 0, and s lies at infinity.";
         case ShadowRay::light_in_plane:
-            return "The light lies in the plane: S sends every point to the light itself, so there is no shadow.";
+            return "The light lies in the plane: S sends every point to the light itself, or to infinity if it is "
+                   "parallel. There is no shadow.";
         case ShadowRay::at_light:
             return "p is where the light is: there is no ray.";
     }
     return "";
-}
-
-bool is_parallel_light(const glm::dvec4& light) {
-    return light.w <= tiny * glm::length(light);
 }
 
 ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, const glm::dvec3& point_world) {

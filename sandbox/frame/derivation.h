@@ -26,9 +26,6 @@ enum class ShadowRay {
 /// "" for a regular ray, else a sentence that says what is special.
 const char* sentence_of(ShadowRay ray);
 
-/// Whether a light is so far away that it counts as a direction alone: l_w below 10⁻⁹ of its size.
-bool is_parallel_light(const glm::dvec4& light);
-
 /// All about s. `n` and `d` are those of the unit plane; heights are signed distances from it.
 /// Source: lecture, Projection Shadow; Blinn 1988.
 struct ShadowDerivation {

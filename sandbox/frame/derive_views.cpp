@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "frame/derive.h"
 #include "geometry/camera.h"
@@ -11,7 +13,7 @@ namespace viewing {
 namespace {
 
 /// Moves and enlarges a picture until points in it fill it, both axes alike; I where some are not before the eye.
-glm::dmat4 centred_on(const std::array<glm::dvec3, 4>& points, const glm::dmat4& clip_from_world) {
+glm::dmat4 centred_on(std::span<const glm::dvec3> points, const glm::dmat4& clip_from_world) {
     glm::dvec2 low(1e9), high(-1e9);
     for (const glm::dvec3& point : points) {
         const glm::dvec4 clip = clip_from_world * glm::dvec4(point, 1.0);
@@ -51,7 +53,7 @@ ObserverView derive_light_view(const Params& params, const Derived& derived, con
     const glm::dvec4& light = params.light.position;
     const PlanePatch& patch = derived.patch;
     const double radius = patch.extent * std::numbers::sqrt2;
-    const bool parallel = light.w < 1e-6;
+    const bool parallel = is_parallel_light(light);
     const glm::dvec3 away =
         parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - patch.center;
     const double distance = std::max(glm::length(away), 1e-6);
@@ -67,17 +69,26 @@ ObserverView derive_light_view(const Params& params, const Derived& derived, con
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
     // As wide as the patch, with a little room; from within the patch's own depth as wide as can be looked at.
     constexpr double room = 1.1, widest_slope = 4.0;
-    double half_height = 1e-3 * radius, slope = 1e-3;
+    double half_height = 1e-3 * radius, slope = 1e-9;
+    // Casters stand on the patch, but not up to the light.
+    const double room_above = std::min(0.6 * patch.extent, 0.5 * std::abs(glm::dot(away, patch.normal)));
+    const glm::dvec3 up_from_patch = patch.normal * (glm::dot(away, patch.normal) < 0.0 ? -room_above : room_above);
+    std::vector<glm::dvec3> seen;
     for (const glm::dvec3& corner : patch.corners()) {
-        const glm::dvec3 seen(view.view_from_world * glm::dvec4(corner, 1.0));
-        const double half = room * std::max(std::abs(seen.y), std::abs(seen.x) / viewport.aspect());
+        seen.push_back(corner);
+        seen.push_back(corner + up_from_patch);
+    }
+    for (const glm::dvec3& point : seen) {
+        const glm::dvec3 in_view(view.view_from_world * glm::dvec4(point, 1.0));
+        const double half = room * std::max(std::abs(in_view.y), std::abs(in_view.x) / viewport.aspect());
         half_height = std::max(half_height, half);
-        slope = std::max(slope, -seen.z > half / widest_slope ? half / -seen.z : widest_slope);
+        slope = std::max(slope, -in_view.z > half / widest_slope ? half / -in_view.z : widest_slope);
     }
     const double fovy_deg = glm::degrees(2.0 * std::atan(slope));
-    const Lens lens{parallel, fovy_deg, 2.0 * half_height, distance * 0.02, distance + 40.0 * radius};
+    const Lens lens{parallel, fovy_deg, 2.0 * half_height, std::max(distance * 0.02, distance - 40.0 * radius),
+                    distance + 40.0 * radius};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
-    view.clip_from_world = centred_on(patch.corners(), view.clip_from_world) * view.clip_from_world;
+    view.clip_from_world = centred_on(seen, view.clip_from_world) * view.clip_from_world;
     return view;
 }
 

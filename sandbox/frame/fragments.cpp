@@ -222,6 +222,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
     std::set<std::size_t> patches;  // lit and in shadow they are drawn by two passes, of which one reaches a pixel
     int next_call = 0;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
+        if (plan.limit.pass >= 0 && static_cast<int>(number) > plan.limit.pass) break;
         const Pass& pass = plan.passes[number];
         int call = next_call;
         next_call += call_count(pass, scene_);

@@ -1,4 +1,6 @@
-// A pass as the GL calls that it becomes, in the lecture's words: what the panel lists.
+// A pass as the GL calls that it becomes after another one, in the lecture's words: what the panel lists.
+#include <algorithm>
+
 #include "frame/plan.h"
 
 namespace viewing {
@@ -33,48 +35,132 @@ std::string gl_name(FrontFace front) {
     return front == FrontFace::ccw ? "GL_CCW" : "GL_CW";
 }
 
-std::vector<std::string> gl_calls(const Pass& pass) {
+namespace {
+
+/// Lists what is told, and only what has changed.
+class Calls {
+public:
+    std::vector<std::string> list;
+
+    void add(std::string call) { list.push_back(std::move(call)); }
+    void enable(const char* capability, bool on, bool was_on) {
+        if (on != was_on) add((on ? "glEnable(" : "glDisable(") + std::string(capability) + ")");
+    }
+    /// `is_known`: GL has been told what it was before. What a test is made with is not told while it is off.
+    void change(const std::string& call, const std::string& before, bool is_known = true) {
+        if (call != before || !is_known) add(call);
+    }
+};
+
+std::string vector_text(const glm::dvec4& vector) {
+    return number(vector.x) + ", " + number(vector.y) + ", " + number(vector.z) + ", " + number(vector.w);
+}
+
+std::string truth(bool is_true) {
+    return is_true ? "GL_TRUE" : "GL_FALSE";
+}
+
+std::string stencil_func(const Pass& pass) {
+    return "glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
+           (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) + ", " +
+           bits(pass.stencil.read_bits) + ")";
+}
+
+std::string stencil_op(const Pass& pass) {
+    static constexpr const char* ops[] = {"GL_KEEP", "GL_REPLACE", "GL_INCR", "GL_DECR", "GL_INVERT", "GL_ZERO"};
+    return std::string("glStencilOp(GL_KEEP, GL_KEEP, ") + ops[static_cast<int>(pass.stencil.on_pass)] + ")";
+}
+
+std::string color_mask(const Pass& pass) {
+    const std::string writes = truth(pass.color_write);
+    return "glColorMask(" + writes + ", " + writes + ", " + writes + ", " + writes + ")";
+}
+
+void depth_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    calls.enable("GL_DEPTH_TEST", pass.depth.test, before.depth.test);
+    if (!pass.depth.test) return;
+    calls.change("glDepthFunc(" + gl_name(pass.depth.func) + ")", "glDepthFunc(" + gl_name(before.depth.func) + ")",
+                 before.depth.test);
+    calls.change("glDepthMask(" + truth(pass.depth.write) + ")", "glDepthMask(" + truth(before.depth.write) + ")",
+                 before.depth.test);
+}
+
+void cull_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    calls.enable("GL_CULL_FACE", pass.cull.enabled, before.cull.enabled);
+    if (!pass.cull.enabled) return;
+    calls.change("glCullFace(" + gl_name(pass.cull.face) + ")", "glCullFace(" + gl_name(before.cull.face) + ")",
+                 before.cull.enabled);
+    calls.change("glFrontFace(" + gl_name(pass.cull.front_face) + ")",
+                 "glFrontFace(" + gl_name(before.cull.front_face) + ")", before.cull.enabled);
+}
+
+void stencil_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    calls.enable("GL_STENCIL_TEST", pass.stencil.test, before.stencil.test);
+    if (!pass.stencil.test) return;
+    const bool is_known = before.stencil.test;
+    calls.change(stencil_func(pass), stencil_func(before), is_known);
+    calls.change(stencil_op(pass), stencil_op(before), is_known);
+    calls.change("glStencilMask(" + bits(pass.stencil.write_bits) + ")",
+                 "glStencilMask(" + bits(before.stencil.write_bits) + ")", is_known);
+}
+
+void blend_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    calls.change(color_mask(pass), color_mask(before));
+    calls.enable("GL_BLEND", pass.blend != Blend::none, before.blend != Blend::none);
+    if (pass.blend == Blend::none || pass.blend == before.blend) return;
+    calls.add(pass.blend == Blend::alpha ? "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"
+                                         : "glBlendFunc(GL_ONE, GL_ONE)");
+}
+
+void offset_and_clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    const DepthOffset offset = pass.offset.value_or(DepthOffset{}),
+                      offset_before = before.offset.value_or(DepthOffset{});
+    calls.enable("GL_POLYGON_OFFSET_FILL", offset != DepthOffset{}, offset_before != DepthOffset{});
+    if (offset != DepthOffset{} && offset != offset_before)
+        calls.add("glPolygonOffset(" + number(offset.factor) + ", " + number(offset.units) + ")");
+    for (std::size_t plane = 0; plane < std::max(pass.clip_planes.size(), before.clip_planes.size()); ++plane) {
+        const bool on = plane < pass.clip_planes.size(), was_on = plane < before.clip_planes.size();
+        calls.enable(("GL_CLIP_DISTANCE" + std::to_string(plane)).c_str(), on, was_on);
+        if (on && !(was_on && pass.clip_planes[plane] == before.clip_planes[plane]))
+            calls.add("glUniform4f(clip_plane" + std::to_string(plane) + ", " + vector_text(pass.clip_planes[plane]) +
+                      ")");
+    }
+}
+
+}  // namespace
+
+Pass first_gl_state() {
+    Pass state;
+    state.depth.test = false;
+    state.matrices = "";
+    return state;
+}
+
+std::vector<std::string> clear_calls(const FramePlan& frame) {
     std::vector<std::string> calls;
-    if (pass.depth.test) {
-        calls.push_back("glEnable(GL_DEPTH_TEST)");
-        calls.push_back("glDepthFunc(" + gl_name(pass.depth.func) + ")");
-        calls.push_back(pass.depth.write ? "glDepthMask(GL_TRUE)" : "glDepthMask(GL_FALSE)");
-    } else {
-        calls.push_back("glDisable(GL_DEPTH_TEST)");
-    }
-    if (pass.cull.enabled) {
-        calls.push_back("glEnable(GL_CULL_FACE)");
-        calls.push_back("glCullFace(" + gl_name(pass.cull.face) + ")");
-        calls.push_back("glFrontFace(" + gl_name(pass.cull.front_face) + ")");
-    }
-    if (pass.stencil.test) {
-        static constexpr const char* ops[] = {"GL_KEEP", "GL_REPLACE", "GL_INCR", "GL_DECR", "GL_INVERT", "GL_ZERO"};
-        calls.push_back("glEnable(GL_STENCIL_TEST)");
-        calls.push_back("glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
-                        (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) + ", " +
-                        bits(pass.stencil.read_bits) + ")");
-        if (pass.stencil.write_bits != 0xFF) calls.push_back("glStencilMask(" + bits(pass.stencil.write_bits) + ")");
-        calls.push_back(std::string("glStencilOp(GL_KEEP, GL_KEEP, ") + ops[static_cast<int>(pass.stencil.on_pass)] +
-                        ")");
-    }
-    if (!pass.color_write) calls.push_back("glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)");
-    if (pass.blend != Blend::none) {
-        calls.push_back("glEnable(GL_BLEND)");
-        calls.push_back(pass.blend == Blend::alpha ? "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"
-                                                   : "glBlendFunc(GL_ONE, GL_ONE)");
-    }
-    if (pass.offset && *pass.offset != DepthOffset{}) {
-        calls.push_back("glEnable(GL_POLYGON_OFFSET_FILL)");
-        calls.push_back("glPolygonOffset(" + number(pass.offset->factor) + ", " + number(pass.offset->units) + ")");
-    }
-    for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
-        calls.push_back("glEnable(GL_CLIP_DISTANCE" + std::to_string(plane) + ")");
+    if (!frame.mask_on_while_clearing) calls.emplace_back("glDepthMask(GL_FALSE)");
+    calls.push_back("glClearDepth(" + number(frame.clear_depth_value) + ")");
+    calls.emplace_back(frame.clear_depth ? "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"
+                                         : "glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)");
+    if (!frame.mask_on_while_clearing) calls.emplace_back("glDepthMask(GL_TRUE)");
+    return calls;
+}
+
+std::vector<std::string> gl_calls(const Pass& pass, const Pass& before) {
+    Calls calls;
+    depth_calls(calls, pass, before);
+    cull_calls(calls, pass, before);
+    stencil_calls(calls, pass, before);
+    blend_calls(calls, pass, before);
+    offset_and_clip_calls(calls, pass, before);
+    if (!pass.matrices.empty() && pass.matrices != before.matrices)
+        calls.add("glUniformMatrix4fv(clip_from_world, " + pass.matrices + ")");
     static constexpr const char* draws[] = {"drawObjects()", "drawPatch()",  "drawFarSquare()",
                                             "drawInOrder()", "drawPixels()", "drawDifference()"};
-    calls.emplace_back(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"
-                       : pass.chosen == Chosen::decals ? "drawDecals()"
-                                                       : draws[static_cast<std::size_t>(pass.subject)]);
-    return calls;
+    calls.add(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"
+              : pass.chosen == Chosen::decals ? "drawDecals()"
+                                              : draws[static_cast<std::size_t>(pass.subject)]);
+    return calls.list;
 }
 
 }  // namespace viewing

@@ -9,6 +9,15 @@ bool has_image(const HiddenResult& result) {
     return !is_drawn_by_gl_alone(result.request.visibility.method);
 }
 
+/// What has been put in the place of R, or of the side that is mirrored, is no view that a method could take: GL draws
+/// that image as it comes.
+bool is_mirrored_by_gl_alone(const Params& params) {
+    const ReflectionParams& reflection = params.reflection;
+    const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
+    return params.overrides.mirror_from_world || reflection.printed_by_rows || !reflection.side_of_eye ||
+           has_other_camera;
+}
+
 }  // namespace
 
 std::optional<HiddenQuestion> hidden_question(const Params& params, const Derived& derived, glm::ivec2 size_px) {
@@ -19,9 +28,8 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
 
     HiddenQuestion question{.camera = hidden_request(params, derived, size_px)};
     question.draws_camera = !gl_alone || visibility.step >= 0;
-    // A mirror matrix entered by hand is no view that a method could take: GL draws that image as it comes.
     if (!gl_alone && visibility.step < 0 && params.reflection.enabled && params.reflection.bounces > 0 &&
-        derived.eye_side != 0.0 && !params.overrides.mirror_from_world)
+        derived.eye_side != 0.0 && !is_mirrored_by_gl_alone(params))
         question.mirrored = mirrored_request(params, derived, size_px);
     if (compares) {
         question.other = question.camera;

@@ -130,7 +130,7 @@ void say_bounces(Sayer& say, const Params& params, const Derived& derived, const
     const std::string drawn = std::to_string(depth);
     if (depth < params.reflection.bounces)
         return say(true, drawn + " of " + std::to_string(params.reflection.bounces) +
-                             " bounces are drawn: more would be over 64 images of the scene, or more than the stencil "
+                             " bounces are drawn: more would draw the scene too often, or be more than the stencil "
                              "can count");
     const std::string mirror = depth == 1 ? "a mirror seen in a mirror" : "the mirror after " + drawn + " bounces";
     say.broken(is_endless,

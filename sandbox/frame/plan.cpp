@@ -133,10 +133,11 @@ int Level::region_of(std::size_t index) const {
 
 Pass Level::pass(const char* name, const char* reason, Subject subject) const {
     Pass made;
-    made.name = name;
+    made.name = name + place;
     made.reason = reason;
     made.subject = subject;
     made.is_mirror_image = !is_real();
+    made.matrices = matrices;
     made.world_from_scene = world_from_scene;
     made.clip_from_world = clip_from_view * view_from_world;
     made.view_from_world = view_from_world;
@@ -154,8 +155,8 @@ Pass Level::pass(const char* name, const char* reason, Subject subject) const {
 }
 
 Pass Level::patch_pass(const char* name, const char* reason, std::size_t index) const {
-    Pass made = pass(name, reason, Subject::patch);
-    if (derived.planes.size() > 1) made.name += " " + std::to_string(index + 1);
+    const std::string number = derived.planes.size() > 1 ? " " + std::to_string(index + 1) : "";
+    Pass made = pass((name + number).c_str(), reason, Subject::patch);
     made.plane = index;
     made.has_gloss = plane(index).gloss;
     return made;
@@ -165,7 +166,6 @@ Pass objects_pass(const Level& level) {
     if (level.is_real()) return level.pass("Objects", "draws the scene itself", Subject::objects);
     Pass pass = level.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
                            Subject::objects);
-    if (level.mirrors_met > 1) pass.name += " " + std::to_string(level.mirrors_met);
     return pass;
 }
 
@@ -185,7 +185,7 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
     if (blends) {
         pass.blend = Blend::alpha;
         pass.color.a = 1.0 - reflection.reflectance;
-        pass.depth.func = CompareFunc::always;
+        if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has decided already
     }
     if (blends && reflection.stencil)
         pass.stencil = {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
@@ -241,9 +241,13 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     add_scene_passes(made.passes, params, derived,
                      {derived.clip_from_view, derived.view_from_world, derived.eye_world});
     draw_decals_apart(made.passes, params);
-    if (const std::optional<Shading> shading = shading_of(params.view.shows))
+    if (const std::optional<Shading> shading = shading_of(params.view.shows)) {
+        const bool in_mirrors = *shading != Shading::caster_w;  // images cast nothing
         for (Pass& pass : made.passes)
-            if (pass.subject == Subject::objects && pass.shading == Shading::lit) pass.shading = *shading;
+            if (pass.subject == Subject::objects && pass.shading == Shading::lit &&
+                (in_mirrors || !pass.is_mirror_image))
+                pass.shading = *shading;
+    }
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
     // GL has no stencil beside 16 bits of depth; what stands in for it holds one value a pixel.
@@ -257,6 +261,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
     plain.cull = CullParams{};
     plain.visibility = VisibilityParams{};
     plain.reflection.clip = MirrorClip::clip_distance;
+    plain.reflection.same_projection = true;  // it is the camera's slip
     FramePlan made = frame_plan(params, derived);
     if (params.observer.image_space) plain.reflection.stencil = false;  // the image, wherever it is
     made.decal_offset = {-1.0, -2.0};

@@ -70,6 +70,7 @@ struct Pass {
     Chosen chosen = Chosen::all;  ///< of the objects: all, those that are no decals, or those that are
     bool marks_objects = false;   ///< the stencil's reference is each object's own: FramePlan::object_marks
     Shading shading = Shading::lit;
+    std::string matrices = "P V";      ///< the product that is uploaded, in the lecture's letters
     glm::dmat4 world_from_scene{1.0};  ///< I, S with its sign, or R: applied after each object's own matrix
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
@@ -133,7 +134,7 @@ struct FramePlan {
 };
 
 /// How many mirrors a line of sight may meet one after another where so many planes are there: fewer than asked for
-/// where the stencil cannot count them, or where they would be more than 64 images.
+/// where the stencil cannot count them, and where they would be more than 64 images or 256 drawings of the scene.
 int reflection_depth(const Params& params, const Derived& derived);
 
 /// Planes with their mirror images and shadows, and the objects: part of plan() and plan_observer().
@@ -173,8 +174,13 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
 /// The observer's frame: the same scene, shadow and mirror seen from outside, with plain depth and colour.
 FramePlan plan_observer(const Params& params, const Derived& derived, const ObserverView& observer);
 
-/// The GL calls of a pass with their current values, in the lecture's words.
-std::vector<std::string> gl_calls(const Pass& pass);
+/// The GL calls that lead from one pass to another, with their current values, in the lecture's words: what stays as it
+/// was is not told again. Before the first pass comes first_gl_state().
+std::vector<std::string> gl_calls(const Pass& pass, const Pass& before);
+Pass first_gl_state();
+
+/// How a frame begins.
+std::vector<std::string> clear_calls(const FramePlan& frame);
 
 /// "GL_LEQUAL" and the like.
 std::string gl_name(CompareFunc func);

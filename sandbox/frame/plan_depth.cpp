@@ -1,7 +1,7 @@
 // The depth buffer of a frame, and decals by equal depth or by a mark in the stencil buffer: parts of plan().
 #include <algorithm>
 
-#include "frame/plan.h"
+#include "frame/plan_parts.h"
 
 namespace viewing {
 
@@ -26,11 +26,28 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.shown_range = params.view.depth_range.value_or(glm::dvec2(frame.lens.near, frame.lens.far));
 }
 
+namespace {
+
+/// Patches have marked the stencil: objects begin anew.
+Pass without_marks(const Pass& objects) {
+    Pass pass = objects;
+    fill_picture(pass, 0.0, 1.0);
+    pass.name = "Clear marks";
+    pass.reason = "clears the stencil of the planes' marks, which must not be taken for those of objects";
+    pass.color_write = false;
+    pass.depth = {false, CompareFunc::always, false};
+    pass.stencil = {true, CompareFunc::always, 0, StencilOp::zero};
+    return pass;
+}
+
+}  // namespace
+
 void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || params.visibility.method != VisibilityMethod::depth_buffer) return;
-    const auto found = std::ranges::find_if(
-        passes, [](const Pass& pass) { return pass.subject == Subject::objects && pass.name == "Objects"; });
+    const auto found = std::ranges::find_if(passes, [](const Pass& pass) {
+        return pass.subject == Subject::objects && pass.shading == Shading::lit && !pass.is_mirror_image;
+    });
     if (found == passes.end()) return;
     Pass& objects = *found;
     objects.chosen = Chosen::bases;
@@ -49,7 +66,11 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
         decals.depth.test = false;
         decals.stencil = {true, CompareFunc::equal, 0, StencilOp::keep};
     }
-    passes.insert(found + 1, decals);
+    const bool has_marks = std::any_of(passes.begin(), found, [](const Pass& pass) {
+        return pass.stencil.test && pass.stencil.on_pass != StencilOp::keep;
+    });
+    const auto at = passes.insert(found + 1, decals) - 1;
+    if (method == DecalMethod::stencil && has_marks) passes.insert(at, without_marks(*at));
 }
 
 }  // namespace viewing

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr int most_images = 64;
+constexpr int most_images = 64, most_drawings = 256;
 
 /// Mirror images in all for so many mirrors, each of which shows all others.
 int image_count(int mirrors, int depth) {
@@ -31,19 +31,23 @@ glm::dmat4 flip() {
 /// The scene goes through R, and its lights with it.
 void mirror_scene(Level& inside, const glm::dmat4& mirror_from_world) {
     inside.world_from_scene = inside.world_from_scene * mirror_from_world;
+    inside.matrices += " R";
     if (!inside.params.reflection.reflect_light) return;
     for (std::size_t light = 0; light < inside.lights_world.size(); ++light)
         inside.lights_world[light] = inside.world_from_scene * inside.derived.lights_world[light];
-    inside.sky_world = glm::dmat3(inside.world_from_scene) * sky_scene;
+    inside.sky_world = glm::normalize(glm::dmat3(inside.world_from_scene) * sky_scene + 1e-30 * sky_scene);
 }
 
 /// The camera goes through R, and its picture is flipped: (F P) (F V R) = P V R. The lights stay where they are.
 void mirror_camera(Level& inside, const glm::dmat4& mirror_from_world) {
     const Params& params = inside.params;
+    // As wide as high, whatever the picture.
     if (!params.reflection.same_projection && inside.mirrors_met == 1)
-        inside.projection = clip_from_view(params.projection.lens(), 1.0);
+        for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
     inside.view_from_world = flip() * inside.view_from_world * mirror_from_world;
+    inside.matrices = inside.mirrors_met % 2 == 1 ? "F P F V" : "P V";
+    for (int mirror = 0; mirror < inside.mirrors_met; ++mirror) inside.matrices += " R";
     inside.eye_world = inside.eye_scene;
     if (params.reflection.reflect_light) return;
     for (glm::dvec4& light : inside.lights_world) light = mirror_from_world * light;
@@ -78,6 +82,8 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     Level inside = outside;
     inside.mirror = mirror;
     inside.mirrors_met += 1;
+    if (outside.derived.planes.size() > 1)
+        inside.place += (outside.is_real() ? " in mirror " : ", ") + std::to_string(mirror + 1);
     inside.region = outside.region_of(mirror);
     inside.flips_winding = !outside.flips_winding;
     inside.eye_scene = true_mirror * outside.eye_scene;
@@ -99,21 +105,35 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     const Color background = ground_of(level.params.ui.theme).background;
     const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
     const double far_clip = reversed ? (level.derived.clip_zero_to_one ? 0.0 : -1.0) : 1.0;
+    fill_picture(pass, far_clip, level.params.projection.far);
     pass.is_mirror_image = true;
-    pass.shading = Shading::flat;
     pass.color = color_of(background, 1.0);
     pass.depth.func = CompareFunc::always;
     pass.stencil = {true, CompareFunc::equal, level.region_of(plane), StencilOp::keep, stencil_region_bits};
-    pass.world_from_scene = glm::dmat4(1.0);
-    pass.clip_planes.clear();
-    // The square of ±1 in x and z fills the picture, as far away as depth goes.
-    pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, far_clip, 1}};
-    pass.view_from_world = glm::dmat4(0.0);
-    pass.view_from_world[3] = {0.0, 0.0, -level.params.projection.far, 1.0};
     return pass;
 }
 
+/// How often the scene's objects are drawn: once a world, and once for each shadow in it.
+int drawing_count(const Params& params, const Derived& derived, int images) {
+    const auto receivers = static_cast<int>(std::ranges::count(derived.planes, true, &DerivedPlane::receives_shadow));
+    const int shadows = params.shadow.enabled ? receivers * static_cast<int>(derived.lights_world.size()) : 0;
+    return (1 + images) * (1 + shadows);
+}
+
 }  // namespace
+
+void fill_picture(Pass& pass, double clip_z, double eye_distance) {
+    pass.subject = Subject::backdrop;
+    pass.matrices = "I";
+    pass.shading = Shading::flat;
+    pass.world_from_scene = glm::dmat4(1.0);
+    pass.clip_planes.clear();
+    pass.cull = CullParams{};
+    // The square of ±1 in x and z.
+    pass.clip_from_world = {{1, 0, 0, 0}, {0, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, clip_z, 1}};
+    pass.view_from_world = glm::dmat4(0.0);
+    pass.view_from_world[3] = {0.0, 0.0, -eye_distance, 1.0};
+}
 
 int reflection_depth(const Params& params, const Derived& derived) {
     if (!params.reflection.enabled) return 0;
@@ -121,7 +141,11 @@ int reflection_depth(const Params& params, const Derived& derived) {
     const auto mirrors = static_cast<int>(std::ranges::count(derived.planes, true, &DerivedPlane::mirrors));
     // Each mirror that is met takes one more of the values that the stencil's low bits can tell apart.
     int depth = std::min(params.reflection.bounces, stencil_region_bits - static_cast<int>(derived.planes.size()));
-    while (depth > 1 && image_count(mirrors, depth) > most_images) --depth;
+    const auto is_too_much = [&] {
+        const int images = image_count(mirrors, depth);
+        return images > most_images || drawing_count(params, derived, images) > most_drawings;
+    };
+    while (depth > 1 && is_too_much()) --depth;
     return depth;
 }
 

@@ -19,6 +19,8 @@ struct Level {
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_scene{1.0};     ///< the product of the mirrors' R; I if it is the camera that is mirrored
     glm::dmat4 scene_from_world{1.0};     ///< of the true mirrors, whatever has been put in the place of R
+    std::string place;             ///< " in mirror 2": what the names of its passes end with where there are several planes
+    std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if it is the camera that is mirrored
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
@@ -42,6 +44,9 @@ struct Level {
     Pass pass(const char* name, const char* reason, Subject subject) const;
     Pass patch_pass(const char* name, const char* reason, std::size_t index) const;
 };
+
+/// Makes a pass draw a square that fills the picture, at a depth of clip space that has this eye distance.
+void fill_picture(Pass& pass, double clip_z, double eye_distance);
 
 /// The scene itself, or its mirror image.
 Pass objects_pass(const Level& level);

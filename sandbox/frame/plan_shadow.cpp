@@ -46,15 +46,17 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
 }
 
 /// Casters flattened by S onto the plane, then seen as the level sees it.
-Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light) {
+Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const std::string& name,
+                 const char* reason) {
     const CastShadow& cast = level.plane(plane).shadows[light];
-    Pass pass = level.pass("Shadow", "draws the casters once more through S, flat on the plane", Subject::objects);
-    if (level.derived.lights_world.size() > 1) pass.name += " of light " + std::to_string(light + 1);
+    const std::string of = level.derived.lights_world.size() > 1 ? " of light " + std::to_string(light + 1) : "";
+    Pass pass = level.pass((name + of).c_str(), reason, Subject::objects);
     pass.plane = plane;
     pass.light = light;
     pass.shading = Shading::flat;
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadow_from_world);
+    pass.matrices = level.matrices + (cast.sign < 0.0 ? " (−S)" : " S");
     // What is cut off at the light first has no negative w left to force.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;
@@ -100,7 +102,8 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
     const auto share = 1.0 / static_cast<double>(lights.size());
     const double opacity = lights.size() == 1 ? shadow.opacity : 1.0 - std::pow(1.0 - shadow.opacity, share);
     for (const std::size_t light : lights) {
-        Pass pass = shadow_pass(level, plane, light);
+        Pass pass =
+            shadow_pass(level, plane, light, "Shadow", "draws the casters once more through S, flat on the plane");
         pass.color = color_of(shadow.color, opacity);
         pass.blend = Blend::alpha;
         pass.depth.write = shadow.write_depth && level.params.depth.write;
@@ -120,9 +123,7 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
     std::vector<int> bits;
     for (const std::size_t light : lights) {
         const int bit = light_bit(level.params, light);
-        Pass mask = shadow_pass(level, plane, light);
-        mask.name.replace(0, std::string("Shadow").size(), "Shadow mask");
-        mask.reason = "marks where the light is missing: no colour yet";
+        Pass mask = shadow_pass(level, plane, light, "Shadow mask", "marks where the light is missing: no colour yet");
         mask.color_write = false;
         mask.depth.test = false;
         mask.stencil = counts_once(region, bit);
@@ -139,7 +140,7 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
             if (is_missing) reference |= bits[i];
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
-        patch.name = name_without(level, missing);
+        patch.name = name_without(level, missing) + level.place;
         patch.reason = missing.empty()   ? "where the stencil is clear, the light arrives"
                        : shining.empty() ? "where the stencil counts a caster, only ambient light arrives"
                                          : "where the stencil counts these lights as missing, the others arrive";

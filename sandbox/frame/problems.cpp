@@ -19,7 +19,7 @@ void say_light(Sayer& say, const Params& params, const Derived& derived, std::si
             turned_away.push_back(plane);
     }
     const bool is_alone = derived.lights_world.size() == 1;
-    const bool is_parallel = derived.lights_world[index].w == 0.0;
+    const bool is_parallel = is_parallel_light(derived.lights_world[index]);
     const std::string light = name_of("light", {index}, derived.lights_world.size());
     if (!holding.empty()) {
         const std::string where = name_of("plane", holding, planes.size());
@@ -37,7 +37,7 @@ void say_light(Sayer& say, const Params& params, const Derived& derived, std::si
 /// Between point and parallel.
 void say_weight(Sayer& say, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
-    if (light.w <= 0.0 || light.w >= 1.0) return;
+    if (is_parallel_light(light) || light.w >= 1.0) return;
     const std::string of = derived.lights_world.size() > 1 ? " of light " + std::to_string(index + 1) : "";
     const std::string place = signed_figures(light.x / light.w) + ", " + signed_figures(light.y / light.w) + ", " +
                               signed_figures(light.z / light.w);
@@ -68,8 +68,8 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
         say(derived.eye_world.w == 0.0, "the lines of sight run along " + where + means);
         say(derived.eye_world.w != 0.0, "the eye lies in " + where + means);
     }
-    say(planes.size() < derived.planes.size(),
-        "the method of hidden surfaces draws one plane: further ones are left out of its picture");
+    say.broken(planes.size() < derived.planes.size(),
+               "the method of hidden surfaces draws one plane: further ones are left out of its picture");
 }
 
 void find_overrides(std::vector<Problem>& problems, const Overrides& overrides) {

@@ -46,15 +46,15 @@ bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
-        say.broken(true, "part of " + beyond +
-                             " is beyond the light (w ≤ 0): its sign is forced, so it throws an anti-shadow" +
+        say.broken(true, "w ≤ 0 for what of " + beyond +
+                             " is beyond the light: its sign is forced, so it throws an anti-shadow" +
                              (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"));
     else if (!across.empty())
         say(true, across +
                       " crosses the plane through the light, where w = 0: its shadow reaches to infinity, and GL alone "
                       "cuts off what lies beyond (w ≤ 0)");
     else
-        say(true, "part of " + beyond + " is not between " + one.name + " (w ≤ 0 there): that part casts no shadow");
+        say(true, "what of " + beyond + " is not between " + one.name + " (w ≤ 0 there) casts no shadow");
     return true;
 }
 
@@ -68,9 +68,8 @@ void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Throw
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
-        say.broken(true, "part of " + names +
-                             " lies behind the plane, where w > 0 all the same: it is not clipped, and throws a false "
-                             "shadow");
+        say.broken(true, "behind the plane w is positive, too: what is there of " + names +
+                             " is not clipped, and throws a false shadow");
         break;
     }
     if (vanishes) return;

@@ -40,6 +40,12 @@ glm::dvec4 unit_plane(const glm::dvec4& plane) {
     return plane / length;
 }
 
+bool is_parallel_light(const glm::dvec4& light) {
+    constexpr double farthest = 1e6;
+    const double length = glm::length(glm::dvec3(light));
+    return length > 0.0 && light.w * farthest <= length;
+}
+
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light) {
     return glm::dmat4(glm::dot(plane, light)) - glm::outerProduct(light, plane);
 }

@@ -10,6 +10,9 @@ namespace viewing {
 /// The plane scaled so that (a, b, c) has length 1, its sign kept. The normal must not be zero.
 glm::dvec4 unit_plane(const glm::dvec4& plane);
 
+/// Whether a light (x, y, z, w) counts as one at infinity: farther away than a million units.
+bool is_parallel_light(const glm::dvec4& light);
+
 /// S = (P·L) I − L Pᵀ sends p to where the ray from the light L through p meets the plane (after ÷ w).
 /// P is used as given: pass a unit plane to get the numbers on display. L.w = 1 point light, 0 parallel.
 /// S² = (P·L) S, S L = 0, rank 3; rank 1 when P·L = 0. Source: lecture, Projection Shadow Matrix.

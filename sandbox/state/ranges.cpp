@@ -143,7 +143,7 @@ std::string allowed_text(const Field& field) {
             },
             [](std::vector<PlaneParams>*) -> std::string {
                 return "an array of at most " + std::to_string(max_further_planes) +
-                       " planes {\"equation\": [a, b, c, d], \"extent\", \"receives_shadow\", \"mirrors\"}";
+                       " planes {\"equation\": [a, b, c, d], \"extent\", \"receives_shadow\", \"mirrors\", \"gloss\"}";
             },
             [](std::optional<glm::dmat4>*) -> std::string {
                 return "null or 4 rows of 4 numbers, each from -1e12 to 1e12";

@@ -69,9 +69,9 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const LegendEntry entries[] = {{caster_colors[0], "w > 0: casts a shadow"},
-                                       {caster_colors[1], "w > 0 behind the plane: false shadow"},
-                                       {caster_colors[2], "w ≤ 0: beyond the light"}};
+        const LegendEntry entries[] = {{caster_colors[0], "w > 0: projected"},
+                                       {caster_colors[1], "w > 0 behind the plane"},
+                                       {caster_colors[2], "w ≤ 0: clipped away"}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::overdraw) {
         const LegendEntry entries[] = {{overdraw_colors[0], "0"},
@@ -172,7 +172,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         state.dragged_px = 0.0F;
         if (hovered != Handle::none)
-            state.grip = take(overlay, handle_places(session.params, derived), hovered, session.params, io.MousePos);
+            state.grip = take(overlay, handle_places(derived), hovered, session.params, io.MousePos);
         else
             state.looking = true;
     }
@@ -244,7 +244,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
-    const HandlePlaces places = handle_places(params, derived);
+    const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
     if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);

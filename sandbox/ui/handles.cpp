@@ -9,15 +9,21 @@ namespace {
 
 constexpr double parallel_light_distance = 5.0;  ///< where a parallel light's lamp hangs, from the patch's centre
 
-bool is_parallel(const glm::dvec4& light) {
-    return light.w < 1e-3;
+/// Its lamp would hang too far away to be seen: it is shown by its direction.
+bool is_far_away(const glm::dvec4& light) {
+    const double length = glm::length(glm::dvec3(light));
+    return length > 0.0 && length >= 1e3 * light.w;
+}
+
+const char* light_label(const glm::dvec4& light) {
+    return is_parallel_light(light) ? "l (parallel)" : is_far_away(light) ? "l (far away)" : "l";
 }
 
 /// A light with its name; a parallel one with its direction.
 void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived, const char* name, float radius) {
     const ImU32 color = widgets::CurrentContext().palette.light;
     const glm::dvec3 place = lamp_place(light, derived);
-    if (is_parallel(light)) overlay.arrow(place, place + 0.25 * (derived.patch.center - place), color);
+    if (is_far_away(light)) overlay.arrow(place, place + 0.25 * (derived.patch.center - place), color);
     overlay.dot(place, color, radius);
     overlay.label(place, name, color);
 }
@@ -31,16 +37,16 @@ glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::
 }  // namespace
 
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived) {
-    return is_parallel(light_world)
+    return is_far_away(light_world)
                ? derived.patch.center + glm::normalize(glm::dvec3(light_world)) * parallel_light_distance
                : glm::dvec3(light_world) / light_world.w;
 }
 
-HandlePlaces handle_places(const Params& params, const Derived& derived) {
+HandlePlaces handle_places(const Derived& derived) {
     HandlePlaces places{};
     places.plane = derived.patch.center;
     places.normal_tip = derived.patch.center + glm::dvec3(derived.unit_plane) * 1.4;
-    places.light = lamp_place(params.light.position, derived);
+    places.light = lamp_place(derived.lights_world.front(), derived);
     return places;
 }
 
@@ -85,9 +91,10 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
             return;
         case Handle::light: {
             glm::dvec4& light = params.light.position;
+            params.animation.light_orbit = false;  // it stays where it is put
             glm::dvec3 target = point;
             if (along_y) target = {grip.grabbed_world.x, point.y, grip.grabbed_world.z};
-            if (!is_parallel(light)) {
+            if (!is_far_away(light)) {
                 light = glm::dvec4(target * light.w, light.w);
             } else if (glm::length(target - grip.center_world) > 1e-3) {
                 const double size = glm::length(glm::dvec3(light));
@@ -126,7 +133,7 @@ void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& d
     if (hovered == Handle::plane_tilt) overlay.ring(places.normal_tip, palette.plane, 9.0F);
 
     const glm::dvec4& light = derived.lights_world.front();
-    draw_lamp(overlay, light, derived, is_parallel(light) ? "l (parallel)" : "l", radius(Handle::light, 6.0F));
+    draw_lamp(overlay, light, derived, light_label(light), radius(Handle::light, 6.0F));
     overlay.ring(places.light, palette.light, radius(Handle::light, 10.0F));
     static constexpr const char* names[] = {"l₂", "l₃", "l₄"};
     for (std::size_t further = 1; further < derived.lights_world.size() && further <= std::size(names); ++further)

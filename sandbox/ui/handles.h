@@ -14,7 +14,7 @@ struct HandlePlaces {
     glm::dvec3 plane;  ///< the patch's centre
     glm::dvec3 normal_tip;
 };
-HandlePlaces handle_places(const Params& params, const Derived& derived);
+HandlePlaces handle_places(const Derived& derived);
 
 /// Where a light is drawn: itself, or a place along its direction when it is parallel.
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived);

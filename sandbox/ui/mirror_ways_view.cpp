@@ -75,7 +75,7 @@ void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<c
     };
     ImFont* const head = fits(name, fonts.text) ? fonts.text : fonts.note;
     if (fits(name, head)) write(name, head, place.min.y + px(0.5F * margin));
-    ImFont* const small = fonts.small_number;
+    ImFont* const small = place.height() < px(200.0F) ? fonts.small_number : fonts.number;
     const auto fitting = static_cast<float>(
         std::min<std::size_t>(numbers.size(), static_cast<std::size_t>(std::max(room, 0.0F) / small->FontSize)));
     float top = place.max.y - px(0.5F * margin) - fitting * small->FontSize;

@@ -31,7 +31,7 @@ const std::vector<OutlineVertex>& LightRays::of(const Session& session, const De
 
 void draw_light_rays(Overlay& overlay, const std::vector<OutlineVertex>& rays, const glm::dvec4& light_world) {
     const ImU32 faint = with_alpha(palette().light, 120);
-    const bool parallel = light_world.w < 1e-3;
+    const bool parallel = is_parallel_light(light_world);
     constexpr double way_before = 3.0;  ///< of a parallel ray, shown before it meets the vertex
     for (const OutlineVertex& ray : rays) {
         const glm::dvec3 from = parallel ? ray.vertex_world + glm::normalize(glm::dvec3(light_world)) * way_before

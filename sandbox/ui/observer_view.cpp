@@ -52,7 +52,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
 
     const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
     Overlay overlay(ImGui::GetWindowDrawList(), rect, observer.clip_from_world);
-    const HandlePlaces places = handle_places(session.params, derived);
+    const HandlePlaces places = handle_places(derived);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     Handle hovered = state.grip.handle;
     if (hovered == Handle::none && over) hovered = handle_at(overlay, places, mouse);

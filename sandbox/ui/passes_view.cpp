@@ -54,7 +54,7 @@ bool steps(Session& session, int count, StepPlayer& player) {
     if (room < px(low_bar)) return false;
     player.drawn = true;
     int& pass = session.params.view.pass;
-    int step = pass < 0 ? -1 : std::min(pass, count - 1) + 1;
+    int step = pass < 0 ? -1 : pass + 1;
     const int before = step;
     const bool is_narrow = room < px(whole_bar);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
@@ -72,6 +72,14 @@ bool steps(Session& session, int count, StepPlayer& player) {
 /// The hidden-surface methods' frames are drawn whole.
 bool can_stop(const Session& session) {
     return is_drawn_by_gl_alone(session.params.visibility.method);
+}
+
+void call_lines(const std::vector<std::string>& calls) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    ImGui::Indent(px(12.0F));
+    for (const std::string& call : calls) ImGui::TextWrapped("%s", call.c_str());
+    ImGui::Unindent(px(12.0F));
+    ImGui::PopFont();
 }
 
 /// One pass: its headline stops the frame after it, or lets it go on.
@@ -95,21 +103,18 @@ void entry(Session& session, const FramePlan& plan, int number) {
                                         : goes_on ? "Click to draw the whole frame."
                                                   : "Click to stop the frame after this pass.");
     widgets::Note(pass.reason.c_str());
-    ImGui::PushFont(context.fonts.small_number);
-    ImGui::Indent(px(12.0F));
-    for (const std::string& call : gl_calls(pass)) ImGui::TextWrapped("%s", call.c_str());
-    ImGui::Unindent(px(12.0F));
-    ImGui::PopFont();
+    const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
+    call_lines(gl_calls(pass, before));
     if (!is_drawn) ImGui::PopStyleVar();
     ImGui::Dummy({0.0F, px(4.0F)});
     ImGui::PopID();
 }
 
-/// `follows`: scrolls to where the frame stops.
+/// In what remains of the window. `follows`: scrolls to where the frame stops.
 void list(Session& session, const FramePlan& plan, bool follows) {
-    const ImVec2 room = ImGui::GetContentRegionAvail();
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
-    ImGui::BeginChild("list", {room.x, std::max(room.y, 1.0F)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::BeginChild("list", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    call_lines(clear_calls(plan));
     for (int number = 0; number < static_cast<int>(plan.passes.size()); ++number) {
         const bool is_stop = number == session.params.view.pass;
         if (is_stop && (follows || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(0.1F);

@@ -188,6 +188,7 @@ TEST_F(Measure, MirrorHasEveryWayWithItsPictureAndDepths) {
         EXPECT_EQ(way["different"].get<int>() > 320 * 180 / 20, names[i] == "no clipping");
         EXPECT_EQ(way["different"] == 0, names[i] != "no clipping");
         EXPECT_EQ(way["worst"] == 0, way["different"] == 0);
+        EXPECT_LE(way["worst"], 255);
         EXPECT_GT(way["image_pixels"], 500);
         EXPECT_GT(way["distinct_depths"], 100);
         EXPECT_GE(way["first_depth"], 0.0);

@@ -263,9 +263,9 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
         const Derived derived = derived_of(params, scene);
         return derived.problems.empty() ? std::string() : derived.problems.front().sentence;
     };
-    EXPECT_NE(problem_with_light_at(5.5).find("part of high is not between"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(5.5).find("what of high is not between"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(5.5).find("low"), std::string::npos);
-    EXPECT_NE(problem_with_light_at(1.0).find("part of low, high is not"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(1.0).find("what of low, high is not"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(7.01), "");
 }
 

@@ -3,6 +3,7 @@
 #include "frame/plan.h"
 
 #include <algorithm>
+#include <map>
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
@@ -110,10 +111,11 @@ TEST(PlanPasses, FollowTheSwitches) {
          {"Receiver mask", "Shadow mask of light 1", "Shadow mask of light 2", "Patch in the light",
           "Patch without light 1", "Patch without light 2", "Patch without light 1, 2", "Objects"}},
         {{"planes=[{\"equation\":[0,0,1,3]}]", "shadow.enabled=false"},
-         {"Mirror mask 1", "Patch 2", "Mirror image", "Patch 1", "Mirror mask 2", "Fresh picture", "Patch 1",
-          "Mirror image", "Patch 2", "Objects"}},
+         {"Mirror mask 1", "Patch 2 in mirror 1", "Mirror image in mirror 1", "Patch 1", "Mirror mask 2",
+          "Fresh picture", "Patch 1 in mirror 2", "Mirror image in mirror 2", "Patch 2", "Objects"}},
         {{"planes=[{\"equation\":[0,0,1,3],\"receives_shadow\":false,\"mirrors\":false}]"},
-         {"Mirror mask 1", "Patch 2", "Mirror image", "Patch 1", "Shadow", "Patch 2", "Objects"}},
+         {"Mirror mask 1", "Patch 2 in mirror 1", "Mirror image in mirror 1", "Patch 1", "Shadow", "Patch 2",
+          "Objects"}},
         {{"reflection.enabled=false", "shadow.enabled=false"}, {"Patch", "Objects"}},
         {{"reflection.stencil=false"}, {"Mirror image", "Patch", "Shadow", "Objects"}},
         {{"shadow.style=missing_light"},
@@ -215,7 +217,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"}, {"Mirror image.clip_planes"}},
         {{"animation.light_orbit=true"}, {}},
         {{"view.pass=2"}, {"frame.limit"}},
-        {{"view.shows=shadow_w"}, {"frame.shows", "Mirror image.shading", "Objects.shading"}},
+        {{"view.shows=shadow_w"}, {"frame.shows", "Objects.shading"}},
         {{"reflection.reflectance=0.6"}, {"Patch.color"}},
         {{"reflection.clip=none"}, {"Mirror image.clip_planes"}},
         {{"reflection.clip=oblique"}, {"Mirror image.clip_planes", "Mirror image.clip_from_world"}},
@@ -487,27 +489,71 @@ TEST(PlanEverything, StencilIsNeverTestedBeforeItIsMarked) {
     }
 }
 
-TEST(PlanCalls, SayThePassWithItsCurrentValues) {
+TEST(PlanCalls, SayWhatEachPassChanges) {
     using Calls = std::vector<std::string>;
     const FramePlan frame =
         plan_with({"shadow.offset_factor=-1.5", "cull.enabled=true", "cull.face=front", "depth.func=lequal"});
-    EXPECT_EQ(gl_calls(pass_named(frame, "Shadow")),
-              (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
-                     "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_EQUAL, 1, 0x1F)", "glStencilMask(0x10)",
-                     "glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT)", "glEnable(GL_BLEND)",
-                     "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)", "glEnable(GL_POLYGON_OFFSET_FILL)",
-                     "glPolygonOffset(-1.5, -1.0)", "glEnable(GL_CLIP_DISTANCE0)", "glEnable(GL_CLIP_DISTANCE1)",
-                     "drawObjects()"}));
-    EXPECT_EQ(gl_calls(pass_named(frame, "Objects")),
-              (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_TRUE)",
-                     "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CCW)", "drawObjects()"}));
-    EXPECT_EQ(gl_calls(pass_named(frame, "Mirror mask")),
+    const auto calls_of = [&](std::size_t number) {
+        return gl_calls(frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1));
+    };
+    EXPECT_EQ(
+        clear_calls(frame),
+        (Calls{"glClearDepth(1.0)", "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"}));
+    EXPECT_EQ(calls_of(0),  // the mask
               (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
                      "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_ALWAYS, 1, 0xFF)",
-                     "glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)", "glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)",
+                     "glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE)", "glStencilMask(0xFF)",
+                     "glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE)", "glUniformMatrix4fv(clip_from_world, P V)",
                      "drawPatch()"}));
-    EXPECT_EQ(gl_calls(pass_named(plan_with({"depth.test=false"}), "Objects")),
-              (Calls{"glDisable(GL_DEPTH_TEST)", "drawObjects()"}));
+    EXPECT_EQ(calls_of(1),  // the image
+              (Calls{"glDepthMask(GL_TRUE)", "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CW)",
+                     "glStencilFunc(GL_EQUAL, 1, 0x0F)", "glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP)",
+                     "glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)", "glEnable(GL_CLIP_DISTANCE0)",
+                     "glUniform4f(clip_plane0, 0.0, 1.0, 0.0, 0.0)", "glUniformMatrix4fv(clip_from_world, P V R)",
+                     "drawObjects()"}));
+    EXPECT_EQ(calls_of(4),  // the objects, after the shadow
+              (Calls{"glDepthMask(GL_TRUE)", "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CCW)",
+                     "glDisable(GL_STENCIL_TEST)", "glDisable(GL_BLEND)", "glDisable(GL_POLYGON_OFFSET_FILL)",
+                     "glDisable(GL_CLIP_DISTANCE0)", "glDisable(GL_CLIP_DISTANCE1)",
+                     "glUniformMatrix4fv(clip_from_world, P V)", "drawObjects()"}));
+}
+
+/// What a machine knows that obeys the calls, one by one.
+TEST(PlanCalls, LeadFromEachPassToTheNext) {
+    constexpr unsigned first_seed = 8100;
+    for (unsigned run = 0; run < 100; ++run) {
+        SCOPED_TRACE("seed " + std::to_string(first_seed + run));
+        Params params = testing::RandomParams(first_seed + run).make();
+        clamp_to_ranges(params);
+        const FramePlan frame = plan_of(params);
+        std::map<std::string, std::string> state;  // of a call's name, or of a capability
+        Pass before = first_gl_state();
+        for (const Pass& pass : frame.passes) {
+            for (const std::string& call : gl_calls(pass, before)) {
+                const std::size_t open = call.find('(');
+                const std::string name = call.substr(0, open), value = call.substr(open + 1);
+                if (name == "glEnable" || name == "glDisable")
+                    state[value] = name;
+                else
+                    state[name] = value;
+            }
+            const auto is_on = [&](const char* capability) {
+                return state[std::string(capability) + ")"] == "glEnable";
+            };
+            EXPECT_EQ(is_on("GL_DEPTH_TEST"), pass.depth.test);
+            EXPECT_EQ(is_on("GL_STENCIL_TEST"), pass.stencil.test);
+            EXPECT_EQ(is_on("GL_BLEND"), pass.blend != Blend::none);
+            EXPECT_EQ(is_on("GL_CULL_FACE"), pass.cull.enabled);
+            EXPECT_EQ(is_on("GL_CLIP_DISTANCE0"), !pass.clip_planes.empty());
+            EXPECT_EQ(state.contains("glColorMask") ? state["glColorMask"].find("GL_TRUE") == 0 : true,
+                      pass.color_write);
+            if (pass.depth.test) {
+                EXPECT_EQ(state.contains("glDepthMask") ? state["glDepthMask"] == "GL_TRUE)" : true, pass.depth.write);
+                EXPECT_EQ(state["glDepthFunc"], gl_name(pass.depth.func) + ")");
+            }
+            before = pass;
+        }
+    }
 }
 
 }  // namespace
