@@ -9,22 +9,27 @@ void say_tests(Sayer& say, const DepthParams& depth) {
     if (!depth.test) {
         say.broken(true,
                    "depth test off: whatever is drawn last wins, and no depth is written either, so the depth buffer "
-                   "stays as it was cleared");
+                   "stays as it was cleared",
+                   "depth.test=true");
         return;
     }
     say.broken(depth.func == CompareFunc::always,
-               "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same");
+               "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same",
+               "depth.func=less");
     say.broken(depth.func == CompareFunc::notequal,
-               "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already");
-    say.broken(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes");
+               "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already",
+               "depth.func=less");
+    say.broken(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes", "depth.func=less");
     const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     say.broken(wants_farther && !clears_to_near,
-               "only what is farther passes, and nothing is farther than what the buffer is cleared to");
-    say.broken(depth.func == CompareFunc::equal,
-               "GL_EQUAL: only what has the very depth that is stored already passes");
+               "only what is farther passes, and nothing is farther than what the buffer is cleared to",
+               "depth.func=less");
+    say.broken(depth.func == CompareFunc::equal, "GL_EQUAL: only what has the very depth that is stored already passes",
+               "depth.func=less");
     say.broken(!depth.write,
-               "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later");
+               "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later",
+               "depth.write=true");
 }
 
 /// Whether surfaces are compared by being nearer, as they should be.
@@ -34,18 +39,21 @@ bool wants_nearer(const DepthParams& depth) {
 
 void say_clears(Sayer& say, const DepthParams& depth) {
     if (!wants_nearer(depth)) return;
-    say.broken(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now");
+    say.broken(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now",
+               "depth.clear=true");
     say.broken(
         depth.clear && !depth.write_while_clearing,
         "glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on hiding what "
-        "is drawn now");
+        "is drawn now",
+        "depth.write_while_clearing=true");
 }
 
 void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) {
     say.broken(
         depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
         "the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide or show what "
-        "they should not");
+        "they should not",
+        "depth.logarithm_per_vertex=false");
     if (depth.mapping != DepthMapping::reversed) return;
     say.broken(
         !derived.clip_zero_to_one,
@@ -57,11 +65,13 @@ void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) 
     say.broken(
         !depth.reversed_clear && wants_nearer(depth),
         "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
-        "drawn");
+        "drawn",
+        "depth.reversed_clear=true");
     say.broken(
         !depth.reversed_offset,
         "with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it should pull "
-        "nearer");
+        "nearer",
+        "depth.reversed_offset=true");
 }
 
 void say_decals(Sayer& say, const Params& params, const Derived& derived, const Scene& scene) {
@@ -79,9 +89,11 @@ void say_decals(Sayer& say, const Params& params, const Derived& derived, const 
 /// What is left out of the picture, or out of its quality, without being wrong.
 void say_omissions(Sayer& say, const Params& params) {
     say.broken(params.view.call >= 0,
-               "the frame is drawn only as far as the step of the cell view: release it there, or undo");
+               "the frame is drawn only as far as the step of the cell view: release it there, or undo",
+               "view.call=-1");
     say.broken(params.view.pass >= 0,
-               "the frame is drawn only as far as one of its passes: release it in the list of passes, or undo");
+               "the frame is drawn only as far as one of its passes: release it in the list of passes, or undo",
+               "view.pass=-1");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
     say.broken(
         params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,

@@ -48,7 +48,8 @@ struct Facts {
 struct Problem {
     std::string sentence;
     std::string_view group;
-    bool breaks_picture = false;  ///< by a switch: said over the picture, too
+    bool breaks_picture = false;      ///< by a switch: said over the picture, too
+    std::string_view mended_by = "";  ///< the setting that puts the switch right, as on the command line; "" if none
 };
 
 /// The shadow that one light throws on one plane.

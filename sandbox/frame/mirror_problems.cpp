@@ -42,23 +42,29 @@ void say_clipping(Sayer& say, const Params& params, const std::vector<Mirror>& m
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
     say.broken(reflection.clip == MirrorClip::oblique && tests,
                "the oblique near plane bends depth: its far plane turns with it, and the codes inside the image are "
-               "spent by its own planes");
+               "spent by its own planes",
+               "reflection.clip=clip_distance");
     say.broken(!reflection.side_of_eye &&
                    std::ranges::any_of(mirrors, [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
                "the mirror is seen from behind, but what lies on the normal's side is mirrored: the eye sees the image "
-               "of what is behind the mirror");
+               "of what is behind the mirror",
+               "reflection.side_of_eye=true");
     if (reflection.clip != MirrorClip::none) return;
     for (const Mirror& mirror : mirrors) {
         const std::string across = objects_across(scene, mirror.towards_eye(), -standing);
         if (!across.empty())
-            return say.broken(true, across +
-                                        " crosses the mirror's plane: the part behind it is mirrored, too, and its "
-                                        "image sticks out of the mirror");
+            return say.broken(true,
+                              across +
+                                  " crosses the mirror's plane: the part behind it is mirrored, too, and its "
+                                  "image sticks out of the mirror",
+                              "reflection.clip=clip_distance");
         const std::string behind = objects_at_most(scene, mirror.towards_eye(), -standing);
         if (!behind.empty())
-            return say.broken(true, behind +
-                                        " lies behind the mirror: its image, which is not clipped, appears in front "
-                                        "of it");
+            return say.broken(true,
+                              behind +
+                                  " lies behind the mirror: its image, which is not clipped, appears in front "
+                                  "of it",
+                              "reflection.clip=clip_distance");
     }
 }
 
@@ -75,12 +81,15 @@ void say_masks(Sayer& say, const Params& params, const Derived& derived, const s
     };
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
     say.broken(!reflection.stencil && std::ranges::any_of(mirrors, image_is_wider),
-               "R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge");
+               "R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge",
+               "reflection.stencil=true");
     say.broken(reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
-               "the mask leaves the mirror's own depth behind: the image lies beyond it, fails the test and is hidden");
+               "the mask leaves the mirror's own depth behind: the image lies beyond it, fails the test and is hidden",
+               "reflection.mask_writes_depth=false");
     say.broken(reflection.after_objects && is_drawn_by_gl_alone(params.visibility.method) &&
                    std::ranges::any_of(mirrors, is_covered),
-               "the mirror is painted last and without a depth test: it covers what stands in front of it");
+               "the mirror is painted last and without a depth test: it covers what stands in front of it",
+               "reflection.after_objects=false");
 }
 
 /// What R, its winding and its camera make of the scene.
@@ -91,12 +100,15 @@ void say_images(Sayer& say, const Params& params, const Derived& derived, const 
                culls ? "R turns counter-clockwise into clockwise (det R = −1): without the flip the image's front "
                        "faces are culled and it is seen inside out"
                      : "R turns counter-clockwise into clockwise (det R = −1): without the flip the image's front "
-                       "faces count as back faces");
+                       "faces count as back faces",
+               "reflection.flip_winding=true");
     say.broken(!reflection.reflect_light,
                "the light is not mirrored with the scene: its image is lit from where the light is, not from where "
-               "the light's image is");
+               "the light's image is",
+               "reflection.reflect_light=true");
     say.broken(reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
-               "the mirrored camera sees with the aspect of a square picture: the image does not fit its mirror");
+               "the mirrored camera sees with the aspect of a square picture: the image does not fit its mirror",
+               "reflection.same_projection=true");
 
     const bool by_hand = params.overrides.mirror_from_world.has_value();
     const auto is_moved = [&](const Mirror& mirror) {
@@ -104,7 +116,8 @@ void say_images(Sayer& say, const Params& params, const Derived& derived, const 
     };
     say.broken(reflection.printed_by_rows && std::ranges::any_of(mirrors, is_moved),
                "R is filled by rows as printed, and OpenGL reads columns: Rᵀ has −2d n in its last row, where it bends "
-               "w instead of moving the image");
+               "w instead of moving the image",
+               "reflection.printed_by_rows=false");
 }
 
 /// How many mirrors a line of sight may meet between two of them that enclose an angle: none where it has no end.
@@ -149,7 +162,8 @@ void say_shadows_inside(Sayer& say, const Params& params, const Derived& derived
         });
     };
     say.broken(std::ranges::any_of(mirrors, shows_receiver),
-               "the mirror image is drawn without shadows: inside the mirror the objects seem to float");
+               "the mirror image is drawn without shadows: inside the mirror the objects seem to float",
+               "reflection.shadows=true");
 }
 
 }  // namespace

@@ -16,14 +16,15 @@ public:
     Sayer(std::vector<Problem>& problems, std::string_view group) : problems_(problems), group_(group) {}
 
     /// Something to know.
-    void operator()(bool is_so, std::string sentence) { add(is_so, std::move(sentence), false); }
-    /// A switch breaks the picture: why it looks as it does.
-    void broken(bool is_so, std::string sentence) { add(is_so, std::move(sentence), true); }
+    void operator()(bool is_so, std::string sentence) {
+        if (is_so) problems_.push_back({std::move(sentence), group_});
+    }
+    /// A switch breaks the picture: why it looks as it does, and the setting that mends it, if it is one.
+    void broken(bool is_so, std::string sentence, std::string_view mended_by = "") {
+        if (is_so) problems_.push_back({std::move(sentence), group_, true, mended_by});
+    }
 
 private:
-    void add(bool is_so, std::string sentence, bool breaks_picture) {
-        if (is_so) problems_.push_back({std::move(sentence), group_, breaks_picture});
-    }
     std::vector<Problem>& problems_;
     std::string_view group_;
 };

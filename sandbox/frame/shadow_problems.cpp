@@ -46,9 +46,11 @@ bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
-        say.broken(true, "w ≤ 0 for what of " + beyond +
-                             " is beyond the light: its sign is forced, so it throws an anti-shadow" +
-                             (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"));
+        say.broken(true,
+                   "w ≤ 0 for what of " + beyond +
+                       " is beyond the light: its sign is forced, so it throws an anti-shadow" +
+                       (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"),
+                   across.empty() ? "shadow.sign=plane_dot_light" : "shadow.clip_at_light=true");
     else if (!across.empty())
         say(true, across +
                       " crosses the plane through the light, where w = 0: its shadow reaches to infinity, and GL alone "
@@ -64,12 +66,15 @@ void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Throw
                           std::ranges::any_of(thrown, [](const Thrown& one) { return one.side() < 0.0; });
     say.broken(vanishes,
                "S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every "
-               "shadow");
+               "shadow",
+               "shadow.sign=plane_dot_light");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
-        say.broken(true, "behind the plane w is positive, too: what is there of " + names +
-                             " is not clipped, and throws a false shadow");
+        say.broken(true,
+                   "behind the plane w is positive, too: what is there of " + names +
+                       " is not clipped, and throws a false shadow",
+                   "shadow.clip_casters=true");
         break;
     }
     if (vanishes) return;
@@ -90,31 +95,39 @@ void say_offset(Sayer& say, const Params& params, const Derived& derived) {
     if (is_nothing)
         return say.broken(true,
                           "nothing lifts the shadow off the plane it lies in: the two have the same depth but for "
-                          "rounding, and fight");
+                          "rounding, and fight",
+                          shadow.offset == ShadowOffset::none ? "shadow.offset=polygon_offset"
+                                                              : "shadow.offset=no_depth_test");
     say.broken(by_polygon && factor >= 0.0 && units >= 0.0,
                "the polygon offset pushes the shadow away from the eye: the plane hides it");
     say.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
-               "the shadow writes its depth, offset included: the stored depths are no longer the plane's own");
+               "the shadow writes its depth, offset included: the stored depths are no longer the plane's own",
+               "shadow.write_depth=false");
     // The slope's part is about one pixel of the plane for each 1, the constant one a step of depth.
     const bool pulls = factor < -8.0 || units * derived.facts.depth_step_at_target < -0.1;
     say.broken(by_polygon && pulls,
                "the polygon offset is too large: the shadow is pulled before objects that should hide it, and bleeds "
                "through them");
-    say.broken(by_lift, "the shadow floats " + signed_figures(shadow.lift) +
-                            " above the plane: at a grazing view it slides away from its caster");
+    say.broken(by_lift,
+               "the shadow floats " + signed_figures(shadow.lift) +
+                   " above the plane: at a grazing view it slides away from its caster",
+               "shadow.offset=polygon_offset");
 }
 
 /// What paint cannot do that missing light does.
 void say_paint(Sayer& say, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
     say.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
                "each face of each caster is blended where it falls, one over the other: without the stencil's count, "
-               "shadow darkens shadow");
+               "shadow darkens shadow",
+               "shadow.stencil_once=true");
     const bool has_gloss = std::ranges::any_of(thrown, [](const Thrown& one) { return one.plane.gloss; });
     say.broken(has_gloss && shadow.opacity > 0.0,
                "blending darkens the highlight, which should be missing: where the light does not arrive, it cannot "
-               "gleam");
+               "gleam",
+               "shadow.style=missing_light");
     say.broken(shadow.opacity >= 1.0,
-               "paint of opacity 1 covers the plane's pattern: in a true shadow ambient light still shows it");
+               "paint of opacity 1 covers the plane's pattern: in a true shadow ambient light still shows it",
+               "shadow.style=missing_light");
 }
 
 }  // namespace
@@ -133,14 +146,16 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
         });
         say.broken(beyond_edge,
                    "S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the floor's "
-                   "edge, in the air");
+                   "edge, in the air",
+                   "shadow.clip_to_receiver=true");
         say_paint(say, shadow, thrown);
         say_offset(say, params, derived);
     }
     const bool shares = !shadow.own_stencil && (thrown.size() > 1 || drawn_planes(params, derived).size() > 1);
     say.broken(shares,
                "planes and lights share one stencil value: where one shadow was counted the next one is missing, and "
-               "shadows leak from plane to plane");
+               "shadows leak from plane to plane",
+               "shadow.own_stencil=true");
 }
 
 }  // namespace viewing

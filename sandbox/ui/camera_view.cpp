@@ -4,6 +4,7 @@
 
 #include "frame/depth_colors.h"
 #include "state/fields.h"
+#include "state/json.h"
 #include "ui/depth_views.h"
 #include "ui/derivation_views.h"
 #include "ui/look.h"
@@ -128,22 +129,36 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// What a switch does to the picture, in the picture: the first that breaks it.
-void tell_why(const Derived& derived, const Rect& rect) {
+/// The first switch that breaks the picture.
+const Problem* broken_by(const Derived& derived) {
     const auto found = std::ranges::find(derived.problems, true, &Problem::breaks_picture);
-    if (found == derived.problems.end()) return;
+    return found == derived.problems.end() ? nullptr : &*found;
+}
+
+/// Why it is broken, over the picture, and a button that mends it. Drawn before the picture takes the mouse.
+void tell_why(Session& session, const Problem& problem, const Rect& rect) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
     const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
     if (width < px(160.0F)) return;
-    const char* sentence = found->sentence.c_str();
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9F, width, sentence);
-    const ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - size.y - px(48.0F));  // above the legend
+    const bool has_button = !problem.mended_by.empty();
+    const float button = has_button ? ImGui::CalcTextSize("mend").x + px(24.0F) : 0.0F;
+    const char* sentence = problem.sentence.c_str();
+    const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
+    const ImVec2 size(text.x + button, text.y);
+    const ImVec2 at(rect.min.x + 2.0F * margin, rect.min.y + 1.5F * margin);
     const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({at.x - margin, at.y - px(5.0F)}, {at.x + size.x + margin, at.y + size.y + px(5.0F)}, plate,
                         px(4.0F));
-    draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width);
+    draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
+    if (!has_button) return;
+    ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
+    const std::string setting(problem.mended_by);
+    if (widgets::SmallButton("mend"))
+        if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
+            session.params = *mended;
+    widgets::Tooltip("Mend it", ("Sets " + setting + ". Ctrl+Z breaks it again.").c_str());
 }
 
 /// A click on the pinned pixel lets it go.
@@ -232,11 +247,10 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 
     const BesideParams& beside = params.view.beside;
     const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
-    if (has_divider) {
-        draw_picture(rect, pictures.camera);
-        draw_beside_divider(session, derived, rect, pictures.beside);
-    }
-    picture_item("camera view", rect, has_divider ? nullptr : pictures.camera);
+    draw_picture(rect, pictures.camera);
+    if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside);
+    if (const Problem* problem = broken_by(derived)) tell_why(session, *problem, rect);
+    picture_item("camera view", rect, nullptr);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (over) state.hovered = ViewName::camera;
@@ -252,7 +266,6 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     camera_legend(overlay, params, pictures.hidden);
     if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
     draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
-    tell_why(derived, rect);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
     if (!state.handles) return;
     draw_handles(overlay, places, derived, hovered);

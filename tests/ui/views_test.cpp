@@ -188,6 +188,19 @@ TEST_F(ViewsTest, HeaderChoosesWhatTheCameraShows) {
     EXPECT_EQ(params.view.depth_scale, DepthScale::window);
 }
 
+TEST_F(ViewsTest, ABrokenSwitchIsMendedOverThePicture) {
+    params.shadow.stencil_once = false;
+    desk.settle();
+    const Params broken = params;
+    desk.click("view/mend");
+    EXPECT_EQ(differing_fields(broken, params), Paths{"shadow.stencil_once"});
+    EXPECT_TRUE(params.shadow.stencil_once);
+    desk.settle();
+    EXPECT_FALSE(ui.has("view/mend"));
+    desk.undo();
+    EXPECT_EQ(params, broken);
+}
+
 TEST_F(ViewsTest, TheWheelChangesSpeedInFlightAndDistanceInOrbit) {
     const auto wheel = [this] {
         ui.hover("view/camera view", 0.1F, 0.1F);
