@@ -10,11 +10,11 @@ namespace viewing {
 
 /// What is wanted of the picture that is shown.
 struct DepthWishes {
-    std::optional<glm::ivec2> pixel;  ///< inside the picture
-    bool fragments = false;           ///< all surfaces on its ray
-    bool calls = false;               ///< the frame's draw calls
-    glm::ivec2 cells{0};              ///< columns and rows of the block around it; 0: none
-    bool counts = false;              ///< the histogram
+    std::optional<glm::ivec2> pixel{};  ///< inside the picture
+    bool fragments = false;             ///< all surfaces on its ray
+    bool calls = false;                 ///< the frame's draw calls
+    glm::ivec2 cells{0};                ///< columns and rows of the block around it; 0: none
+    bool counts = false;                ///< the histogram
     bool operator==(const DepthWishes&) const = default;
 };
 

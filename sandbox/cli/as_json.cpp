@@ -13,6 +13,10 @@ Json as_json(const glm::dvec3& vector) {
     return Json::array({vector.x + 0.0, vector.y + 0.0, vector.z + 0.0});
 }
 
+Json as_json(const glm::dvec4& vector) {
+    return Json::array({vector.x + 0.0, vector.y + 0.0, vector.z + 0.0, vector.w + 0.0});
+}
+
 Json as_json(const glm::dmat4& matrix) {
     Json rows = Json::array();
     for (glm::length_t row = 0; row < 4; ++row) {

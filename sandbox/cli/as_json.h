@@ -11,6 +11,7 @@ namespace viewing {
 
 Json as_json(const glm::ivec2& pair);
 Json as_json(const glm::dvec3& vector);
+Json as_json(const glm::dvec4& vector);
 
 /// Four rows of the mathematical matrix, top row first; −0 is 0, what is not finite null.
 Json as_json(const glm::dmat4& matrix);

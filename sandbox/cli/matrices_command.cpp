@@ -37,6 +37,22 @@ Json followed_as_json(const FollowedPoint& followed) {
             {"mirrored", as_json(followed.mirrored_world)}};
 }
 
+/// S and R of each plane, each S of one light: the first ones are those above.
+Json planes_as_json(const Derived& derived) {
+    Json planes = Json::array();
+    for (const DerivedPlane& plane : derived.planes) {
+        Json shadows = Json::array();
+        for (const CastShadow& cast : plane.shadows)
+            shadows.push_back({{"light", as_json(cast.light_world)},
+                               {"shadow_from_world", as_json(cast.shadow_from_world)},
+                               {"shadow_sign", static_cast<int>(cast.sign)}});
+        planes.push_back({{"equation", as_json(plane.unit_plane)},
+                          {"mirror_from_world", as_json(plane.mirror_from_world)},
+                          {"shadows", std::move(shadows)}});
+    }
+    return planes;
+}
+
 Json all_as_json(const Derived& derived) {
     Json all{{"world_from_view", as_json(derived.world_from_view)},
              {"view_from_world", as_json(derived.view_from_world)},
@@ -46,6 +62,7 @@ Json all_as_json(const Derived& derived) {
              {"shadow_sign", static_cast<int>(derived.shadow_sign)},
              {"mirror_from_world", as_json(derived.mirror_from_world)},
              {"facts", facts_as_json(derived.facts)},
+             {"planes", planes_as_json(derived)},
              {"problems", as_json(derived.problems)}};
     if (derived.followed) all["followed"] = followed_as_json(*derived.followed);
     return all;

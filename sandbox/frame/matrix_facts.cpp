@@ -13,6 +13,15 @@ double largest_entry(const glm::dmat4& matrix) {
     return largest;
 }
 
+double largest_difference_up_to_scale(const glm::dmat4& matrix, const glm::dmat4& reference) {
+    double product = 0.0, square = 0.0;
+    for (int column = 0; column < 4; ++column) {
+        product += glm::dot(matrix[column], reference[column]);
+        square += glm::dot(matrix[column], matrix[column]);
+    }
+    return largest_entry(reference - (square > 0.0 ? product / square : 0.0) * matrix);
+}
+
 int rank_of(glm::dmat4 matrix) {
     const double threshold = largest_entry(matrix) * 1e-9;
     int rank = 0;

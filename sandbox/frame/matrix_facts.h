@@ -8,6 +8,11 @@ namespace viewing {
 /// The largest absolute entry: of a difference it is the residual.
 double largest_entry(const glm::dmat4& matrix);
 
+/// The largest absolute entry of the difference between two homogeneous matrices, which are the same map up to a
+/// factor: `matrix` is multiplied by the one that brings it nearest to `reference`. A zero matrix is as far away as it
+/// is.
+double largest_difference_up_to_scale(const glm::dmat4& matrix, const glm::dmat4& reference);
+
 /// Rank by Gaussian elimination with full pivoting; entries below 1e-9 of the largest count as zero.
 int rank_of(glm::dmat4 matrix);
 

@@ -44,6 +44,10 @@ void say_clipping(Sayer& say, const Params& params, const std::vector<Mirror>& m
                "the oblique near plane bends depth: its far plane turns with it, and the codes inside the image are "
                "spent by its own planes",
                "reflection.clip=clip_distance");
+    say.broken(reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
+                   params.depth.mapping == DepthMapping::logarithmic,
+               "the logarithm per vertex replaces the z that the oblique near plane clips by: nothing is clipped",
+               "reflection.clip=clip_distance");
     say.broken(!reflection.side_of_eye &&
                    std::ranges::any_of(mirrors, [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
                "the mirror is seen from behind, but what lies on the normal's side is mirrored: the eye sees the image "

@@ -1,5 +1,8 @@
 #include "frame/problems.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "frame/hidden_drawing.h"
 #include "frame/say.h"
 
@@ -72,9 +75,27 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
                "the method of hidden surfaces draws one plane: further ones are left out of its picture");
 }
 
-void find_overrides(std::vector<Problem>& problems, const Overrides& overrides) {
-    if (overrides.shadow_from_world)
+/// The w of a point between light and plane, as it is uploaded.
+double uploaded_w(const Derived& derived) {
+    const CastShadow& cast = derived.planes.front().shadows.front();
+    const glm::dvec4 towards_light = derived.unit_plane * shadow_sign(derived.unit_plane, cast.light_world);
+    const double height = is_parallel_light(cast.light_world)
+                              ? 1.0
+                              : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
+    const glm::dvec4 between(derived.patch.center + height * glm::dvec3(towards_light), 1.0);
+    return cast.sign * (cast.shadow_from_world * between).w;
+}
+
+void find_overrides(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    const Overrides& overrides = params.overrides;
+    if (overrides.shadow_from_world) {
         problems.push_back({"S is overridden by hand: plane and light no longer change it", "shadow"});
+        if (params.shadow.enabled && !derived.light_in_plane && uploaded_w(derived) < 0.0)
+            problems.push_back(
+                {"S by hand has a negative w between light and plane: the clipper removes the shadow; "
+                 "−S is the same map",
+                 "shadow", true});
+    }
     if (overrides.mirror_from_world)
         problems.push_back({"R is overridden by hand: the plane no longer changes it", "reflection"});
 }
@@ -97,7 +118,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
     find_mirror_problems(problems, params, derived, scene);
-    find_overrides(problems, params.overrides);
+    find_overrides(problems, params, derived);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)
         problems.push_back({"the followed vertex does not exist in this scene", "follow"});

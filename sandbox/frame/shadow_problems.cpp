@@ -93,11 +93,11 @@ void say_offset(Sayer& say, const Params& params, const Derived& derived) {
     const bool is_nothing = shadow.offset == ShadowOffset::none || (by_polygon && factor == 0.0 && units == 0.0) ||
                             (by_lift && shadow.lift == 0.0);
     if (is_nothing)
-        return say.broken(true,
-                          "nothing lifts the shadow off the plane it lies in: the two have the same depth but for "
-                          "rounding, and fight",
-                          shadow.offset == ShadowOffset::none ? "shadow.offset=polygon_offset"
-                                                              : "shadow.offset=no_depth_test");
+        return say.broken(
+            true,
+            "nothing lifts the shadow off the plane it lies in: the two have the same depth but for "
+            "rounding, and fight",
+            shadow.offset == ShadowOffset::none ? "shadow.offset=polygon_offset" : "shadow.offset=no_depth_test");
     say.broken(by_polygon && factor >= 0.0 && units >= 0.0,
                "the polygon offset pushes the shadow away from the eye: the plane hides it");
     say.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,

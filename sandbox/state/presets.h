@@ -16,6 +16,7 @@ struct NamedFile {
     std::string name;   ///< file name without .json: what a person types
     std::string title;  ///< its "title" field, else the name
     std::string about;  ///< its "about" field, one sentence
+    std::string group;  ///< its "group" field: the headline that it stands below in a list; "" for none
     std::filesystem::path path;
 };
 

@@ -254,7 +254,7 @@ void check_together(const Params& params, const std::string& prefix) {
 }
 
 void take_titles(Json& document, const Where& where) {
-    for (const char* key : {"title", "about"}) {
+    for (const char* key : {"title", "about", "group"}) {
         if (!document.is_object() || !document.contains(key)) {
             continue;
         }

@@ -20,10 +20,32 @@ std::string scene_title(const SceneSource& source, const std::vector<NamedFile>&
 }
 
 /// A combo over named files; returns the one that was chosen.
+/// Groups in the order of the lecture, and what belongs to none of them before.
+std::vector<const NamedFile*> by_group(const std::vector<NamedFile>& files) {
+    static constexpr std::string_view groups[] = {"Camera", "Hidden surfaces", "Depth buffer",     "Depth fighting",
+                                                  "Shadow", "Mirror",          "Planes and lights"};
+    const auto place = [](const NamedFile* file) {
+        return file->group.empty() ? -1 : std::ranges::find(groups, file->group) - std::begin(groups);
+    };
+    std::vector<const NamedFile*> sorted;
+    for (const NamedFile& file : files) sorted.push_back(&file);
+    std::ranges::stable_sort(sorted, {}, place);
+    return sorted;
+}
+
 const NamedFile* choose(const char* id, const char* shown, const std::vector<NamedFile>& files, float width) {
     const NamedFile* chosen = nullptr;
     if (!widgets::BeginChoice(id, shown, width)) return nullptr;
-    for (const NamedFile& file : files) {
+    std::string group;
+    for (const NamedFile* file_in_group : by_group(files)) {
+        const NamedFile& file = *file_in_group;
+        if (!file.group.empty() && file.group != group) {
+            group = file.group;
+            ImGui::Dummy({0.0F, px(3.0F)});
+            ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+            ImGui::TextDisabled("%s", group.c_str());
+            ImGui::PopFont();
+        }
         if (ImGui::Selectable(file.title.c_str(), file.title == shown)) chosen = &file;
         widgets::Record(file.name.c_str());
         widgets::Tooltip(file.title.c_str(), file.about.c_str());

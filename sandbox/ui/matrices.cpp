@@ -108,9 +108,9 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
         const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
         widgets::Matrix(shown.letter, **by_hand, style);
         widgets::Trouble("by hand: light and plane change nothing here");
-        const double difference = largest_entry(**by_hand - shown.derived);
-        const std::string told =
-            std::string("largest difference to the right ") + shown.letter + ": " + widgets::NumberText(difference, 3);
+        const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
+        const std::string told = std::string("largest difference to the right ") + shown.letter +
+                                 ", up to a factor: " + widgets::NumberText(difference, 3);
         widgets::ValueText(told.c_str(), difference < 5e-4 ? Role::plane : Role::trouble);
         widgets::Note(shown.property.c_str());
     } else {
@@ -152,7 +152,9 @@ void vector_line(const char* name, const glm::dvec3& value, Role role, const dou
 }
 
 void followed_point(Session& session, const Derived& derived) {
-    heading("Follow a point", "p", session.params.follow ? session.params.follow->object : "", Role::point);
+    const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
+    const std::string of = session.params.follow ? session.params.follow->object : "";
+    heading("Follow a point", "p", of + (has_several && derived.followed ? " · by plane 1, light 1" : ""), Role::point);
     if (!derived.followed) {
         widgets::Note(
             "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "

@@ -248,6 +248,21 @@ TEST_F(Matrices, AFlippedPlaneHasTheOtherSign) {
     EXPECT_NEAR(json["facts"]["plane_dot_light"].get<double>(), -5.2, 1e-12);
 }
 
+TEST_F(Matrices, OfEveryPlaneAndLight) {
+    const Json json = expect(0, {"matrices", "--set", "planes=[{\"equation\":[0,0,2,6]}]", "--set",
+                                 "lights=[{\"position\":[1,4,2,1]}]"})
+                          .json();
+    ASSERT_EQ(json.at("planes").size(), 2U);
+    EXPECT_EQ(json["planes"][0]["mirror_from_world"], json["mirror_from_world"]);
+    EXPECT_EQ(json["planes"][0]["shadows"][0]["shadow_from_world"], json["shadow_from_world"]);
+    const Json& wall = json["planes"][1];  // z + 3 = 0
+    expect_point(wall["mirror_from_world"], {1, 2, 3, 1}, {1, 2, -9, 1});
+    ASSERT_EQ(wall["shadows"].size(), 2U);
+    // From (1, 4, 2) through (1, 3, 1) to z = −3: four units further.
+    expect_point(wall["shadows"][1]["shadow_from_world"], {1, 3, 1, 1}, {1, -1, -3});
+    EXPECT_EQ(wall["shadows"][1]["shadow_sign"], 1);
+}
+
 TEST_F(Matrices, ALightInThePlaneIsAProblemAndNoError) {
     const Json json = expect(0, {"matrices", "--set", "light.position=[3,0,1,1]"}).json();
     ASSERT_FALSE(json["problems"].empty());

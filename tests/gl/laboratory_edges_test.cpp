@@ -84,7 +84,9 @@ TEST_F(Extremes, AreFiniteAndTold) {
             settings.insert(settings.end(), extreme.state.begin(), extreme.state.end());
             const Params params = params_with(settings);
             const Derived derived = derive_for(params, scene, size_px);
-            if (extreme.is_told) EXPECT_FALSE(derived.problems.empty());
+            if (extreme.is_told) {
+                EXPECT_FALSE(derived.problems.empty());
+            }
             const FramePlan frame = plan(params, derived);
             EXPECT_TRUE(std::ranges::all_of(frame.passes, [](const Pass& pass) { return is_finite(pass); }));
             View view;

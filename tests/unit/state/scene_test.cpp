@@ -215,11 +215,14 @@ TEST(Presets, AllLoadWithTheirScenes) {
     const std::vector<NamedFile> all = presets();
     ASSERT_GE(all.size(), 27U);
     EXPECT_EQ(all.front().name, "opening");
+    EXPECT_EQ(all.front().group, "");
+    std::size_t grouped = 0;
     EXPECT_TRUE(std::ranges::is_sorted(all.begin() + 1, all.end(), {}, &NamedFile::name));
     for (const NamedFile& preset : all) {
         SCOPED_TRACE(preset.name);
         EXPECT_NE(preset.title, preset.name);
         EXPECT_TRUE(preset.about.ends_with("."));
+        grouped += preset.group.empty() ? 0U : 1U;
         const Result<LoadedState> state = load_state(preset.name);
         ASSERT_TRUE(state) << state.error();
         const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
@@ -229,6 +232,7 @@ TEST(Presets, AllLoadWithTheirScenes) {
         clamp_to_ranges(clamped);
         EXPECT_EQ(clamped, state->params);
     }
+    EXPECT_GT(grouped, all.size() - 10);
 }
 
 TEST(Presets, TheOnesOfTheLectureAreThere) {
