@@ -52,14 +52,7 @@ Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& wh
 /// Lays what differs over the picture.
 void show_difference(FramePlan& frame, DifferenceDrawing drawing) {
     frame.hidden.difference = std::make_shared<const DifferenceDrawing>(std::move(drawing));
-    Pass pass;
-    pass.name = "Difference";
-    pass.reason = "red where the picture differs from the first way's, a veil elsewhere";
-    pass.subject = Subject::difference;
-    pass.shading = Shading::flat;
-    pass.depth = {false, CompareFunc::always, false};
-    pass.blend = Blend::alpha;
-    frame.passes.push_back(pass);
+    frame.passes.push_back(difference_pass("red where the picture differs from the first way's, a veil elsewhere"));
 }
 
 }  // namespace

@@ -94,8 +94,8 @@ private:
 
     Theme theme_ = Theme::dark;
     float looks_scale_ = 0.0F;
-    int settling_ = 0;          ///< frames until ImGui has laid out what changed
-    Moment moment_;             ///< of what moves by itself
+    int settling_ = 0;  ///< frames until ImGui has laid out what changed
+    Moment moment_;     ///< of what moves by itself
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

@@ -155,8 +155,4 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
     return derived;
 }
 
-bool light_reaches(const Derived& derived, double eye_side) {
-    return derived.planes.front().shadows.front().reaches(eye_side);
-}
-
 }  // namespace viewing

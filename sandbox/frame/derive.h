@@ -103,9 +103,6 @@ struct Derived {
 
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport);
 
-/// Whether the first light shines on the side of the first plane that an eye with P·eye = `eye_side` sees.
-bool light_reaches(const Derived& derived, double eye_side);
-
 /// The observer's camera, and what it sees, for a viewport of its own.
 struct ObserverView {
     glm::dmat4 world_from_view{1.0};

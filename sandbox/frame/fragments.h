@@ -15,7 +15,7 @@ namespace viewing {
 struct Fragment {
     std::string object;         ///< "plane" for the patch
     std::size_t pass = 0;       ///< index in FramePlan::passes
-    int object_index = -1;      ///< in the scene; −1: the patch
+    int object_index = -1;      ///< in the scene; −1 − i: the patch of plane i
     int triangle = 0;           ///< index in the object's mesh, or in the order that a method found
     double eye_z = 0.0;         ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, a decal's offset included, not rounded to a code yet

@@ -152,6 +152,9 @@ FramePlan plan(const Params& params, const Derived& derived, const HiddenPicture
 /// Puts what a method found in the place of the objects: part of plan().
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden);
 
+/// Lays FramePlan::hidden's difference over the picture.
+Pass difference_pass(const char* reason);
+
 /// Format, mapping, clear and offsets of the depth buffer, and how it is shown: part of plan().
 void set_depth(FramePlan& frame, const Params& params, const Derived& derived);
 

@@ -38,6 +38,17 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
 
 }  // namespace
 
+Pass difference_pass(const char* reason) {
+    Pass pass;
+    pass.name = "Difference";
+    pass.reason = reason;
+    pass.subject = Subject::difference;
+    pass.shading = Shading::flat;
+    pass.depth = {false, CompareFunc::always, false};
+    pass.blend = Blend::alpha;
+    return pass;
+}
+
 void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& derived, const HiddenPictures& hidden) {
     frame.hidden = hidden;
     // Until the method has found something there is nothing to show under its name.
@@ -57,14 +68,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;
-    Pass pass;
-    pass.name = "Difference";
-    pass.reason = "red where the two methods see different polygons, a veil elsewhere";
-    pass.subject = Subject::difference;
-    pass.shading = Shading::flat;
-    pass.depth = {false, CompareFunc::always, false};
-    pass.blend = Blend::alpha;
-    frame.passes.push_back(pass);
+    frame.passes.push_back(difference_pass("red where the two methods see different polygons, a veil elsewhere"));
 }
 
 void count_overdraw(FramePlan& frame) {

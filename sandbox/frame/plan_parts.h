@@ -19,7 +19,7 @@ struct Level {
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_scene{1.0};  ///< the product of the mirrors' R; I if it is the camera that is mirrored
     glm::dmat4 scene_from_world{1.0};  ///< of the true mirrors, whatever has been put in the place of R
-    std::string place;  ///< " in mirror 2": what the names of its passes end with where there are several planes
+    std::string place{};  ///< " in mirror 2": what the names of its passes end with where there are several planes
     std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if it is the camera that is mirrored
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
     std::vector<glm::dvec4> lights_world;

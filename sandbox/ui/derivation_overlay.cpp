@@ -80,7 +80,8 @@ void draw_derivation_overlay(Overlay& overlay, const Params& params, const Deriv
     const bool mirror = is_shown(params, Topic::mirror_derivation);
     if (!shadow && !mirror) return draw_followed(overlay, derived);
     const glm::dvec3 point = derivation_point(derived);
-    if (shadow) shadow_overlay(overlay, derived, derive_shadow(derived.unit_plane, derived.lights_world.front(), point));
+    if (shadow)
+        shadow_overlay(overlay, derived, derive_shadow(derived.unit_plane, derived.lights_world.front(), point));
     if (mirror) mirror_overlay(overlay, derive_mirror(derived.unit_plane, point));
     overlay.dot(point, palette().point, 5.0F);
     overlay.label(point, shadow ? "p" : "q", palette().point);

@@ -181,7 +181,8 @@ void mirror_form(const MirrorDerivation& found) {
 
 void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect) {
     Params& params = session.params;
-    const ShadowDerivation found = derive_shadow(derived.unit_plane, derived.lights_world.front(), derivation_point(derived));
+    const ShadowDerivation found =
+        derive_shadow(derived.unit_plane, derived.lights_world.front(), derivation_point(derived));
     const ShadowForms forms = shadow_forms(derived.unit_plane, derived.lights_world.front());
     const FigureView view("shadow derivation", rect);
     draw_shadow_diagram(view.figure(), found, 3.0 * derived.patch.extent);

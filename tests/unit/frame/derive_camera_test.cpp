@@ -65,7 +65,7 @@ TEST(DeriveCamera, ParallelLinesOfSightComeFromADirection) {
     params.camera.pitch = 30.0;
     derived = derived_of(params);
     EXPECT_NEAR(derived.eye_side, -0.5, 1e-12);
-    EXPECT_FALSE(light_reaches(derived, derived.eye_side));
+    EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.eye_side));
 }
 
 TEST(DeriveCamera, SwappedOrderTurnsThePositionToo) {

@@ -241,8 +241,8 @@ TEST(DeriveProblems, LightAndEyeOnOppositeSides) {
             SCOPED_TRACE(std::string(setting) + " " + plane);
             const Derived derived = derived_of(params_with({setting, plane}));
             EXPECT_TRUE(says(derived, "light", "other side of the plane"));
-            EXPECT_FALSE(light_reaches(derived, derived.eye_side));
-            EXPECT_TRUE(light_reaches(derived, -derived.eye_side));
+            EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.eye_side));
+            EXPECT_TRUE(derived.planes[0].shadows[0].reaches(-derived.eye_side));
         }
     }
 }
