@@ -120,22 +120,22 @@ std::string quotient(double over, double from, double minus) {
 }
 
 void point_light_steps(const ShadowDerivation& found, bool is_blinn, bool is_short) {
-    equation({"s", "= l + t (p - l)"});
+    equation({"s", "= l + t (p − l)"});
     equation({"n·s + d", "= 0"});
     if (!is_short) {
-        equation({"n·(l + t (p - l)) + d", "= 0"});
-        equation({"t (n·p - n·l)", "= -d - n·l"});
+        equation({"n·(l + t (p − l)) + d", "= 0"});
+        equation({"t (n·p − n·l)", "= −d − n·l"});
     }
     if (!found.shadow_world) return;
     const std::string t = "= " + derivation_number(found.t);
-    equation({"t", "= (n·l + d)/(n·l - n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p), t});
+    equation({"t", "= (n·l + d)/(n·l − n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p), t});
     if (is_blinn)
-        equation({"t", "= l_y/(l_y - p_y)",
+        equation({"t", "= l_y/(l_y − p_y)",
                   is_short ? "" : quotient(found.light_world.y, found.light_world.y, found.point_world.y),
                   is_short ? "" : t, "for y = 0"});
     equation({"s", "= " + derivation_vector(*found.shadow_world)});
     const double length_ratio = std::abs(found.t);
-    equation({"|s - l|", found.t < 0.0 ? "= |t| |p - l|" : "= t |p - l|",
+    equation({"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
               "= " + derivation_number(length_ratio) + "·" + derivation_number(found.light_to_point),
               "= " + derivation_number(found.light_to_shadow)});
 }
@@ -145,11 +145,11 @@ void parallel_light_steps(const ShadowDerivation& found, bool is_short) {
     equation({"n·s + d", "= 0"});
     if (!is_short) equation({"n·(p + τ l) + d", "= 0"});
     if (!found.shadow_world) return;
-    equation({"τ", "= -(n·p + d)/(n·l)",
+    equation({"τ", "= −(n·p + d)/(n·l)",
               "= −" + derivation_number(found.point_height) + "/" + derivation_number(found.n_dot_l),
               "= " + derivation_number(found.t)});
     equation({"s", "= " + derivation_vector(*found.shadow_world)});
-    equation({"|s - p|", "= " + derivation_number(found.point_to_shadow)});
+    equation({"|s − p|", "= " + derivation_number(found.point_to_shadow)});
 }
 
 /// The lecture's expansion of q′, row by row, with the slip of its second line put right.
@@ -217,8 +217,8 @@ void draw_mirror_derivation(Session& session, const Derived& derived, const Rect
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     equation({"k", "= n·q + d", "= " + derivation_number(found.k)});
-    equation({"foot", "= q - k n", "= " + derivation_vector(found.foot_world)});
-    equation({"q′", "= q - 2 k n", "= " + derivation_vector(found.mirrored_world)});
+    equation({"foot", "= q − k n", "= " + derivation_vector(found.foot_world)});
+    equation({"q′", "= q − 2 k n", "= " + derivation_vector(found.mirrored_world)});
     tell_point(derived, "q");
     expansion(found);
     mirror_form(found);
