@@ -148,6 +148,11 @@ bool is_mask(const Pass& pass) {
     return pass.subject == Subject::patch && !shows_surfaces(pass);
 }
 
+/// Everywhere, before marks of another kind.
+bool clears_marks(const Pass& pass) {
+    return pass.subject == Subject::backdrop && pass.stencil.on_pass == StencilOp::zero;
+}
+
 bool is_cut_off(const Pass& pass, const glm::dvec3& point_scene) {
     return std::ranges::any_of(
         pass.clip_planes, [&](const ClipPlane& plane) { return glm::dot(plane, glm::dvec4(point_scene, 1.0)) < 0.0; });
@@ -175,7 +180,8 @@ std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met
 std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& buffers) {
     std::vector<Fragment> fragments;
     buffers.clear_stencil();
-    for (const Batch& batch : batches)
+    for (const Batch& batch : batches) {
+        if (clears_marks(*batch.pass)) buffers.clear_stencil();
         for (std::size_t i = 0; i < batch.found.size(); ++i) {
             if (is_cut_off(*batch.pass, batch.found[i].point_scene)) continue;
             const bool is_sent = batch.pass->subject != Subject::pixels || batch.only == i;
@@ -183,6 +189,7 @@ std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& 
             fragment.pass = batch.number;
             if (!is_mask(*batch.pass)) fragments.push_back(std::move(fragment));
         }
+    }
     return fragments;
 }
 
@@ -226,6 +233,10 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
         const Pass& pass = plan.passes[number];
         int call = next_call;
         next_call += call_count(pass, scene_);
+        if (clears_marks(pass)) {
+            batches.push_back({number, &pass, {}, std::nullopt});
+            continue;
+        }
         if (!is_mask(pass) && !shows_surfaces(pass)) continue;
         Meeting meeting(plan, pass, pixel, size_px);
         const auto meet = [&](int object, const Mesh& mesh, const TriangleRuns& runs,

@@ -38,7 +38,7 @@ std::vector<Artefact> artefacts() {
         {"anti-shadow", {"light.position=[0,0.8,0.4,1]", "shadow.clip_at_light=false"}, "shadow.sign=forced"},
         {"stretches to infinity", {"light.position=[0,0.8,0.4,1]", "shadow.sign=forced"}, "shadow.clip_at_light=false"},
         {"vanishes with the normal", {"plane.equation=[0,-1,0,0]"}, "shadow.sign=none"},
-        {"parallel light faked", {"light.position=[2.6,5.2,2.2,0]"}, "light.position=[2.6,5.2,2.2,0.2]"},
+        {"parallel light faked", {"light.position=[4,2,3,0]"}, "light.position=[4,2,3,0.25]"},
         {"shared by planes",
          {wall, "shadow.offset=no_depth_test", "reflection.enabled=false"},
          "shadow.own_stencil=false"},
