@@ -27,14 +27,14 @@ protected:
 
 TEST_F(DerivationViews, AreTopicsOfTheLowerViews) {
     EXPECT_TRUE(says("figure"));
-    EXPECT_TRUE(says("s = l + t (p - l)"));
-    EXPECT_TRUE(says("t = (n·l + d)/(n·l - n·p)"));
-    EXPECT_TRUE(says("t = l_y/(l_y - p_y)")) << "the plane is y = 0";
+    EXPECT_TRUE(says("s = l + t (p − l)"));
+    EXPECT_TRUE(says("t = (n·l + d)/(n·l − n·p)"));
+    EXPECT_TRUE(says("t = l_y/(l_y − p_y)")) << "the plane is y = 0";
     EXPECT_TRUE(says("Largest difference of any two entries: 0."));
     desk.choose("lower/topic", "lower/topic/Mirror, derived");
     desk.settle();
     EXPECT_EQ(params.view.lower_right, Topic::mirror_derivation);
-    EXPECT_TRUE(says("q′ = q - 2 k n"));
+    EXPECT_TRUE(says("q′ = q − 2 k n"));
     EXPECT_TRUE(says("R for the xz-plane"));
     params.plane.equation = {0.3, 1.0, 0.1, 0.5};
     desk.settle();
