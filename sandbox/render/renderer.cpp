@@ -116,9 +116,11 @@ void Renderer::Implementation::set_uniforms(const FrameState& frame, const Pass&
     glUniform3fv(program.facing_colors, 2, glm::value_ptr(facing[0]));
     if (pass.subject == Subject::patch)
         glUniform1f(program.patch_extent, static_cast<float>(frame.plan.patches[pass.plane].extent));
-    set_vector(program.caster_w, glm::vec4(frame.plan.caster_w));
-    set_vector(program.caster_side, glm::vec4(frame.plan.caster_side));
-    set_colors(program.caster_colors, caster_colors);
+    if (pass.shading == Shading::caster_w) {
+        set_vector(program.caster_w, glm::vec4(frame.plan.caster_w));
+        set_vector(program.caster_side, glm::vec4(frame.plan.caster_side));
+        set_colors(program.caster_colors, caster_colors);
+    }
     const Lens& lens = frame.plan.lens;
     glUniform2f(program.vertex_near_far, static_cast<float>(lens.near), static_cast<float>(lens.far));
     if (frame.identify == 0 && pass.shading == Shading::heat) set_heat(program, frame.plan, pass);
