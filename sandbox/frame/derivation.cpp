@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/matrix_facts.h"
+
 namespace viewing {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr double tiny = 1e-9;  ///< less than this, against the size of what is 
 /// GLM lists columns; the slides, and the calls below, rows.
 glm::dmat4 from_rows(const glm::dvec4& row1, const glm::dvec4& row2, const glm::dvec4& row3, const glm::dvec4& row4) {
     return glm::transpose(glm::dmat4(row1, row2, row3, row4));
-}
-
-double largest_difference(const glm::dmat4& a, const glm::dmat4& b) {
-    double largest = 0.0;
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row) largest = std::max(largest, std::abs(a[column][row] - b[column][row]));
-    return largest;
 }
 
 /// Planar Shadow: the plane y = 0, a point light at l.
@@ -43,8 +38,7 @@ glm::dmat4 form_with_d(const glm::dvec3& n, double d, const glm::dvec3& l) {
 /// ray nears the plane: n·(l_xyz − l_w p), zero where it is parallel to it.
 ShadowRay ray_of(const ShadowDerivation& derivation, const glm::dvec3& towards_light, double plane_dot_light,
                  double approach) {
-    if (std::abs(plane_dot_light) <= tiny * std::max(1.0, glm::length(derivation.light)))
-        return ShadowRay::light_in_plane;
+    if (lies_in_plane(derivation.unit_plane, derivation.light)) return ShadowRay::light_in_plane;
     const double length = glm::length(towards_light);
     if (length <= tiny * std::max(glm::length(derivation.light), 1e-3)) return ShadowRay::at_light;
     if (std::abs(approach) <= tiny * length) return ShadowRay::parallel;
@@ -158,11 +152,11 @@ ShadowForms shadow_forms(const glm::dvec4& unit_plane, const glm::dvec4& light) 
     if (light.w != 1.0) return forms;
     const glm::dvec3 l(light);
     forms.with_d = form_with_d(glm::dvec3(unit_plane), unit_plane.w, l);
-    forms.largest_difference = largest_difference(*forms.with_d, forms.four_vectors);
+    forms.largest_difference = largest_entry(*forms.with_d - forms.four_vectors);
     if (unit_plane != glm::dvec4(0.0, 1.0, 0.0, 0.0)) return forms;
     forms.blinn = blinn_form(l);
-    forms.largest_difference = std::max({forms.largest_difference, largest_difference(*forms.blinn, *forms.with_d),
-                                         largest_difference(*forms.blinn, forms.four_vectors)});
+    forms.largest_difference = std::max({forms.largest_difference, largest_entry(*forms.blinn - *forms.with_d),
+                                         largest_entry(*forms.blinn - forms.four_vectors)});
     return forms;
 }
 

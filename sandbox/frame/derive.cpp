@@ -58,8 +58,7 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
     CastShadow cast;
     cast.light_world = light;
     cast.plane_dot_light = glm::dot(unit_plane, light);
-    // Touching counts as lying in the plane when P·L is this small against the light's own size.
-    cast.light_in_plane = std::abs(cast.plane_dot_light) <= 1e-9 * std::max(1.0, glm::length(light));
+    cast.light_in_plane = lies_in_plane(unit_plane, light);
     cast.shadow_from_world = shadow_matrix(unit_plane, light);
     cast.sign = sign == ShadowSign::plane_dot_light ? shadow_sign(unit_plane, light) : 1.0;
     return cast;
@@ -103,9 +102,8 @@ void derive_planes(Derived& derived, const Params& params) {
     facts.det_shadow = glm::determinant(derived.shadow_from_world);
     facts.det_mirror = glm::determinant(derived.mirror_from_world);
     facts.rank_shadow = rank_of(derived.shadow_from_world);
-    facts.shadow_residual = largest_entry(derived.shadow_from_world * derived.shadow_from_world -
-                                          facts.plane_dot_light * derived.shadow_from_world);
-    facts.mirror_residual = largest_entry(derived.mirror_from_world * derived.mirror_from_world - glm::dmat4(1.0));
+    facts.shadow_residual = shadow_residual(derived.shadow_from_world, facts.plane_dot_light);
+    facts.mirror_residual = mirror_residual(derived.mirror_from_world);
 }
 
 std::optional<FollowedPoint> derive_followed(const Derived& derived, const Params& params, const Scene& scene) {

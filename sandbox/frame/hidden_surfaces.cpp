@@ -156,7 +156,7 @@ HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm
     request.visibility.step = -1;
     if (params.reflection.clip != MirrorClip::none) {
         // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
-        const glm::dvec4 towards_eye = derived.unit_plane * (derived.eye_side < 0.0 ? -1.0 : 1.0);
+        const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
         request.viewpoint.clip_from_view = with_oblique_near_plane(
             request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));
     }

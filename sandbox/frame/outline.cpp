@@ -61,9 +61,7 @@ void add_chain(Iterator begin, Iterator end, double least_turn, std::vector<Outl
 
 std::vector<OutlineVertex> shadow_outline(const SceneObject& object, const glm::dvec4& unit_plane,
                                           const glm::dvec4& light_world) {
-    // As derive() has it: then no shadow is defined.
-    if (std::abs(glm::dot(unit_plane, light_world)) <= 1e-9 * std::max(1.0, glm::length(light_world)) || !object.mesh)
-        return {};
+    if (lies_in_plane(unit_plane, light_world) || !object.mesh) return {};
     std::vector<Candidate> points = candidates(object, unit_plane, light_world);
     if (points.empty()) return {};
     std::sort(points.begin(), points.end(), [](const Candidate& a, const Candidate& b) {

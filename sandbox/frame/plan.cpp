@@ -101,7 +101,7 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
     made.samples = params.view.samples;
     const CastShadow& cast = derived.planes.front().shadows.front();
     made.caster_w = cast.sign * glm::transpose(cast.shadow_from_world)[3];
-    made.caster_side = derived.unit_plane * shadow_sign(derived.unit_plane, cast.light_world);
+    made.caster_side = plane_facing(derived.unit_plane, cast.light_world);
     for (const DerivedPlane& plane : derived.planes) made.patches.push_back(plane.patch);
     return made;
 }
@@ -113,7 +113,7 @@ glm::dvec4 color_of(const Color& color, double alpha) {
 }
 
 bool Level::mirrors(std::size_t index) const {
-    return plane(index).mirrors && mirrors_met < reflection_depth(params, derived) && eye_side(index) != 0.0 &&
+    return plane(index).mirrors && mirrors_met < deepest && eye_side(index) != 0.0 &&
            (is_real() || params.reflection.stencil);
 }
 
@@ -164,9 +164,8 @@ Pass Level::patch_pass(const char* name, const char* reason, std::size_t index) 
 
 Pass objects_pass(const Level& level) {
     if (level.is_real()) return level.pass("Objects", "draws the scene itself", Subject::objects);
-    Pass pass = level.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
-                           Subject::objects);
-    return pass;
+    return level.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
+                      Subject::objects);
 }
 
 Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends) {
@@ -221,7 +220,8 @@ void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Der
                 .view_from_world = eye.view_from_world,
                 .eye_world = eye.eye_world,
                 .eye_scene = eye.eye_world,
-                .lights_world = derived.lights_world};
+                .lights_world = derived.lights_world,
+                .deepest = reflection_depth(params, derived)};
     add_world(passes, std::move(level));
 }
 

@@ -24,7 +24,7 @@ const char* reason_of(Subject subject) {
 }
 
 void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
-    const glm::dvec4 towards_eye = derived.unit_plane * (derived.eye_side < 0.0 ? -1.0 : 1.0);
+    const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
     Pass beyond = passes.back();
     beyond.name = "Objects beyond the plane";
     beyond.clip_planes = {-towards_eye};

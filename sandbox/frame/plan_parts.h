@@ -25,6 +25,7 @@ struct Level {
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
     bool flips_winding = false;
+    int deepest = 0;  ///< reflection_depth()
     int mirrors_met = 0;
     int region = 0;                       ///< the stencil's low bits inside which it is drawn; 0 for level 0
     std::optional<std::size_t> mirror{};  ///< the last one met
@@ -33,9 +34,7 @@ struct Level {
 
     const DerivedPlane& plane(std::size_t index) const { return derived.planes[index]; }
     double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }
-    glm::dvec4 plane_towards_eye(std::size_t index) const {
-        return plane(index).unit_plane * (eye_side(index) < 0.0 ? -1.0 : 1.0);
-    }
+    glm::dvec4 plane_towards_eye(std::size_t index) const { return plane_facing(plane(index).unit_plane, eye_scene); }
     bool is_real() const { return mirrors_met == 0; }
     bool mirrors(std::size_t index) const;                             ///< an image is drawn for it
     std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< whose shadows are drawn on it

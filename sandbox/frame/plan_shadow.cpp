@@ -10,13 +10,13 @@ namespace {
 
 /// What lies between the light and the plane: before the plane, and where w is positive.
 std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4& unit_plane, const CastShadow& cast) {
-    const double side = shadow_sign(unit_plane, cast.light_world);
+    const glm::dvec4 towards_light = plane_facing(unit_plane, cast.light_world);
     std::vector<ClipPlane> clips;
-    if (shadow.clip_casters) clips.push_back(unit_plane * side);
+    if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
         // A little before w = 0: a shadow a thousand times as far as its caster is far enough.
         constexpr double smallest_w = 1e-3;
-        glm::dvec4 w_of_point = -side * cast.light_world.w * unit_plane;
+        glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
         w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
         clips.push_back(w_of_point);
     }

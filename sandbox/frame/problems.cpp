@@ -78,7 +78,7 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
 /// The w of a point between light and plane, as it is uploaded.
 double uploaded_w(const Derived& derived) {
     const CastShadow& cast = derived.planes.front().shadows.front();
-    const glm::dvec4 towards_light = derived.unit_plane * shadow_sign(derived.unit_plane, cast.light_world);
+    const glm::dvec4 towards_light = plane_facing(derived.unit_plane, cast.light_world);
     const double height = is_parallel_light(cast.light_world)
                               ? 1.0
                               : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);

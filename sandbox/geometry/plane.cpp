@@ -54,6 +54,14 @@ double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light) {
     return sign_of(glm::dot(plane, light));
 }
 
+glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point) {
+    return plane * sign_of(glm::dot(plane, point));
+}
+
+bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light) {
+    return std::abs(glm::dot(unit_plane, light)) <= 1e-9 * std::max(1.0, glm::length(light));
+}
+
 glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane) {
     const glm::dvec3 n(unit_plane);
     glm::dmat4 mirror(glm::dmat3(1.0) - 2.0 * glm::outerProduct(n, n));

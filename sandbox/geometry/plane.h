@@ -22,6 +22,12 @@ glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 /// clipper keeps the shadow. +1 when P·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
+/// The plane with the sign that has a point, an eye or a light on its positive side; as it is where that lies in it.
+glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
+
+/// Whether a light counts as lying in a unit plane: P·L is next to nothing against the light's own size.
+bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light);
+
 /// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.
 glm::dmat4 mirror_matrix(const glm::dvec4& unit_plane);
 

@@ -54,8 +54,7 @@ std::string derivation_vector(const glm::dvec3& value) {
     std::string text = "(";
     for (int axis = 0; axis < 3; ++axis) {
         const std::string number = derivation_number(value[axis]);
-        const auto columns = std::ranges::count_if(number, [](char byte) { return (byte & 0xC0) != 0x80; });  // UTF-8
-        text.append(static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, 7 - columns)), ' ').append(number);
+        text.append(std::size_t{7} - std::min(length_of(number), std::size_t{7}), ' ').append(number);
         text += axis < 2 ? "," : ")";
     }
     return text;

@@ -34,12 +34,6 @@ struct Function {
     std::span<const widgets::LetterRole> roles;
 };
 
-/// In UTF-8.
-std::size_t length_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
-}
-
 Role role_of(std::string_view word) {
     if (word.starts_with("lightpos[")) return Role::light;
     if (word.starts_with("plane[")) return Role::plane;

@@ -142,8 +142,7 @@ void vector_line(const char* name, const glm::dvec3& value, Role role, const dou
     constexpr std::size_t columns = 7;
     const auto padded = [](double number) {
         const std::string text = widgets::NumberText(number, 3);
-        const auto shown = static_cast<std::size_t>(
-            std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));  // UTF-8
+        const std::size_t shown = length_of(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
     std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
@@ -266,7 +265,6 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
     const bool is_first_plane = choice.plane == 0, is_first = is_first_plane && choice.light == 0;
 
     const glm::dmat4& shadow = cast.shadow_from_world;
-    const double shadow_residual = largest_entry(shadow * shadow - cast.plane_dot_light * shadow);
     show_overridable(
         {"Shadow", "S", "shadow_from_world",
          "S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
@@ -275,7 +273,8 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
          Role::light, shadow, shadow_before, cells_for(shadow_cells(), is_first), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
          moved_text(shadow, plane.patch)},
-        "rank " + std::to_string(rank_of(shadow)) + " · " + identity_text("S² = (P·L)S", shadow_residual),
+        "rank " + std::to_string(rank_of(shadow)) + " · " +
+            identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light)),
         overrides.shadow_from_world, is_first);
 
     const glm::dmat4& mirror = plane.mirror_from_world;
@@ -288,8 +287,7 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
          "winding around.",
          Role::mirror, mirror, plane_before.mirror_from_world, cells_for(mirror_cells(by_rows), is_first_plane),
          mirror_roles(), mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
-        fact + " · " + identity_text("R² = I", largest_entry(mirror * mirror - glm::dmat4(1.0))),
-        overrides.mirror_from_world, is_first_plane);
+        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirror_from_world, is_first_plane);
 }
 
 }  // namespace

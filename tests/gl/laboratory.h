@@ -54,13 +54,6 @@ private:
         return *(choices.begin() + static_cast<std::ptrdiff_t>(random_.number(0, static_cast<double>(choices.size()))));
     }
 
-    static glm::dmat3 rotation_of(const Angles& angles) {
-        const glm::dmat4 one(1.0);
-        return glm::dmat3(glm::rotate(one, glm::radians(angles.yaw_deg), {0, 1, 0}) *
-                          glm::rotate(one, glm::radians(angles.pitch_deg), {1, 0, 0}) *
-                          glm::rotate(one, glm::radians(angles.roll_deg), {0, 0, 1}));
-    }
-
     /// Red, green and yellow ones, without any blue.
     void add_solids() {
         const Color colors[] = {{255, 0, 0}, {0, 255, 0}, {255, 255, 0}};
@@ -70,7 +63,7 @@ private:
             solid.is_sphere = chance(0.4);
             solid.position = random_.vec3(1.4);
             const Angles angles = random_.angles();
-            solid.rotation = rotation_of(angles);
+            solid.rotation = rotation_of(angles.yaw_deg, angles.pitch_deg, angles.roll_deg);
             const double size = random_.number(0.25, 0.7);
             solid.scale = solid.is_sphere ? glm::dvec3(size)
                                           : glm::dvec3(size, random_.number(0.25, 0.7), random_.number(0.25, 0.7));
@@ -88,7 +81,8 @@ private:
     /// A floor, the ceiling that faces it and two walls, all of them tilted, and the room turned.
     void add_planes() {
         const glm::dvec3 inwards[] = {{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
-        const glm::dmat3 turned = rotation_of(random_.angles());
+        const Angles turn = random_.angles();
+        const glm::dmat3 turned = rotation_of(turn.yaw_deg, turn.pitch_deg, turn.roll_deg);
         const double tilt = number_ % 5 == 0 ? 0.0 : random_.number(0.0, 0.5);
         const bool in_a_row = chance(0.5);  // or without the ceiling first
         for (unsigned i = 0; i < 1 + number_ % 4; ++i) {
@@ -126,7 +120,8 @@ private:
         for (int trial = 0; !is_well_placed || is_edge_on; ++trial) {
             camera.position = random_.direction() * random_.number(3.0, 7.0);
             angles = angles_looking_at(camera.position, random_.vec3(1.0));
-            const glm::dvec4 eye(camera.position, 1.0), backwards(rotation_of(angles)[2], 0.0);
+            const glm::dvec4 eye(camera.position, 1.0),
+                backwards(rotation_of(angles.yaw_deg, angles.pitch_deg, angles.roll_deg)[2], 0.0);
             is_edge_on = camera.orthographic && is_near_plane(backwards, 0.1);
             is_well_placed = !is_near_plane(eye, 0.4) && !is_near_solid(camera.position, 0.5) &&
                              (is_inside(eye) || !wants_inside || trial > 300);

@@ -12,6 +12,14 @@
 
 namespace viewing::testing {
 
+/// About y, then about the turned x, then about the turned z.
+inline glm::dmat3 rotation_of(double yaw_deg, double pitch_deg, double roll_deg) {
+    const glm::dmat4 one(1.0);
+    return glm::dmat3(glm::rotate(one, glm::radians(yaw_deg), {0, 1, 0}) *
+                      glm::rotate(one, glm::radians(pitch_deg), {1, 0, 0}) *
+                      glm::rotate(one, glm::radians(roll_deg), {0, 0, 1}));
+}
+
 /// A sphere or a box of half-size 1, then scaled, turned and moved.
 struct Solid {
     bool is_sphere = true;
@@ -89,10 +97,7 @@ struct Sight {
 class RayCaster {
 public:
     RayCaster(const OracleScene& scene, const OracleCamera& camera) : scene_(scene), camera_(camera) {
-        const glm::dmat4 one(1.0);
-        axes_ = glm::dmat3(glm::rotate(one, glm::radians(camera.yaw_deg), {0, 1, 0}) *
-                           glm::rotate(one, glm::radians(camera.pitch_deg), {1, 0, 0}) *
-                           glm::rotate(one, glm::radians(camera.roll_deg), {0, 0, 1}));
+        axes_ = rotation_of(camera.yaw_deg, camera.pitch_deg, camera.roll_deg);
         for (OraclePlane& plane : scene_.planes) plane.equation /= glm::length(glm::dvec3(plane.equation));
     }
 

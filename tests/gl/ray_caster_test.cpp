@@ -19,6 +19,7 @@ using testing::OracleScene;
 using testing::RayCaster;
 using testing::Rgb;
 using testing::rgb_at;
+using testing::rotation_of;
 using testing::scene_of;
 using testing::Sight;
 using testing::Solid;
@@ -40,13 +41,6 @@ struct Situation {
     glm::dvec4& light() { return oracle.lights.front(); }
 };
 
-glm::dmat3 rotation_of(const Angles& angles) {
-    const glm::dmat4 one(1.0);
-    return glm::dmat3(glm::rotate(one, glm::radians(angles.yaw_deg), {0, 1, 0}) *
-                      glm::rotate(one, glm::radians(angles.pitch_deg), {1, 0, 0}) *
-                      glm::rotate(one, glm::radians(angles.roll_deg), {0, 0, 1}));
-}
-
 void add_solids(Situation& made, Random& random) {
     const Color colors[] = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::vector<SceneObject> objects;
@@ -55,7 +49,7 @@ void add_solids(Situation& made, Random& random) {
         solid.is_sphere = random.number(0, 1) < 0.5;
         solid.position = random.vec3(1.8);
         const Angles angles = random.angles();
-        solid.rotation = rotation_of(angles);
+        solid.rotation = rotation_of(angles.yaw_deg, angles.pitch_deg, angles.roll_deg);
         const double size = random.number(0.3, 0.8);
         solid.scale =
             solid.is_sphere ? glm::dvec3(size) : glm::dvec3(size, random.number(0.3, 0.8), random.number(0.3, 0.8));
