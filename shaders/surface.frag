@@ -51,7 +51,7 @@ uniform vec4 caster_w;          // . p is the w that S gives a point
 uniform vec4 caster_side;       // . p is positive on the light's side of the plane
 uniform vec3 caster_colors[3];  // sRGB: casts a shadow, behind the plane, beyond the light
 
-// The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/heat_map.h.
+// The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/depth/heat_map.h.
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_world;
 uniform vec2 heat_near_far;

@@ -1,7 +1,7 @@
 #include "app/picture.h"
 
-#include "app/hidden_answers.h"
 #include "app/studio.h"
+#include "measure/hidden_answers.h"
 
 namespace viewing {
 namespace {

@@ -7,10 +7,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/hidden_answers.h"
-#include "app/mirror_measure.h"
+#include "measure/hidden_answers.h"
+#include "measure/mirror_measure.h"
 #include "state/fields.h"
-#include "ui/fonts.h"
+#include "ui/window/fonts.h"
 
 namespace viewing {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <memory>
 
-#include "app/depth_inspector.h"
-#include "app/fighting_counter.h"
-#include "app/hidden_worker.h"
 #include "frame/animation.h"
+#include "measure/depth_inspector.h"
+#include "measure/fighting_counter.h"
+#include "measure/hidden_worker.h"
 #include "render/renderer.h"
-#include "ui/workbench.h"
+#include "ui/window/workbench.h"
 
 namespace viewing {
 

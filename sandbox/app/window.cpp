@@ -13,7 +13,7 @@
 
 #include "app/lost_display.h"
 #include "app/studio.h"
-#include "render/png.h"
+#include "image/png.h"
 
 #define GLFW_INCLUDE_NONE  // GL comes from the loader above
 #include <GLFW/glfw3.h>

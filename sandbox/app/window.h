@@ -1,8 +1,8 @@
 // The window on screen.
 #pragma once
 
-#include "geometry/result.h"
 #include "state/presets.h"
+#include "text/result.h"
 
 namespace viewing {
 

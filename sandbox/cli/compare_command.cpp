@@ -1,10 +1,10 @@
 // compare: two PNG files.
 #include "cli/commands.h"
-#include "cli/compare.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/thresholds.h"
-#include "render/png.h"
+#include "image/compare.h"
+#include "image/png.h"
 #include "state/document.h"
 
 namespace viewing {

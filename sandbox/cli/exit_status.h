@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "geometry/result.h"
+#include "text/result.h"
 
 namespace viewing {
 

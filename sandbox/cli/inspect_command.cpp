@@ -1,5 +1,4 @@
 // inspect: what is at one pixel, read back from the buffers, and every surface that was sent there.
-#include "app/hidden_answers.h"
 #include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
@@ -7,7 +6,8 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
-#include "frame/reconcile.h"
+#include "frame/depth/reconcile.h"
+#include "measure/hidden_answers.h"
 #include "render/probe.h"
 
 namespace viewing {

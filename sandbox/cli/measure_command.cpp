@@ -13,7 +13,7 @@
 #include "cli/state_arguments.h"
 #include "cli/time_limit.h"
 #include "cli/values.h"
-#include "frame/hidden_surfaces.h"
+#include "frame/hidden/hidden_surfaces.h"
 #include "visibility/growth.h"
 
 namespace viewing {

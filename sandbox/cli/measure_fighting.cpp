@@ -1,9 +1,9 @@
 #include "cli/measure_fighting.h"
 
-#include "app/fighting_measure.h"
-#include "app/minimum_gap.h"
 #include "cli/as_json.h"
 #include "cli/measure_visibility.h"
+#include "measure/fighting_measure.h"
+#include "measure/minimum_gap.h"
 
 namespace viewing {
 namespace {

@@ -1,5 +1,5 @@
-// Depth fighting of a state's scene, counted and predicted, as JSON: a part of measure. Read app/fighting_measure.h and
-// app/minimum_gap.h for the counting.
+// Depth fighting of a state's scene, counted and predicted, as JSON: a part of measure. Read measure/fighting_measure.h
+// and measure/minimum_gap.h for the counting.
 #pragma once
 
 #include "cli/headless.h"

@@ -1,8 +1,8 @@
 #include "cli/measure_mirror.h"
 
-#include "app/mirror_measure.h"
 #include "cli/as_json.h"
 #include "cli/measure_visibility.h"
+#include "measure/mirror_measure.h"
 
 namespace viewing {
 

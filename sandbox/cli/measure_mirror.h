@@ -1,4 +1,4 @@
-// The mirror image of a state made in four ways, as JSON: a part of measure. Read app/mirror_measure.h for the
+// The mirror image of a state made in four ways, as JSON: a part of measure. Read measure/mirror_measure.h for the
 // counting.
 #pragma once
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/hidden_answers.h"
 #include "cli/as_json.h"
 #include "gl/gl.h"
+#include "measure/hidden_answers.h"
 #include "state/fields.h"
 #include "visibility/culling.h"
 #include "visibility/difference.h"

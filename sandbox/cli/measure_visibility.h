@@ -1,5 +1,5 @@
 // What the hidden-surface methods do with a state's scene, as JSON: a part of measure. Read measure_command.cpp for the
-// other quantities, frame/hidden_surfaces.h for one method.
+// other quantities, frame/hidden/hidden_surfaces.h for one method.
 #pragma once
 
 #include "cli/headless.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/output.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "cli/exit_status.h"
-#include "state/file.h"
+#include "platform/file.h"
 
 namespace viewing {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "state/presets.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {

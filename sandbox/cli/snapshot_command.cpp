@@ -14,7 +14,7 @@
 #include "cli/time_limit.h"
 #include "cli/values.h"
 #include "gl/facts.h"
-#include "render/png.h"
+#include "image/png.h"
 
 namespace viewing {
 namespace {

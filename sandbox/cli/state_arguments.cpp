@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "state/json.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {

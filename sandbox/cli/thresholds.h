@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "cli/compare.h"
 #include "cli/options.h"
+#include "image/compare.h"
 
 namespace viewing {
 

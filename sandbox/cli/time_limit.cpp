@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {

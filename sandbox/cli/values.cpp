@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "render/png.h"
-#include "state/words.h"
+#include "image/png.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/decals.h"
+#include "frame/depth/decals.h"
 #include "frame/matrix_facts.h"
 #include "frame/problems.h"
 #include "geometry/camera.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/heat_map.h"
+#include "frame/depth/heat_map.h"
 #include "geometry/plane.h"
 #include "state/params.h"
 #include "state/scene.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frame/derive.h"
-#include "frame/hidden_drawing.h"
+#include "frame/hidden/hidden_drawing.h"
 
 namespace viewing {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/hidden_drawing.h"
+#include "frame/hidden/hidden_drawing.h"
 #include "frame/say.h"
 
 namespace viewing {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "frame/depth_precision.h"
-#include "frame/hidden_drawing.h"
+#include "frame/depth/depth_precision.h"
+#include "frame/hidden/hidden_drawing.h"
 
 namespace viewing {
 

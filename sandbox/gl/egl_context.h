@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/result.h"
+#include "text/result.h"
 
 namespace viewing::gl {
 

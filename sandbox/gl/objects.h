@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "geometry/result.h"
 #include "gl/gl.h"
+#include "text/result.h"
 
 namespace viewing::gl {
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "frame/depth_counts.h"
+#include "frame/depth/depth_counts.h"
 #include "render/pass_state.h"
 
 namespace viewing {

@@ -1,4 +1,4 @@
-// The heat map of depth fighting as uniforms of shaders/surface.frag. Read frame/heat_map.h for its numbers.
+// The heat map of depth fighting as uniforms of shaders/surface.frag. Read frame/depth/heat_map.h for its numbers.
 #pragma once
 
 #include "frame/plan.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "frame/depth_colors.h"
+#include "frame/depth/depth_colors.h"
 #include "frame/ground.h"
 #include "render/pass_state.h"
 #include "render/uniforms.h"

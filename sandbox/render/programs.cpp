@@ -3,7 +3,7 @@
 #include <string>
 
 #include "embedded/shaders.h"
-#include "frame/depth_colors.h"
+#include "frame/depth/depth_colors.h"
 
 namespace viewing {
 namespace {

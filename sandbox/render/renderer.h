@@ -6,7 +6,7 @@
 #include "frame/plan.h"
 #include "gl/objects.h"
 #include "gl/target.h"
-#include "render/image.h"
+#include "image/image.h"
 
 namespace viewing {
 

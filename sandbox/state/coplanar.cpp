@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <vector>
 
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

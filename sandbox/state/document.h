@@ -8,14 +8,14 @@
 #include <string>
 #include <string_view>
 
-#include "geometry/result.h"
+#include "platform/text_file.h"
+#include "text/result.h"
 
 namespace viewing {
 
 /// Keeps the order of the keys, so that what is wrong first is told first.
 using Json = nlohmann::ordered_json;
 
-inline constexpr std::size_t max_document_bytes = 16U << 20U;
 inline constexpr std::size_t max_document_depth = 64;
 inline constexpr std::size_t max_document_values = 1'000'000;
 inline constexpr std::size_t max_object_keys = 1'000;

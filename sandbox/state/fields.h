@@ -58,6 +58,9 @@ struct Range {
 };
 Range component_range(const Field& field, int component);
 
+/// "from 1 to 179".
+std::string range_text(const Range& range);
+
 /// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "follow",
 /// "range", "pixel".
 std::string_view type_name(const Field& field);

@@ -5,7 +5,7 @@
 
 #include "geometry/shapes.h"
 #include "state/fields.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

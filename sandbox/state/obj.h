@@ -6,8 +6,8 @@
 #include <string>
 
 #include "geometry/mesh.h"
-#include "geometry/result.h"
 #include "state/scene.h"
+#include "text/result.h"
 
 namespace viewing {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

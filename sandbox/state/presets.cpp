@@ -5,11 +5,11 @@
 #include <iostream>
 #include <tuple>
 
+#include "platform/text_file.h"
 #include "state/document.h"
 #include "state/json.h"
 #include "state/scene.h"
-#include "state/text_file.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

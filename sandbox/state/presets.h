@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/result.h"
 #include "state/params.h"
+#include "text/result.h"
 
 namespace viewing {
 

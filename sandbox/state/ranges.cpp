@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "state/fields.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 
@@ -106,6 +106,10 @@ void mend_field(const Field& field, Params& params) {
 }
 
 }  // namespace
+
+std::string range_text(const Range& range) {
+    return "from " + format_number(range.min) + " to " + format_number(range.max);
+}
 
 Range component_range(const Field& field, int component) {
     return is_light(field) && component == 3 ? Range{0.0, 1.0} : Range{field.min, field.max};

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "platform/text_file.h"
 #include "state/coplanar.h"
 #include "state/json.h"
 #include "state/mesh_cache.h"
 #include "state/presets.h"
-#include "state/text_file.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

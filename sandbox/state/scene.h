@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "geometry/mesh.h"
-#include "geometry/result.h"
 #include "state/params.h"
+#include "text/result.h"
 
 namespace viewing {
 

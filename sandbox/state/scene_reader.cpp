@@ -4,7 +4,7 @@
 #include <unordered_set>
 
 #include "state/reader.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "state/reader.h"
-#include "state/words.h"
+#include "text/words.h"
 
 namespace viewing {
 

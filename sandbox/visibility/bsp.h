@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "platform/progress.h"
 #include "visibility/polygons.h"
-#include "visibility/progress.h"
 
 namespace viewing {
 

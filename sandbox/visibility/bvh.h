@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "geometry/ray.h"
+#include "platform/progress.h"
 #include "visibility/polygons.h"
-#include "visibility/progress.h"
 
 namespace viewing {
 

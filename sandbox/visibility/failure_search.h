@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
+#include "platform/progress.h"
 #include "visibility/painter.h"
 #include "visibility/polygons.h"
-#include "visibility/progress.h"
 #include "visibility/viewpoint.h"
 
 namespace viewing {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "platform/progress.h"
 #include "visibility/polygons.h"
-#include "visibility/progress.h"
 #include "visibility/viewpoint.h"
 
 namespace viewing {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "geometry/ray.h"
+#include "platform/progress.h"
 #include "visibility/bvh.h"
 #include "visibility/curved.h"
 #include "visibility/id_image.h"
-#include "visibility/progress.h"
 
 namespace viewing {
 

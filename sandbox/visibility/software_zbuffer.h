@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
+#include "platform/progress.h"
 #include "visibility/id_image.h"
 #include "visibility/polygons.h"
-#include "visibility/progress.h"
 
 namespace viewing {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "cli/compare.h"
-#include "render/png.h"
+#include "image/compare.h"
+#include "image/png.h"
 #include "state/json.h"
 #include "ui_frame.h"
 

@@ -20,7 +20,7 @@
 #include "app/studio.h"
 #include "gl/debug.h"
 #include "gl/egl_context.h"
-#include "render/png.h"
+#include "image/png.h"
 #include "ui_frame.h"
 
 namespace {

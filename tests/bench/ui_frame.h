@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "frame/plan.h"
-#include "ui/fonts.h"
-#include "ui/workbench.h"
+#include "ui/window/fonts.h"
+#include "ui/window/workbench.h"
 
 namespace viewing::bench {
 

@@ -1,7 +1,7 @@
 // The picture of the depths: which grey or band a known depth becomes, on both scales and over a range.
 #include <cmath>
 
-#include "frame/depth_colors.h"
+#include "frame/depth/depth_colors.h"
 #include "gl_test.h"
 
 namespace viewing {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <map>
 
-#include "frame/fragments.h"
-#include "frame/hidden_views.h"
+#include "frame/depth/fragments.h"
+#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "render/probe.h"
 #include "unit/geometry/random.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "frame/hidden_views.h"
+#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "unit/frame/hidden_scenes.h"
 #include "visibility/difference.h"

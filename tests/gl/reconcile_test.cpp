@@ -1,6 +1,6 @@
 // The fragments of a pixel where surfaces fight: reconciled with what is read back, the last one drawn is the one that
 // is seen, and rounding is blamed only where the list had another winner.
-#include "frame/reconcile.h"
+#include "frame/depth/reconcile.h"
 
 #include <bit>
 #include <cmath>

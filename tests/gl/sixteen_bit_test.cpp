@@ -2,7 +2,7 @@
 // same pictures, values and identities as the real one beside 24 bits. VIEWING_LONG_TESTS=N compares N times as many.
 #include <cstdlib>
 
-#include "frame/hidden_views.h"
+#include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "render/probe.h"
 #include "unit/geometry/random.h"

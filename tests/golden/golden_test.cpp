@@ -7,9 +7,9 @@
 #include <set>
 
 #include "app/picture.h"
-#include "cli/compare.h"
 #include "gl/gl_test.h"
-#include "render/png.h"
+#include "image/compare.h"
+#include "image/png.h"
 #include "state/json.h"
 
 namespace viewing {

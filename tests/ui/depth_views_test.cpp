@@ -4,13 +4,13 @@
 #include <map>
 
 #include "desk.h"
+#include "frame/depth/fragments.h"
 #include "frame/draw_calls.h"
-#include "frame/fragments.h"
-#include "ui/cell_layout.h"
-#include "ui/cell_view.h"
-#include "ui/draw_steps.h"
-#include "ui/fragment_text.h"
-#include "ui/pixel_view.h"
+#include "ui/depth/cell_layout.h"
+#include "ui/depth/cell_view.h"
+#include "ui/depth/draw_steps.h"
+#include "ui/depth/fragment_text.h"
+#include "ui/depth/pixel_view.h"
 
 namespace viewing::test {
 namespace {

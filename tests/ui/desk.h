@@ -15,8 +15,8 @@
 #include "frame/plan.h"
 #include "state/fields.h"
 #include "state/json.h"
-#include "ui/fonts.h"
-#include "ui/workbench.h"
+#include "ui/window/fonts.h"
+#include "ui/window/workbench.h"
 #include "widgets/harness.h"
 
 namespace viewing::test {

@@ -1,11 +1,11 @@
 // The view of depth fighting in a window of its own, with reports made here: what it says, what it leaves out where it
 // is narrow, and that everything stays inside.
-#include "ui/fighting_view.h"
+#include "ui/depth/fighting_view.h"
 
 #include <algorithm>
 
 #include "desk.h"
-#include "ui/look.h"
+#include "ui/parts/look.h"
 
 namespace viewing::test {
 namespace {

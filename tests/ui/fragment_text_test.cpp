@@ -1,5 +1,5 @@
 // What the pixel view and the cell view say, apart from where they draw it: tests in words, numbers in cells, steps.
-#include "ui/fragment_text.h"
+#include "ui/depth/fragment_text.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <random>
 #include <set>
 
-#include "ui/cell_text.h"
-#include "ui/draw_steps.h"
-#include "ui/pixel_numbers.h"
+#include "ui/depth/cell_text.h"
+#include "ui/depth/draw_steps.h"
+#include "ui/depth/pixel_numbers.h"
 
 namespace viewing {
 namespace {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "laboratory_desk.h"
-#include "ui/order_rows.h"
-#include "ui/polygon_names.h"
-#include "ui/step_text.h"
+#include "ui/hidden/order_rows.h"
+#include "ui/hidden/polygon_names.h"
+#include "ui/hidden/step_text.h"
 
 namespace viewing::test {
 namespace {

@@ -1,7 +1,7 @@
 // The lecture's code on screen: each line and the matrix entry that it fills light up together, the switch shows the
 // slide's slip, and the observer's rays follow light, plane and scene.
 #include "desk.h"
-#include "ui/links.h"
+#include "ui/parts/links.h"
 
 namespace viewing::test {
 namespace {

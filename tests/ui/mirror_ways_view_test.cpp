@@ -1,10 +1,10 @@
 // The mirror image in four ways as a person compares them: what stands on the pictures, and which way a click takes.
-#include "ui/mirror_ways_view.h"
+#include "ui/planes/mirror_ways_view.h"
 
 #include <algorithm>
 
 #include "desk.h"
-#include "ui/look.h"
+#include "ui/parts/look.h"
 
 namespace viewing::test {
 namespace {

@@ -1,6 +1,6 @@
 // The frame pass by pass as a person steps through it: the bar, the list, and what view.pass becomes. Read
 // gl/pass_limit_test.cpp for what GL then draws.
-#include "ui/passes_view.h"
+#include "ui/planes/passes_view.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The histogram of a depth buffer against depths that are turned into distances one by one, in double precision and by
 // formulas written out here.
-#include "frame/depth_counts.h"
+#include "frame/depth/depth_counts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Steps and codes between near and far against the worked numbers of the facts and against counting.
-#include "frame/depth_precision.h"
+#include "frame/depth/depth_precision.h"
 
 #include <algorithm>
 #include <bit>

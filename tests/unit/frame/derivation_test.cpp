@@ -1,6 +1,6 @@
 // The derivations against the worked numbers of the facts, against geometry (lengths, ratios, planes) and against each
 // other: what the formulas promise for any plane, light and point.
-#include "frame/derivation.h"
+#include "frame/planes/derivation.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Which objects make a pair that can fight, and from which gap on the formulas say so: worked numbers of the facts, and
 // properties that hold for any lens.
-#include "frame/fighting.h"
+#include "frame/depth/fighting.h"
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

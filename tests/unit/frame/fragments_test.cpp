@@ -1,6 +1,6 @@
 // The fragments of a pixel without GL: worked depths, the depth test against a simulation by distance, culling, ties,
 // edges that two triangles share, and the same triangles as a ray in world space meets.
-#include "frame/fragments.h"
+#include "frame/depth/fragments.h"
 
 #include <algorithm>
 #include <bit>

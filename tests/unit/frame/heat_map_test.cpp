@@ -1,7 +1,8 @@
-// The table that the heat map's shader reads, against the formulas of frame/fighting.h and the facts, and its colours.
-#include "frame/heat_map.h"
+// The table that the heat map's shader reads, against the formulas of frame/depth/fighting.h and the facts, and its
+// colours.
+#include "frame/depth/heat_map.h"
 
-#include "frame/fighting.h"
+#include "frame/depth/fighting.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 

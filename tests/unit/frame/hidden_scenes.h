@@ -2,7 +2,7 @@
 // scene, and states that look at them. Read hidden_surfaces_test.cpp next.
 #pragma once
 
-#include "frame/hidden_surfaces.h"
+#include "frame/hidden/hidden_surfaces.h"
 #include "unit/frame/frame_test.h"
 #include "unit/visibility/scenes.h"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "frame/hidden_views.h"
+#include "frame/hidden/hidden_views.h"
 #include "unit/frame/hidden_scenes.h"
 #include "visibility/difference.h"
 

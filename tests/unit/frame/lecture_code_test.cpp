@@ -1,6 +1,6 @@
 // The lecture's code is executed: a small reader of C expressions runs every line into an array of sixteen numbers,
 // which is then read as GL reads it, column by column, and compared with S and R as defined by what they do to points.
-#include "frame/lecture_code.h"
+#include "frame/planes/lecture_code.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Two pictures compared pixel by pixel, on pictures that are drawn here as text, and the parameters of each way of
 // mirroring.
-#include "frame/mirror_ways.h"
+#include "frame/planes/mirror_ways.h"
 
 #include <gtest/gtest.h>
 

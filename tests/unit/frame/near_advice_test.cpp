@@ -1,5 +1,5 @@
 // What is in view against random points on the triangles, and when near should be another.
-#include "frame/near_advice.h"
+#include "frame/depth/near_advice.h"
 
 #include <algorithm>
 

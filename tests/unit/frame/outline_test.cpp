@@ -1,5 +1,5 @@
 // The outline that a light sees: worked boxes, then by brute force that no shadow of a vertex lies outside it.
-#include "frame/outline.h"
+#include "frame/planes/outline.h"
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

@@ -2,7 +2,7 @@
 // make of it. Read tests/gl/hidden_test.cpp for the pictures.
 #include <algorithm>
 
-#include "frame/hidden_views.h"
+#include "frame/hidden/hidden_views.h"
 #include "unit/frame/hidden_scenes.h"
 
 namespace viewing {

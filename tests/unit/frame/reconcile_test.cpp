@@ -1,5 +1,5 @@
 // Fragments against a pixel that was read back, made up by hand: who is seen afterwards, and what is left alone.
-#include "frame/reconcile.h"
+#include "frame/depth/reconcile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,132 @@
+#include "frame/depth/depth_precision.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "visibility/growth.h"
+
+namespace viewing {
+namespace {
+
+constexpr int curve_points = 240;  // enough for the teeth of a float's step over ten decades
+constexpr std::uint32_t code_of_one = std::bit_cast<std::uint32_t>(1.0F);
+
+struct Steps {
+    StepPoints whole, quantisation, arithmetic;
+};
+
+Steps steps_of(const DepthCoding& coding) {
+    Steps steps;
+    for (int i = 0; i <= curve_points; ++i) {
+        const double share = static_cast<double>(i) / curve_points;
+        const double z = coding.lens.near * std::pow(coding.lens.far / coding.lens.near, share);
+        const FightingOnset onset = fighting_onset(coding, z);
+        if (!onset.is_reachable) continue;
+        steps.whole.emplace_back(z, onset.gap());
+        steps.quantisation.emplace_back(z, onset.quantisation);
+        steps.arithmetic.emplace_back(z, onset.arithmetic);
+    }
+    return steps;
+}
+
+/// The largest code: that of window depth 1.
+std::uint32_t last_code(const DepthPrecision& precision) {
+    return precision.is_float ? code_of_one : (std::uint32_t{1} << static_cast<unsigned>(precision.bits)) - 1;
+}
+
+double depth_of_code(std::uint32_t code, const DepthPrecision& precision) {
+    return precision.is_float ? std::bit_cast<float>(code) : code / static_cast<double>(last_code(precision));
+}
+
+double distance_of_code(std::uint32_t code, const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
+    const double z = distance_of_window_depth(lens, mapping, depth_of_code(code, precision));
+    return std::clamp(z, lens.near, lens.far);
+}
+
+std::string raised(int exponent) {
+    static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent))) text += digits[digit - '0'];
+    return text;
+}
+
+std::string decimals_of(double value, int decimals) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
+    std::string shortest = text;
+    if (shortest.find('.') == std::string::npos) return shortest;
+    shortest.erase(shortest.find_last_not_of('0') + 1);
+    if (shortest.back() == '.') shortest.pop_back();
+    return shortest;
+}
+
+}  // namespace
+
+PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
+    const DepthCoding now = depth_coding(params, derived);
+    Steps current = steps_of(now);
+    PrecisionCurves curves{{params.depth.format, params.depth.mapping, std::move(current.whole)},
+                           std::move(current.quantisation),
+                           std::move(current.arithmetic),
+                           {}};
+    for (const DepthFormat format : {DepthFormat::d16, DepthFormat::d24, DepthFormat::d32f}) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            if (format == params.depth.format && mapping == params.depth.mapping) continue;
+            // Others are shown as they are at their best, with the clip range that reversed depth wants.
+            const bool zero_to_one =
+                mapping == DepthMapping::reversed && (mapping != params.depth.mapping || derived.clip_zero_to_one);
+            curves.others.push_back(
+                {format, mapping, steps_of({now.lens, mapping, precision_of(format), zero_to_one}).whole});
+        }
+    }
+    return curves;
+}
+
+std::string short_name(DepthFormat format, DepthMapping mapping) {
+    static constexpr const char* mappings[] = {" bit", " rev", " log"};
+    const DepthPrecision precision = precision_of(format);
+    if (precision.is_float && mapping == DepthMapping::standard) return "float";
+    return (precision.is_float ? "float" : std::to_string(precision.bits)) +
+           mappings[static_cast<std::size_t>(mapping)];
+}
+
+DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks) {
+    const std::uint32_t last = last_code(precision);
+    const auto most = static_cast<std::uint32_t>(std::max(most_ticks, 2));
+    const std::uint32_t steps = std::min(last, last <= most ? last : std::bit_floor(most));
+    DepthCodes made;
+    made.codes_per_tick = std::llround(static_cast<double>(last) / steps);
+    for (std::uint32_t i = 0; i <= steps; ++i) {
+        const auto from_start = static_cast<std::uint32_t>(std::llround(static_cast<double>(last) * i / steps));
+        const std::uint32_t code = mapping == DepthMapping::reversed ? last - from_start : from_start;
+        made.codes.push_back(code);
+        made.eye_distances.push_back(distance_of_code(code, lens, mapping, precision));
+    }
+    return made;
+}
+
+std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
+    if (!precision.is_float)
+        return "Half of all codes lie between near and z = " +
+               figures(distance_of_window_depth(lens, mapping, 0.5), 3) + ".";
+    const double middle = 0.5 * (lens.near + lens.far);
+    const std::uint32_t code =
+        std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(window_depth(lens, mapping, middle), 0.0, 1.0)));
+    const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
+    return "Of the " + grouped_number(code_of_one) + " floats from 0 to 1, " + grouped_number(farther) +
+           " lie in the farther half of the way, beyond z = " + figures(middle, 3) + ".";
+}
+
+std::string figures(double value, int digits) {
+    if (!std::isfinite(value)) return "∞";
+    if (!(value > 0.0)) return "0";
+    const auto exponent_of = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
+    const double place = std::pow(10.0, digits - 1 - exponent_of(value));
+    const double rounded = std::isfinite(place) && place > 0.0 ? std::round(value * place) / place : value;
+    const int exponent = exponent_of(rounded);
+    if (exponent >= -4 && exponent < 6) return decimals_of(rounded, digits - 1 - exponent);
+    return decimals_of(rounded / std::pow(10.0, exponent), digits - 1) + "·10" + raised(exponent);
+}
+
+}  // namespace viewing

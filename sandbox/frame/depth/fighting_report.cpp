@@ -1,0 +1,39 @@
+#include "frame/depth/fighting_report.h"
+
+namespace viewing {
+namespace {
+
+double share(std::int64_t part, std::int64_t whole) {
+    return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
+
+}  // namespace
+
+double CountedPair::wrong_fraction() const {
+    return share(wrong, pixels);
+}
+
+double FightingCounts::wrong_fraction() const {
+    std::int64_t wrong = 0, pixels = 0;
+    for (const CountedPair& pair : pairs) {
+        wrong += pair.wrong;
+        pixels += pair.pixels;
+    }
+    return share(wrong, pixels);
+}
+
+FightingReport fighting_report(FightingCounts counts, const Params& params, const Derived& derived, const Scene& scene,
+                               glm::ivec2 size_px) {
+    FightingReport made;
+    const auto name_of = [&scene](int object) {
+        return scene.objects.at(static_cast<std::size_t>(object)).description.name;
+    };
+    for (const CountedPair& counted : counts.pairs)
+        made.rows.push_back(
+            {name_of(counted.pair.first), name_of(counted.pair.second), predict_pair(counted.pair, params, derived)});
+    made.counts = std::move(counts);
+    made.size_px = size_px;
+    return made;
+}
+
+}  // namespace viewing

@@ -1,0 +1,88 @@
+#include "frame/depth/fragment_depth.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace viewing {
+namespace {
+
+double distance_of(const PixelTriangle& triangle, const glm::dvec3& weights) {
+    return weights.x * triangle[0].distance + weights.y * triangle[1].distance + weights.z * triangle[2].distance;
+}
+
+/// z and w of clip space, as the vertex shader gives them with a logarithm and GL interpolates them.
+glm::dvec2 logarithmic_zw(const FramePlan& plan, const PixelTriangle& triangle, const glm::dvec3& weights) {
+    constexpr double nearest = 1e-30;  // behind the eye there is no logarithm
+    glm::dvec2 zw(0.0);
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+        const double distance = std::max(triangle[i].distance, nearest);
+        const double z = 2.0 * window_depth(plan.lens, DepthMapping::logarithmic, distance) - 1.0;
+        zw += weights[static_cast<int>(i)] * triangle[i].w * glm::dvec2(z, 1.0);
+    }
+    return zw;
+}
+
+double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm::dvec3& weights) {
+    if (!plan.has_logarithm_per_vertex())
+        return window_depth(plan.lens, plan.depth_mapping, distance_of(triangle, weights));
+    const glm::dvec2 zw = logarithmic_zw(plan, triangle, weights);
+    return 0.5 * zw.x / zw.y + 0.5;
+}
+
+/// What glPolygonOffset counts as one unit, or the shader in its place. GL leaves open how many codes a unit is.
+double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
+    const DepthPrecision precision = precision_of(plan.depth_format);
+    const bool by_shader = plan.depth_mapping == DepthMapping::logarithmic && !plan.logarithm_per_vertex;
+    if (!precision.is_float || by_shader) return 1.0 / (std::exp2(std::min(precision.bits, 24)) - 1.0);
+    double greatest = std::numeric_limits<float>::min();
+    for (const PixelCorner& corner : triangle)
+        greatest = std::max(greatest, window_depth(plan.lens, plan.depth_mapping, corner.distance));
+    return std::exp2(std::ilogb(std::min(greatest, 1.0)) - 23);
+}
+
+/// The steepest change of depth to a neighbour in x or y.
+double slope_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit,
+                const glm::dvec2& neighbours_px) {
+    const double here = depth_at(plan, triangle, hit.weights);
+    double steepest = 0.0;
+    for (const glm::dvec2 beside_px : {glm::dvec2(neighbours_px.x, 0.0), glm::dvec2(0.0, neighbours_px.y)}) {
+        glm::dvec3 there = weights_beside(triangle, beside_px);
+        const bool beyond_horizon = !(distance_of(triangle, there) > 0.0);
+        if (beyond_horizon) there = weights_beside(triangle, -beside_px);
+        steepest = std::max(steepest, std::abs(depth_at(plan, triangle, there) - here));
+    }
+    return steepest;
+}
+
+/// GL halves −1 … 1 and adds a half in float32, which keeps nothing finer than its places near 1: reversed depth has
+/// its finest steps there.
+double as_clip_range_keeps(const FramePlan& plan, double depth) {
+    if (plan.clip_zero_to_one || plan.depth_mapping != DepthMapping::reversed) return depth;
+    const auto z_ndc = static_cast<float>(2.0 * depth - 1.0);
+    return static_cast<double>(0.5F * z_ndc + 0.5F);
+}
+
+}  // namespace
+
+bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit) {
+    if (!plan.has_logarithm_per_vertex()) return hit.distance >= plan.lens.near && hit.distance <= plan.lens.far;
+    const glm::dvec2 zw = logarithmic_zw(plan, triangle, hit.weights);
+    return zw.y > 0.0 && std::abs(zw.x) <= zw.y;
+}
+
+double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
+                const glm::dvec2& neighbours_px) {
+    double depth = as_clip_range_keeps(plan, depth_at(plan, triangle, hit.weights));
+    if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbours_px);
+    if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
+    return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits are great
+}
+
+std::uint32_t code_of(double depth, const DepthPrecision& precision) {
+    if (precision.is_float) return std::bit_cast<std::uint32_t>(static_cast<float>(depth));
+    return static_cast<std::uint32_t>(std::llround(depth * (std::exp2(precision.bits) - 1.0)));
+}
+
+}  // namespace viewing

@@ -1,0 +1,282 @@
+// The plan's passes once more, for one pixel: what covers it, what its depth becomes, and what the tests make of it.
+#include "frame/depth/fragments.h"
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "frame/depth/fragment_depth.h"
+#include "frame/depth/pixel_triangle.h"
+#include "frame/draw_calls.h"
+#include "geometry/shapes.h"
+
+namespace viewing {
+namespace {
+
+/// A surface on the pixel's ray, before any test.
+struct Met {
+    int object;         ///< index in the scene; −1: the patch
+    std::size_t place;  ///< of the triangle in its mesh or order
+    PixelTriangle triangle;
+    PixelHit hit;
+    glm::dvec3 point_scene;  ///< world space
+    DepthOffset offset;
+};
+
+/// Finds what one pass draws over one pixel.
+class Meeting {
+public:
+    Meeting(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px)
+        : plan_(plan), pass_(pass), pixel_(pixel), size_px_(size_px) {}
+
+    /// `drawn`: how many of the mesh's triangles.
+    void mesh(int object, const Mesh& mesh, int drawn, const TriangleRuns& runs, const glm::dmat4& world_from_model,
+              const DepthOffset& offset) {
+        const PixelView view = view_of(world_from_model);
+        const auto before = static_cast<std::ptrdiff_t>(found.size());
+        for (std::size_t run = 0; run < runs.boxes.size(); ++run) {
+            if (!view.may_meet(runs.boxes[run])) continue;
+            for (const std::size_t place : runs.run(run)) {
+                if (place >= static_cast<std::size_t>(drawn)) continue;
+                std::array<glm::dvec3, 3> corners;
+                for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.positions[mesh.indices[3 * place + k]];
+                triangle(object, place, view, corners, world_from_model, offset);
+            }
+        }
+        std::ranges::sort(found.begin() + before, found.end(), {}, &Met::place);
+    }
+
+    void ordered(std::span<const OrderedVertex> vertices) {
+        const glm::dmat4 in_place(1.0);
+        const PixelView view = view_of(in_place);
+        for (std::size_t i = 0; i + 2 < vertices.size(); i += 3) {
+            triangle(static_cast<int>(vertices[i].object) - 1, i / 3, view,
+                     {vertices[i].position_world, vertices[i + 1].position_world, vertices[i + 2].position_world},
+                     in_place, {});
+        }
+    }
+
+    std::vector<Met> found;
+
+private:
+    PixelView view_of(const glm::dmat4& world_from_model) const {
+        return {pass_.clip_from_world * world_from_model, pass_.view_from_world * world_from_model, pixel_, size_px_};
+    }
+
+    void triangle(int object, std::size_t place, const PixelView& view, const std::array<glm::dvec3, 3>& corners,
+                  const glm::dmat4& world_from_space, const DepthOffset& offset) {
+        const PixelTriangle seen{view.corner(corners[0]), view.corner(corners[1]), view.corner(corners[2])};
+        const std::optional<PixelHit> met = hit(seen);
+        if (!met || !is_in_depth_range(plan_, seen, *met)) return;
+        const glm::dvec3 point =
+            met->weights.x * corners[0] + met->weights.y * corners[1] + met->weights.z * corners[2];
+        found.push_back({object, place, seen, *met, glm::dvec3(world_from_space * glm::dvec4(point, 1.0)), offset});
+    }
+
+    const FramePlan& plan_;
+    const Pass& pass_;
+    const glm::ivec2 pixel_, size_px_;
+};
+
+bool is_front(const CullParams& cull, const PixelHit& hit) {
+    return hit.is_counter_clockwise == (cull.front_face == FrontFace::ccw);
+}
+
+bool is_culled(const CullParams& cull, bool front_facing) {
+    if (!cull.enabled) return false;
+    return cull.face == CullFace::front_and_back || (cull.face == CullFace::front) == front_facing;
+}
+
+/// Depth and stencil of one pixel, and what they make of the surfaces that are sent to it.
+class PixelBuffers {
+public:
+    PixelBuffers(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px)
+        : plan_(plan),
+          precision_(precision_of(plan.depth_format)),
+          neighbours_px_(pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0),
+          depth_(code_of(plan.clear_depth_value, precision_)) {}
+
+    void clear_stencil() { stencil_ = 0; }
+
+    /// Tests, and writes what the pass writes. What GL never gets passes nothing.
+    Fragment send(const Pass& pass, const Met& met, bool gl_gets_it) {
+        Fragment made;
+        made.object_index = met.object;
+        made.triangle = static_cast<int>(met.place);
+        made.eye_z = -met.hit.distance;
+        made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbours_px_);
+        made.stored = code_of(made.window_depth, precision_);
+        made.front_facing = is_front(pass.cull, met.hit);
+        made.culled = is_culled(pass.cull, made.front_facing);
+        made.step = resolvable_depth_step(plan_.lens, plan_.depth_mapping, precision_, met.hit.distance);
+        made.depth = pass.depth;
+        made.compared_with = depth_;
+        made.tie = pass.depth.test && !made.culled && made.stored == depth_;
+        const std::uint32_t reference = reference_of(pass, met);
+        // The reference stands on the left of the stencil's comparison.
+        const auto read_bits = static_cast<std::uint32_t>(pass.stencil.read_bits);
+        const bool by_stencil =
+            !pass.stencil.test || compare(pass.stencil.func, reference & read_bits, stencil_ & read_bits);
+        made.stencil_fails = !by_stencil;
+        const bool by_depth = !pass.depth.test || compare(pass.depth.func, made.stored, depth_);
+        made.passes = gl_gets_it && !made.culled && by_stencil && by_depth;
+        made.drawn = made.passes && pass.color_write;
+        if (made.passes && pass.depth.test && pass.depth.write) depth_ = made.stored;
+        if (made.passes && pass.stencil.test && pass.stencil.on_pass == StencilOp::replace) stencil_ = reference;
+        return made;
+    }
+
+private:
+    std::uint32_t reference_of(const Pass& pass, const Met& met) const {
+        const bool is_own = pass.marks_objects && met.object >= 0;
+        return static_cast<std::uint32_t>(is_own ? plan_.mark_of(static_cast<std::size_t>(met.object))
+                                                 : pass.stencil.reference);
+    }
+
+    const FramePlan& plan_;
+    const DepthPrecision precision_;
+    const glm::dvec2 neighbours_px_;
+    std::uint32_t depth_, stencil_ = 0;
+};
+
+/// Masks and shadows are drawn in one flat colour, and so is the scene where overdraw is added up.
+bool shows_surfaces(const Pass& pass) {
+    return !pass.is_mirror_image && (pass.shading != Shading::flat || pass.blend == Blend::add);
+}
+
+bool is_mask(const Pass& pass) {
+    return pass.subject == Subject::patch && !shows_surfaces(pass);
+}
+
+/// Everywhere, before marks of another kind.
+bool clears_marks(const Pass& pass) {
+    return pass.subject == Subject::backdrop && pass.stencil.on_pass == StencilOp::zero;
+}
+
+bool is_cut_off(const Pass& pass, const glm::dvec3& point_scene) {
+    return std::ranges::any_of(
+        pass.clip_planes, [&](const ClipPlane& plane) { return glm::dot(plane, glm::dvec4(point_scene, 1.0)) < 0.0; });
+}
+
+/// A pass and what it sends to the pixel.
+struct Batch {
+    std::size_t number;
+    const Pass* pass;
+    std::vector<Met> found;
+    std::optional<std::size_t> only;  ///< the one that GL gets where a method finds one surface for each pixel
+};
+
+/// The nearest that is not culled.
+std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found) {
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (is_culled(pass.cull, is_front(pass.cull, found[i].hit))) continue;
+        if (!nearest || found[i].hit.distance < found[*nearest].hit.distance) nearest = i;
+    }
+    return nearest;
+}
+
+/// One frame, into a stencil that is clear.
+std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& buffers) {
+    std::vector<Fragment> fragments;
+    buffers.clear_stencil();
+    for (const Batch& batch : batches) {
+        if (clears_marks(*batch.pass)) buffers.clear_stencil();
+        for (std::size_t i = 0; i < batch.found.size(); ++i) {
+            if (is_cut_off(*batch.pass, batch.found[i].point_scene)) continue;
+            const bool is_sent = batch.pass->subject != Subject::pixels || batch.only == i;
+            Fragment fragment = buffers.send(*batch.pass, batch.found[i], is_sent);
+            fragment.pass = batch.number;
+            if (!is_mask(*batch.pass)) fragments.push_back(std::move(fragment));
+        }
+    }
+    return fragments;
+}
+
+}  // namespace
+
+bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
+    switch (func) {
+        case CompareFunc::never:
+            return false;
+        case CompareFunc::less:
+            return incoming < stored;
+        case CompareFunc::equal:
+            return incoming == stored;
+        case CompareFunc::lequal:
+            return incoming <= stored;
+        case CompareFunc::greater:
+            return incoming > stored;
+        case CompareFunc::notequal:
+            return incoming != stored;
+        case CompareFunc::gequal:
+            return incoming >= stored;
+        case CompareFunc::always:
+            break;
+    }
+    return true;
+}
+
+FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
+    for (const SceneObject& object : scene_.objects)
+        if (!runs_.contains(object.mesh.get())) runs_.emplace(object.mesh.get(), runs_of(*object.mesh));
+}
+
+std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const {
+    static const Mesh quad = quad_mesh();
+    static const TriangleRuns quad_runs = runs_of(quad);
+    std::vector<Batch> batches;
+    std::set<std::size_t> patches;  // lit and in shadow they are drawn by two passes, of which one reaches a pixel
+    int next_call = 0;
+    for (std::size_t number = 0; number < plan.passes.size(); ++number) {
+        if (plan.limit.pass >= 0 && static_cast<int>(number) > plan.limit.pass) break;
+        const Pass& pass = plan.passes[number];
+        int call = next_call;
+        next_call += call_count(pass, scene_);
+        if (clears_marks(pass)) {
+            batches.push_back({number, &pass, {}, std::nullopt});
+            continue;
+        }
+        if (!is_mask(pass) && !shows_surfaces(pass)) continue;
+        Meeting meeting(plan, pass, pixel, size_px);
+        const auto meet = [&](int object, const Mesh& mesh, const TriangleRuns& runs,
+                              const glm::dmat4& world_from_model, const DepthOffset& offset) {
+            const int drawn = triangles_drawn(plan.limit, call++, static_cast<int>(mesh.triangle_count()));
+            meeting.mesh(object, mesh, drawn, runs, world_from_model, offset);
+        };
+        if (pass.subject == Subject::patch) {
+            if (!is_mask(pass) && !patches.insert(pass.plane).second) continue;
+            meet(-1 - static_cast<int>(pass.plane), quad, quad_runs, plan.patches[pass.plane].world_from_patch(), {});
+        } else if (pass.subject == Subject::ordered) {
+            meeting.ordered(plan.hidden.camera->triangles);
+        } else {
+            for (std::size_t i = 0; i < scene_.objects.size(); ++i) {
+                const SceneObject& object = scene_.objects[i];
+                if (!is_chosen(pass.chosen, object)) continue;
+                const DepthOffset own = object.description.decal ? plan.decal_offset : DepthOffset{};
+                meet(static_cast<int>(i), *object.mesh, runs_.at(object.mesh.get()), object.world_from_model,
+                     pass.offset.value_or(own));
+            }
+        }
+        const auto only = only_one_sent(pass, meeting.found);
+        batches.push_back({number, &pass, std::move(meeting.found), only});
+    }
+
+    PixelBuffers buffers(plan, pixel, size_px);
+    if (!plan.clears_depth()) send_all(batches, buffers);
+    std::vector<Fragment> fragments = send_all(batches, buffers);
+    for (Fragment& fragment : fragments) fragment.object = name_of(fragment.object_index);
+    return fragments;
+}
+
+std::string FragmentFinder::name_of(int object) const {
+    return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object))
+                      : scene_.objects[static_cast<std::size_t>(object)].description.name;
+}
+
+std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,
+                                   glm::ivec2 size_px) {
+    return FragmentFinder(scene).at(plan(params, derived), pixel, size_px);
+}
+
+}  // namespace viewing

@@ -1,0 +1,205 @@
+#include "frame/depth/near_advice.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "frame/depth/depth_precision.h"
+
+namespace viewing {
+namespace {
+
+constexpr double least_gain = 4.0;   // below it near is fine
+constexpr double margin = 0.9;       // of the nearest distance, so that a small move of the camera cuts nothing
+constexpr double least_near = 1e-3;  // what reaches nearer than that reaches up to the eye
+
+/// Eye distances; empty until something was added.
+struct Reach {
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = -std::numeric_limits<double>::infinity();
+
+    bool empty() const { return nearest > farthest; }
+    void add(double distance) {
+        nearest = std::min(nearest, distance);
+        farthest = std::max(farthest, distance);
+    }
+};
+
+/// The sides of the view, the plane through the eye, and far, in view space: p·(x, y, z, 1) ≥ 0 inside.
+std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
+    const glm::dvec4 front(0.0, 0.0, -1.0, 0.0), far(0.0, 0.0, 1.0, lens.far);
+    if (lens.orthographic) {
+        const double y = 0.5 * lens.height, x = y * aspect;
+        return {{{1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}, front, far}};
+    }
+    const double y = std::tan(glm::radians(0.5 * lens.fovy_deg)), x = y * aspect;
+    return {{{1, 0, -x, 0}, {-1, 0, -x, 0}, {0, 1, -y, 0}, {0, -1, -y, 0}, front, far}};
+}
+
+/// Finds the eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
+class View {
+public:
+    View(const Params& params, const Derived& derived) : sides_(sides_of(params.projection.lens(), derived.aspect)) {}
+
+    /// Adds what is inside of a polygon in view space.
+    void add(std::span<const glm::dvec3> polygon_view, Reach& reach) {
+        polygon_.assign(polygon_view.begin(), polygon_view.end());
+        for (const glm::dvec4& side : sides_) {
+            cut(side);
+            if (polygon_.empty()) return;
+        }
+        for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
+    }
+
+private:
+    void cut(const glm::dvec4& side) {
+        kept_.clear();
+        const auto distance = [&side](const glm::dvec3& corner) { return glm::dot(side, glm::dvec4(corner, 1.0)); };
+        for (std::size_t i = 0; i < polygon_.size(); ++i) {
+            const glm::dvec3 &from = polygon_[i], &to = polygon_[(i + 1) % polygon_.size()];
+            const double at_from = distance(from), at_to = distance(to);
+            if (at_from >= 0.0) kept_.push_back(from);
+            if ((at_from < 0.0) != (at_to < 0.0)) kept_.push_back(glm::mix(from, to, at_from / (at_from - at_to)));
+        }
+        polygon_.swap(kept_);
+    }
+
+    std::array<glm::dvec4, 6> sides_;
+    std::vector<glm::dvec3> polygon_, kept_;
+};
+
+/// Only triangles that would make it longer are cut.
+Reach reach_of(const Mesh& mesh, const glm::dmat4& view_from_model, View& view) {
+    std::vector<glm::dvec3> positions_view;
+    positions_view.reserve(mesh.positions.size());
+    for (const glm::vec3& position : mesh.positions)
+        positions_view.emplace_back(view_from_model * glm::dvec4(position, 1.0));
+    Reach reach;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const glm::dvec3 triangle[] = {positions_view[mesh.indices[i]], positions_view[mesh.indices[i + 1]],
+                                       positions_view[mesh.indices[i + 2]]};
+        const double nearest = -std::max({triangle[0].z, triangle[1].z, triangle[2].z});
+        const double farthest = -std::min({triangle[0].z, triangle[1].z, triangle[2].z});
+        if (farthest > 0.0 && (nearest < reach.nearest || farthest > reach.farthest)) view.add(triangle, reach);
+    }
+    return reach;
+}
+
+Reach reach_of(const PlanePatch& patch, const glm::dmat4& view_from_world, View& view) {
+    std::vector<glm::dvec3> corners_view;
+    for (const glm::dvec3& corner : patch.corners())
+        corners_view.emplace_back(view_from_world * glm::dvec4(corner, 1.0));
+    Reach reach;
+    view.add(corners_view, reach);
+    return reach;
+}
+
+/// Down to two significant digits; positive.
+double rounded_down(double value) {
+    const double unit = std::floor(std::log10(value)) - 1.0;
+    const double digits = std::floor(value * std::pow(10.0, -unit) * (1.0 + 1e-12));
+    return unit < 0.0 ? digits / std::round(std::pow(10.0, -unit)) : digits * std::pow(10.0, unit);
+}
+
+struct Change {
+    double now = 0.0, then = 0.0;  ///< the smallest gap that depth is sure to tell at `z`
+    double z = 0.0;
+};
+
+Change change_of(const Params& params, const Derived& derived, double near, double z) {
+    DepthCoding coding = depth_coding(params, derived);
+    Change change{.now = fighting_onset(coding, z).gap(), .z = z};
+    coding.lens.near = near;
+    change.then = fighting_onset(coding, z).gap();
+    return change;
+}
+
+/// "the safe gap at z = 80 would be 0.0002 in place of 0.6, 3500 times finer."
+std::string told(const Change& change) {
+    const bool is_finer = change.then < change.now;
+    const double factor = is_finer ? change.now / change.then : change.then / change.now;
+    return "the safe gap at z = " + figures(change.z) + " would be " + figures(change.then) + " in place of " +
+           figures(change.now) + ", " + figures(factor) + " times " + (is_finer ? "finer." : "coarser.");
+}
+
+NearAdvice advice_where_cut(const Params& params, const Derived& derived, const SeenThing& nearest, double z) {
+    const std::string cuts = "near = " + figures(params.projection.near, 3) + " cuts into " + nearest.name + ", which ";
+    const double near = nearest.nearest > 0.0 ? rounded_down(margin * nearest.nearest) : 0.0;
+    if (near < least_near) return {true, std::nullopt, cuts + "reaches up to the eye: no near would keep it whole."};
+    return {true, near,
+            cuts + "comes as near as " + figures(rounded_down(nearest.nearest)) + ": near = " + figures(near) +
+                " would keep it whole, and " + told(change_of(params, derived, near, z))};
+}
+
+}  // namespace
+
+std::vector<SeenThing> seen_things(const Params& params, const Derived& derived, const Scene& scene) {
+    View view(params, derived);
+    std::vector<SeenThing> seen;
+    const auto take = [&seen](const std::string& name, const Reach& reach, bool is_plane) {
+        if (!reach.empty()) seen.push_back({name, std::max(reach.nearest, 0.0), reach.farthest, is_plane});
+    };
+    for (const SceneObject& object : scene.objects)
+        take(object.description.name, reach_of(*object.mesh, derived.view_from_world * object.world_from_model, view),
+             false);
+    take("the plane", reach_of(derived.patch, derived.view_from_world, view), true);
+    return seen;
+}
+
+std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std::size_t most) {
+    constexpr double told_apart = 1.02;  // nearer together than that is one mark in any case
+    std::vector<const SeenThing*> things;
+    for (const SeenThing& thing : seen)
+        if (thing.nearest > 0.0) things.push_back(&thing);
+    std::ranges::stable_sort(things, {}, [](const SeenThing* thing) { return thing->nearest; });
+
+    struct Group {
+        const SeenThing* first;
+        std::size_t count;
+    };
+    std::vector<Group> groups;
+    for (const SeenThing* thing : things) {
+        if (!groups.empty() && thing->nearest < told_apart * groups.back().first->nearest)
+            ++groups.back().count;
+        else
+            groups.push_back({thing, 1});
+    }
+    while (groups.size() > std::max<std::size_t>(most, 1)) {
+        const auto ratio = [&groups](std::size_t i) { return groups[i + 1].first->nearest / groups[i].first->nearest; };
+        std::size_t closest = 0;
+        for (std::size_t i = 1; i + 1 < groups.size(); ++i)
+            if (ratio(i) < ratio(closest)) closest = i;
+        groups[closest].count += groups[closest + 1].count;
+        groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
+    }
+
+    std::vector<DistanceMark> marks;
+    for (const Group& group : groups) {
+        const std::string more = group.count > 1 ? " +" + std::to_string(group.count - 1) : "";
+        marks.push_back({group.first->name + more, group.first->nearest, group.first->is_plane});
+    }
+    return marks;
+}
+
+std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived,
+                                      const std::vector<SeenThing>& seen) {
+    if (params.projection.type == ProjectionType::orthographic || seen.empty()) return std::nullopt;
+    const SeenThing& nearest = *std::ranges::min_element(seen, {}, &SeenThing::nearest);
+    const double z = std::ranges::max_element(seen, {}, &SeenThing::farthest)->farthest;
+    if (nearest.nearest < params.projection.near) return advice_where_cut(params, derived, nearest, z);
+    const double near = rounded_down(margin * nearest.nearest);
+    if (near <= params.projection.near || params.depth.mapping == DepthMapping::logarithmic) return std::nullopt;
+    const Change change = change_of(params, derived, near, z);
+    if (!(change.now >= least_gain * change.then)) return std::nullopt;
+    return NearAdvice{false, near,
+                      "Nothing is nearer than " + figures(rounded_down(nearest.nearest)) +
+                          ": with near = " + figures(near) + " " + told(change)};
+}
+
+std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene) {
+    return near_advice(params, derived, seen_things(params, derived, scene));
+}
+
+}  // namespace viewing

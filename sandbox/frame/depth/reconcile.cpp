@@ -1,0 +1,77 @@
+#include "frame/depth/reconcile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+/// How far two depths may be apart that GL's arithmetic puts in another order: some places of float32 near 1, and one
+/// code where those are wider.
+double closeness(const DepthPrecision& precision) {
+    const double arithmetic = std::exp2(-20);
+    return precision.is_float ? arithmetic : arithmetic + 1.0 / (std::exp2(precision.bits) - 1.0);
+}
+
+bool is_close(const Fragment& fragment, const PixelReport& report) {
+    return std::abs(fragment.window_depth - report.window_depth) <= closeness(report.precision);
+}
+
+bool is_of_surface(const Fragment& fragment, const PixelReport& report) {
+    return fragment.object == report.object && fragment.front_facing == report.front_facing;
+}
+
+bool is_compared(const Fragment& fragment) {
+    return fragment.depth.test && !fragment.culled && !fragment.stencil_fails;
+}
+
+/// The last one that is drawn if it is of the surface that is read back; else the nearest of that surface that rounding
+/// may have let through. None: the end.
+std::vector<Fragment>::iterator read_back_one(std::vector<Fragment>& fragments, const PixelReport& report) {
+    auto last = fragments.end();
+    for (auto one = fragments.begin(); one != fragments.end(); ++one)
+        if (one->drawn) last = one;
+    if (last != fragments.end() && is_of_surface(*last, report)) return last;
+
+    auto nearest = fragments.end();
+    const auto off = [&](const Fragment& one) { return std::abs(one.window_depth - report.window_depth); };
+    for (auto one = fragments.begin(); one != fragments.end(); ++one) {
+        if (!is_of_surface(*one, report) || !is_compared(*one) || !is_close(*one, report)) continue;
+        if (nearest == fragments.end() || off(*one) < off(*nearest)) nearest = one;
+    }
+    if (nearest == fragments.end()) return nearest;
+    const bool is_explained = std::all_of(nearest + 1, fragments.end(), [&](const Fragment& later) {
+        return !later.drawn || (is_compared(later) && is_close(later, report));
+    });
+    return is_explained ? nearest : fragments.end();
+}
+
+/// Numbers that say something else than GL did, or than they said before, are not what decides.
+void decide(Fragment& fragment, bool passes) {
+    fragment.tie = fragment.stored == fragment.compared_with;
+    const bool by_numbers = compare(fragment.depth.func, fragment.stored, fragment.compared_with);
+    fragment.decided_by_rounding = passes != fragment.passes || passes != by_numbers;
+    fragment.passes = passes;
+}
+
+}  // namespace
+
+void reconcile(std::vector<Fragment>& fragments, const PixelReport& report) {
+    if (!report.written) return;
+    const auto seen = read_back_one(fragments, report);
+    if (seen == fragments.end() || !is_compared(*seen)) return;
+    const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
+                                  return later.passes && !later.drawn;
+                              });
+    if (leaves_depth) seen->stored = report.stored;
+    decide(*seen, true);
+    seen->drawn = true;
+    for (auto later = seen + 1; later != fragments.end(); ++later) {
+        if (!is_compared(*later)) continue;
+        if (leaves_depth) later->compared_with = report.stored;
+        decide(*later, later->passes && !later->drawn);
+        later->drawn = false;
+    }
+}
+
+}  // namespace viewing

@@ -1,0 +1,65 @@
+// What the renderer draws of a hidden-surface method: triangles in order, or a picture of surface points to be shaded.
+// Shading is the same as for the scene's own meshes. Read plan.h next.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <vector>
+
+#include "frame/hidden/hidden_surfaces.h"
+
+namespace viewing {
+
+/// A corner of a triangle, in world space; the names of the vertex attributes.
+struct OrderedVertex {
+    glm::vec3 position_world, normal_world;
+    glm::vec3 color;         ///< linear
+    float object = 0.0F;     ///< its number from 1 on
+    float source_id = 0.0F;  ///< Polygon::source + 1
+};
+
+/// The surface point that a pixel sees. Floats, as four texels of a picture.
+struct SurfacePixel {
+    glm::vec4 position_world{0.0F};  ///< w: window depth; 2 where nothing is seen
+    glm::vec4 normal_world{0.0F};    ///< towards the eye; w: 1 front face, 0 back face
+    glm::vec4 color{0.0F};           ///< linear; w: the object's number from 1 on
+};
+
+/// One of the two is filled. Immutable once made: the renderer uploads it once.
+struct HiddenDrawing {
+    /// Triangles one after the other that are decals, or are not: decals have a depth offset of their own.
+    struct Run {
+        int first_vertex, vertex_count;
+        bool is_decal;
+    };
+
+    std::vector<OrderedVertex> triangles;  ///< three a triangle, in drawing order
+    std::vector<Run> runs;                 ///< all of them
+    glm::ivec2 size_px{0};
+    std::vector<SurfacePixel> pixels;     ///< rows from the top
+    std::vector<std::uint32_t> overdraw;  ///< of each pixel; with `pixels`
+};
+
+/// Of the polygons that the step has drawn, or of the picture at the step.
+HiddenDrawing hidden_drawing(const HiddenResult& result);
+
+/// Red where two pictures of polygon numbers differ away from edges, elsewhere a veil. The sizes are the same.
+struct DifferenceDrawing {
+    glm::ivec2 size_px{0};
+    std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top
+    std::int64_t compared = 0, different = 0;
+};
+DifferenceDrawing difference_drawing(const IdImage& reference, const IdImage& image);
+
+/// What a frame shows of hidden-surface methods; none where GL draws the scene by itself.
+struct HiddenPictures {
+    std::shared_ptr<const HiddenDrawing> camera, mirrored;
+    std::shared_ptr<const DifferenceDrawing> difference;
+    Bounds bounds_world;  ///< of the scene
+};
+
+/// The linear value of an sRGB colour.
+glm::vec3 linear_from_srgb(const Color& color);
+
+}  // namespace viewing

@@ -1,0 +1,360 @@
+// Each method: order first, then the picture at the step. Read hidden_drawing.cpp next.
+#include "frame/hidden/hidden_surfaces.h"
+
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+namespace viewing {
+namespace {
+
+class Stopwatch {
+public:
+    double ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+/// The same but for the step: order, tree and counters of one serve the other.
+bool differ_in_step_alone(HiddenRequest a, const HiddenRequest& b) {
+    a.visibility.step = b.visibility.step;
+    return a == b;
+}
+
+/// A mirrored view turns every winding around.
+FrontWinding front_winding(const HiddenRequest& request) {
+    const bool mirrors = glm::determinant(glm::dmat3(request.viewpoint.view_from_world)) < 0.0;
+    const bool is_clockwise = (request.cull.front_face == FrontFace::cw) != mirrors;
+    return is_clockwise ? FrontWinding::clockwise : FrontWinding::counter_clockwise;
+}
+
+CulledFaces culled_faces(const HiddenRequest& request) {
+    static constexpr CulledFaces faces[] = {CulledFaces::front, CulledFaces::back, CulledFaces::front_and_back};
+    return faces[static_cast<std::size_t>(request.cull.face)];
+}
+
+std::vector<int> counted(std::size_t count) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    return order;
+}
+
+void take_counters(HiddenCounters& counters, const RasterCounters& raster) {
+    counters.pixels_tested = raster.pixels_tested;
+    counters.pixels_written = raster.pixels_written;
+    counters.pixels_covered = raster.pixels_covered;
+}
+
+/// How many polygons are drawn after so many rungs of the ladder.
+int drawn_after(const NewellOrder& newell, int steps) {
+    const auto end = newell.steps.begin() + steps;
+    return static_cast<int>(std::count_if(newell.steps.begin(), end, [](const NewellStep& step) {
+        return step.action == NewellAction::draws || step.action == NewellAction::forces;
+    }));
+}
+
+/// How many polygons are drawn by the visits so far; `order` is the walk's without those that are culled.
+int drawn_by_visits(const HiddenResult& result) {
+    int passed = 0, drawn = 0;
+    for (int visit = 0; visit < result.visited_nodes; ++visit) {
+        const int node = result.walk->visits[static_cast<std::size_t>(visit)].node;
+        passed += result.tree->nodes[static_cast<std::size_t>(node)].fragment_count;
+    }
+    const auto order_count = static_cast<int>(result.order.size());
+    for (int place = 0; place < passed && drawn < order_count; ++place)
+        if (result.order[static_cast<std::size_t>(drawn)] == result.walk->fragments[static_cast<std::size_t>(place)])
+            ++drawn;
+    return drawn;
+}
+
+/// What Newell's ladder and the tree's build have done by the step; the other numbers are those of all steps.
+void count_to_step(HiddenResult& result) {
+    HiddenCounters& counters = result.counters;
+    if (result.newell) {
+        const NewellOrder& newell = *result.newell;
+        counters.comparisons = newell.counters.pairs;
+        counters.swaps = newell.counters.swaps;
+        counters.splits = newell.counters.splits;
+        if (result.step < 0) return;
+        const std::span<const NewellStep> done(newell.steps.data(), static_cast<std::size_t>(result.step));
+        const auto count = [&](NewellAction action) { return std::ranges::count(done, action, &NewellStep::action); };
+        counters.comparisons = std::ranges::count_if(done, [](const NewellStep& step) { return step.q >= 0; });
+        counters.swaps = count(NewellAction::swaps);
+        counters.splits = count(NewellAction::splits);
+    } else if (result.tree) {
+        counters.splits = 0;
+        for (const BspNode& node : std::span(result.tree->nodes).first(static_cast<std::size_t>(result.built_nodes)))
+            counters.splits += node.split_count;
+    }
+}
+
+/// Counts steps and says how far the wanted one reaches into the order.
+void find_step(HiddenResult& result) {
+    const VisibilityMethod method = result.request.visibility.method;
+    const int order_count = static_cast<int>(result.order.size());
+    if (result.newell) result.step_count = static_cast<int>(result.newell->steps.size());
+    if (!result.newell && !result.tree) result.step_count = order_count;
+    if (result.tree) result.step_count = static_cast<int>(result.tree->nodes.size() + result.walk->visits.size());
+    if (method == VisibilityMethod::software_depth_buffer)
+        result.step_count = static_cast<int>(std::min<std::int64_t>(result.counters.pixels_tested, 1'000'000'000));
+    if (method == VisibilityMethod::ray_cast) result.step_count = result.request.size_px.x * result.request.size_px.y;
+
+    const int wanted = result.request.visibility.step;
+    result.step = wanted >= result.step_count ? -1 : wanted;
+    result.drawn = order_count;
+    if (result.tree) {
+        const int nodes = static_cast<int>(result.tree->nodes.size());
+        result.built_nodes = result.step < 0 ? nodes : std::min(result.step, nodes);
+        result.visited_nodes =
+            result.step < 0 ? static_cast<int>(result.walk->visits.size()) : std::max(0, result.step - nodes);
+        if (result.step >= 0) {
+            result.drawn = drawn_by_visits(result);
+        }
+    } else if (result.step >= 0) {
+        result.drawn = result.newell ? drawn_after(*result.newell, result.step) : std::min(result.step, order_count);
+        if (draws_pixels(result.request.visibility)) result.drawn = order_count;
+    }
+}
+
+PaintRule rule_of(const VisibilityParams& visibility) {
+    if (visibility.method == VisibilityMethod::software_depth_buffer) return PaintRule::depth_test;
+    return draws_pixels(visibility) ? PaintRule::keep_first : PaintRule::overwrite;
+}
+
+/// Paints what the step has reached. Asked for pixel steps, `stop_after` counts tested pixels.
+void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress) {
+    const HiddenRequest& request = result.request;
+    const std::span<const int> drawn(result.order.data(), static_cast<std::size_t>(result.drawn));
+    RasterResult raster = rasterise(*result.fragments, drawn, request.viewpoint.clip_from_world(),
+                                    {.rule = rule_of(request.visibility),
+                                     .width = request.size_px.x,
+                                     .height = request.size_px.y,
+                                     .stop_after = stop_after,
+                                     .count_per_pixel = true},
+                                    progress);
+    take_counters(result.counters, raster.counters);
+    if (request.visibility.method == VisibilityMethod::software_depth_buffer) result.compare = raster.last;
+    result.image = std::move(raster.image);
+    result.written_per_pixel = std::move(raster.written_per_pixel);
+}
+
+}  // namespace
+
+HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
+    return {params.visibility,
+            params.cull,
+            {derived.view_from_world, clip_from_view(params.projection.lens(), derived.aspect)},
+            size_px};
+}
+
+HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
+    HiddenRequest request = hidden_request(params, derived, size_px);
+    request.viewpoint.view_from_world = derived.view_from_world * derived.mirror_from_world;
+    request.visibility.step = -1;
+    if (params.reflection.clip != MirrorClip::none) {
+        // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
+        const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
+        request.viewpoint.clip_from_view = with_oblique_near_plane(
+            request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));
+    }
+    if (params.reflection.flip_winding)
+        request.cull.front_face = request.cull.front_face == FrontFace::ccw ? FrontFace::cw : FrontFace::ccw;
+    return request;
+}
+
+bool uses_exact_curves(const HiddenRequest& request) {
+    return request.visibility.method == VisibilityMethod::ray_cast && request.visibility.exact_curves &&
+           !request.cull.enabled;
+}
+
+bool draws_pixels(const VisibilityParams& visibility) {
+    return visibility.method == VisibilityMethod::software_depth_buffer ||
+           visibility.method == VisibilityMethod::ray_cast ||
+           (visibility.method == VisibilityMethod::bsp && visibility.walk == BspWalkOrder::front_to_back);
+}
+
+HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene)
+    : surface_(std::make_shared<const SceneSurface>(surface_of(scene))) {}
+
+std::vector<Polygon> HiddenSurfaceSolver::polygons_for(HiddenResult& result) const {
+    const HiddenRequest& request = result.request;
+    if (!request.cull.enabled) return surface_->polygons;
+    std::vector<Polygon> kept =
+        culled(surface_->polygons, request.viewpoint, culled_faces(request), front_winding(request));
+    result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept.size());
+    return kept;
+}
+
+void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress) {
+    const VisibilityParams& visibility = result.request.visibility;
+    if (!trees_.tree || trees_.splitter != visibility.splitter || trees_.epsilon != visibility.epsilon) {
+        const Stopwatch watch;
+        const BspOptions options{.splitter = static_cast<BspSplitter>(visibility.splitter),
+                                 .epsilon = visibility.epsilon * surface_->diagonal,
+                                 .max_fragments = 1'000'000 + 2 * static_cast<int>(surface_->polygons.size())};
+        auto tree = std::make_shared<const BspTree>(build_bsp(surface_->polygons, options, progress));
+        trees_ = {tree, visibility.splitter, visibility.epsilon, watch.ms()};
+    }
+    result.tree = trees_.tree;
+    result.build_ms = trees_.build_ms;
+    result.problem = result.tree->problem;
+    if (is_cancelled(progress)) trees_ = {};  // what was cut short is not kept
+    result.fragments = std::shared_ptr<const std::vector<Polygon>>(result.tree, &result.tree->fragments);
+
+    const Stopwatch watch;
+    auto walk = std::make_shared<BspWalk>(
+        walk_bsp(*result.tree, result.request.viewpoint.eye_world(), static_cast<BspOrder>(visibility.walk)));
+    result.time_ms = watch.ms();
+    result.order = walk->fragments;
+    result.walk = std::move(walk);
+    HiddenCounters& counters = result.counters;
+    if (result.request.cull.enabled) {
+        const std::vector<Facing> facing =
+            facing_by_plane(*result.fragments, result.request.viewpoint, front_winding(result.request));
+        const CulledFaces faces = culled_faces(result.request);
+        counters.culled = static_cast<std::int64_t>(std::erase_if(result.order, [&](int fragment) {
+            const Facing side = facing[static_cast<std::size_t>(fragment)];
+            return faces == CulledFaces::front_and_back ||
+                   side == (faces == CulledFaces::front ? Facing::towards : Facing::away);
+        }));
+    }
+    counters.polygons = static_cast<std::int64_t>(surface_->polygons.size());
+    counters.comparisons = result.tree->counters.plane_tests;
+    counters.splits = result.tree->counters.splits;
+    counters.fragments = static_cast<std::int64_t>(result.tree->fragments.size());
+    counters.tree_depth = result.tree->counters.depth;
+}
+
+void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
+    const HiddenRequest& request = result.request;
+    const bool exact = uses_exact_curves(request);
+    auto polygons = std::make_shared<std::vector<Polygon>>(polygons_for(result));
+    if (exact)
+        std::erase_if(*polygons, [&](const Polygon& polygon) {
+            return std::ranges::any_of(surface_->curved,
+                                       [&](const CurvedShape& shape) { return shape.object == polygon.object; });
+        });
+    HiddenCounters& counters = result.counters;
+    counters.polygons = static_cast<std::int64_t>(polygons->size() + (exact ? surface_->curved.size() : 0));
+
+    // The hierarchy serves every camera, unless facing decides what is in it.
+    const bool serves = rays_.scene && uses_exact_curves(rays_.made_for) == exact && !rays_.made_for.cull.enabled &&
+                        !request.cull.enabled;
+    if (!serves) {
+        const Stopwatch watch;
+        const std::span<const CurvedShape> curved = exact ? std::span(surface_->curved) : std::span<CurvedShape>();
+        rays_ = {std::make_shared<const RayScene>(*polygons, curved, progress), request, 0.0};
+        rays_.build_ms = watch.ms();
+    }
+    result.build_ms = rays_.build_ms;
+    result.fragments = polygons;
+
+    find_step(result);
+    const Stopwatch watch;
+    RayCastResult cast = cast_rays(*rays_.scene, request.viewpoint.clip_from_world(),
+                                   {request.size_px.x, request.size_px.y, result.step}, progress);
+    result.time_ms = watch.ms();
+    if (result.step > 0) {
+        TracedRay traced;
+        traced.pixel = {(result.step - 1) % request.size_px.x, (result.step - 1) / request.size_px.x};
+        const auto [ray, max_t] = PixelRays(request.viewpoint.clip_from_world(), request.size_px.x, request.size_px.y)
+                                      .through(traced.pixel.x, traced.pixel.y);
+        RayCounters uncounted;
+        traced.ray = ray;
+        traced.hits = rays_.scene->all(ray, max_t, uncounted);
+        result.traced = std::move(traced);
+    }
+    counters.rays = cast.counters.rays;
+    counters.intersection_tests = cast.counters.box_tests + cast.counters.triangle_tests + cast.counters.curved_tests;
+    counters.pixels_tested = counters.pixels_written = counters.pixels_covered =
+        std::ranges::count_if(cast.image.ids, [](int id) { return id != IdImage::background; });
+    result.written_per_pixel.resize(cast.image.ids.size());
+    std::ranges::transform(cast.image.ids, result.written_per_pixel.begin(),
+                           [](int id) { return id != IdImage::background ? 1U : 0U; });
+    result.image = std::move(cast.image);
+    if (is_cancelled(progress)) {
+        result.problem = "Ray casting was cancelled: the rest of the picture is empty.";
+        rays_ = {};
+    }
+}
+
+void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progress) {
+    const HiddenRequest& request = result.request;
+    const VisibilityParams& visibility = request.visibility;
+    if (visibility.method == VisibilityMethod::bsp) return find_bsp(result, progress);
+
+    auto polygons = std::make_shared<const std::vector<Polygon>>(polygons_for(result));
+    HiddenCounters& counters = result.counters;
+    counters.polygons = static_cast<std::int64_t>(polygons->size());
+    result.fragments = polygons;
+    const Stopwatch watch;
+    if (visibility.method == VisibilityMethod::painter) {
+        auto painter = std::make_shared<const PainterOrder>(
+            painter_order(*polygons, request.viewpoint, static_cast<PainterKey>(visibility.sort_key)));
+        result.order = painter->order;
+        counters.comparisons = painter->comparisons;
+        counters.swaps = painter->swaps;
+        result.painter = std::move(painter);
+    } else if (visibility.method == VisibilityMethod::newell) {
+        auto newell = std::make_shared<const NewellOrder>(
+            newell_order(*polygons, request.viewpoint, {.epsilon = visibility.epsilon * surface_->diagonal}, progress));
+        result.order = newell->order;
+        result.fragments = std::shared_ptr<const std::vector<Polygon>>(newell, &newell->fragments);
+        result.problem = newell->problem;
+        counters.fragments = static_cast<std::int64_t>(newell->order.size());
+        result.newell = std::move(newell);
+    } else {
+        result.order = counted(polygons->size());
+    }
+    result.time_ms = watch.ms();
+}
+
+std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenRequest& request, WorkProgress* progress) {
+    for (const auto& kept : latest_)
+        if (kept->request == request) return kept;
+
+    auto result = std::make_shared<HiddenResult>();
+    const bool is_pixel_method = request.visibility.method == VisibilityMethod::software_depth_buffer ||
+                                 request.visibility.method == VisibilityMethod::ray_cast;
+    const auto same_order = std::ranges::find_if(
+        latest_, [&](const auto& kept) { return differ_in_step_alone(kept->request, request) && !is_pixel_method; });
+    if (same_order != latest_.end()) *result = **same_order;
+    result->request = request;
+    result->surface = surface_;
+    result->compare.reset();
+    result->traced.reset();
+
+    if (same_order == latest_.end())
+        result->facing = count_facing(surface_->polygons, request.viewpoint, front_winding(request));
+    const Stopwatch watch;
+    if (request.visibility.method == VisibilityMethod::ray_cast) {
+        cast(*result, progress);
+    } else {
+        if (same_order == latest_.end()) find_order(*result, progress);
+        if (request.visibility.method == VisibilityMethod::software_depth_buffer) {
+            result->drawn = static_cast<int>(result->order.size());
+            paint(*result, -1, progress);
+            result->time_ms = watch.ms();
+            find_step(*result);
+            if (result->step >= 0) paint(*result, result->step, progress);
+        } else {
+            find_step(*result);
+            count_to_step(*result);
+            if (!is_drawn_by_gl_alone(request.visibility.method)) paint(*result, -1, progress);
+        }
+    }
+    result->is_cancelled = is_cancelled(progress);
+    if (result->is_cancelled) {
+        if (result->problem.empty()) result->problem = "The method was cancelled: the picture is not finished.";
+        return result;
+    }
+    constexpr std::size_t kept_count = 4;  // camera and mirrored eye, for two methods that are compared
+    if (latest_.size() == kept_count) latest_.erase(latest_.begin());
+    latest_.push_back(result);
+    return result;
+}
+
+}  // namespace viewing

@@ -1,0 +1,62 @@
+// Two pictures compared by two thresholds: how far a channel may be off, and which share of the pixels may be off by
+// more. A worst difference alone fails on one stray edge pixel; a share alone lets a small wrong thing pass.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "image/image.h"
+
+namespace viewing {
+
+/// Equal ⇔ same size, and the pixels of which a channel (red, green, blue or alpha) differs by more than `worst` are at
+/// most `share` of all: beyond / pixels ≤ share.
+struct CompareOptions {
+    /// Levels of 255 that a channel may be off. 2: the renderer's rounding between kinds of processors; one level
+    /// cannot be seen, a wrong light or normal changes tens.
+    int worst = 2;
+    /// 0 … 1. 0: no pixel may be beyond `worst`.
+    double share = 0.0;
+};
+
+/// A rectangle of the picture, pixel (0, 0) at the top left.
+struct PixelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+    std::int64_t pixels = 0;  ///< how many beyond the threshold lie in it
+    bool operator==(const PixelBox&) const = default;
+};
+
+struct CompareReport {
+    bool equal = false;
+    bool sizes_differ = false;        ///< then never equal; the part that both have, from the top left, is compared
+    std::array<int, 2> size_a{};      ///< width, height
+    std::array<int, 2> size_b{};      ///< width, height
+    std::int64_t pixels = 0;          ///< of the larger width times the larger height
+    std::int64_t different = 0;       ///< any channel by any amount; with them all that not both pictures have
+    std::int64_t beyond = 0;          ///< a channel by more than options.worst; with them all that not both have
+    int worst_found = 0;              ///< the largest difference of a channel, levels
+    std::array<int, 2> worst_at{};    ///< x, y of the first pixel that has it; 0, 0 when nothing differs
+    std::vector<PixelBox> boxes;      ///< around the pixels beyond the threshold, most pixels first; at most 16
+    std::int64_t boxes_left_out = 0;  ///< further ones
+    CompareOptions options;
+
+    double beyond_share() const;  ///< beyond / pixels; 0 for empty pictures
+};
+
+/// Options: worst 0 … 255, share 0 … 1. Boxes that are at most 16 pixels apart (or 1/80 of the larger side, if that is
+/// more) are one box.
+CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {});
+
+/// One line for a person, starting with "equal" or "different".
+std::string sentence(const CompareReport& report);
+
+/// The whole report with its thresholds and sentence as a JSON object, two spaces a level.
+std::string as_json(const CompareReport& report);
+
+/// A in faint grey; pixels within the threshold but not equal tinted blue, pixels beyond it orange-red (#e4572e). When
+/// sizes differ it has the larger width and height, and what not both pictures have is tinted violet.
+Image diff_picture(const Image& a, const Image& b, const CompareOptions& options = {});
+
+}  // namespace viewing

@@ -1,0 +1,198 @@
+// libpng reports errors by longjmp: every function that calls setjmp here holds no object with a destructor, and what
+// has to be freed belongs to its caller.
+#include "image/png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdio>
+#include <memory>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "platform/file.h"
+
+namespace viewing {
+
+namespace {
+
+/// What libpng's callbacks may change while it runs.
+struct PngFailure {
+    char message[160] = "";
+    bool file_ended = false;
+    int read_errno = 0;
+};
+
+[[noreturn]] void on_error(png_structp png, png_const_charp message) {
+    auto* failure = static_cast<PngFailure*>(png_get_error_ptr(png));
+    std::snprintf(failure->message, sizeof failure->message, "%s", message);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+struct ReadSource {
+    std::FILE* file;
+    PngFailure* failure;
+};
+
+void read_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+    const auto* source = static_cast<const ReadSource*>(png_get_io_ptr(png));
+    if (std::fread(bytes, 1, count, source->file) == count) return;
+    source->failure->file_ended = std::feof(source->file) != 0;
+    source->failure->read_errno = errno;
+    png_error(png, "read error");
+}
+
+struct Reader {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+
+    explicit Reader(PngFailure& failure)
+        : png(png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning)),
+          info(png != nullptr ? png_create_info_struct(png) : nullptr) {}
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    Reader(const Reader&) = delete;
+    Reader& operator=(const Reader&) = delete;
+};
+
+bool read_header(const Reader& reader, ReadSource& source) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_set_read_fn(reader.png, &source, read_bytes);
+    png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    png_read_info(reader.png, reader.info);
+    return true;
+}
+
+/// Reads all rows as 8-bit RGBA, and the end of the file, so that a cut one is noticed.
+bool read_rows(const Reader& reader, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
+    png_set_expand(reader.png);
+    png_set_scale_16(reader.png);
+    png_set_gray_to_rgb(reader.png);
+    png_set_add_alpha(reader.png, 255, PNG_FILLER_AFTER);
+    png_set_interlace_handling(reader.png);
+    png_read_update_info(reader.png, reader.info);
+    png_read_image(reader.png, rows);
+    png_read_end(reader.png, nullptr);
+    return true;
+}
+
+Error read_failure(const std::string& name, const PngFailure& failure) {
+    if (failure.file_ended) return {name + ": the PNG file is cut off before its end"};
+    if (failure.read_errno != 0)
+        return {name + ": cannot be read: " + std::generic_category().message(failure.read_errno)};
+    return {name + ": the PNG file is broken: " + failure.message};
+}
+
+/// Deflate never packs better than 1032 to 1: a header that promises more pixels than the file can hold would only
+/// cost their memory.
+bool file_can_hold(std::uintmax_t file_bytes, png_uint_32 height, std::size_t row_bytes) {
+    return file_bytes > static_cast<std::uintmax_t>(height) * row_bytes / 1032;
+}
+
+struct Writer {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+
+    explicit Writer(PngFailure& failure)
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning)),
+          info(png != nullptr ? png_create_info_struct(png) : nullptr) {}
+    ~Writer() { png_destroy_write_struct(&png, &info); }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+};
+
+void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
+    auto* out = static_cast<std::vector<std::uint8_t>*>(png_get_io_ptr(png));
+    out->insert(out->end(), bytes, bytes + count);
+}
+
+bool encode(const Writer& writer, const Image& image, bool opaque, std::vector<std::uint8_t>& out) {
+    if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
+    png_set_write_fn(writer.png, &out, append_bytes, nullptr);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
+                 8, opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(writer.png, 1);
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_write_info(writer.png, writer.info);
+    if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
+    for (int y = 0; y < image.height; ++y) png_write_row(writer.png, image.row(y));
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
+bool is_opaque(const Image& image) {
+    std::uint8_t all = 255;
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4) all &= image.rgba[i];
+    return all == 255;
+}
+
+}  // namespace
+
+Result<Image> read_png(const std::filesystem::path& path) try {
+    const std::string name = path.string();
+    const File file(std::fopen(path.c_str(), "rb"));
+    if (!file) return Error{name + ": cannot be read: " + std::generic_category().message(errno)};
+    std::error_code size_error;
+    if (std::filesystem::is_directory(path, size_error)) return Error{name + ": cannot be read: it is a directory"};
+
+    unsigned char signature[8];
+    const std::size_t signature_bytes = std::fread(signature, 1, sizeof signature, file.get());
+    if (signature_bytes < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
+        return Error{name + ": is not a PNG file"};
+
+    PngFailure failure;
+    const Reader reader(failure);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    png_set_sig_bytes(reader.png, sizeof signature);
+    ReadSource source{file.get(), &failure};
+    if (!read_header(reader, source)) return read_failure(name, failure);
+
+    const png_uint_32 width = png_get_image_width(reader.png, reader.info);
+    const png_uint_32 height = png_get_image_height(reader.png, reader.info);
+    if (width > largest_image_side || height > largest_image_side)
+        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
+                     " pixels; at most " + std::to_string(largest_image_side) + " a side are read"};
+    const std::uintmax_t file_bytes = std::filesystem::file_size(path, size_error);
+    if (!size_error && !file_can_hold(file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
+        return Error{name + ": the PNG file is cut off before its end"};
+
+    Image image{static_cast<int>(width), static_cast<int>(height), {}};
+    image.rgba.resize(image.row_bytes() * height);
+    std::vector<png_bytep> rows(height);
+    for (int y = 0; y < image.height; ++y) rows[static_cast<std::size_t>(y)] = image.row(y);
+    if (!read_rows(reader, rows.data())) return read_failure(name, failure);
+    return image;
+} catch (const std::bad_alloc&) {
+    return Error{path.string() + ": there is not enough memory for this picture"};
+}
+
+std::vector<std::uint8_t> encode_png(const Image& image) {
+    assert(image.width >= 1 && image.width <= largest_image_side);
+    assert(image.height >= 1 && image.height <= largest_image_side);
+    assert(image.rgba.size() == image.row_bytes() * static_cast<std::size_t>(image.height));
+    PngFailure failure;
+    const Writer writer(failure);
+    if (writer.info == nullptr) throw std::bad_alloc();
+    std::vector<std::uint8_t> out;
+    // libpng has no other way to fail than memory: sizes are checked above and the output is a vector.
+    if (!encode(writer, image, is_opaque(image), out)) throw std::bad_alloc();
+    return out;
+}
+
+Status write_png(const std::filesystem::path& path, const Image& image) {
+    return write_file(path, encode_png(image));
+}
+
+}  // namespace viewing

@@ -1,0 +1,91 @@
+#include "measure/depth_inspector.h"
+
+#include <algorithm>
+
+#include "frame/depth/reconcile.h"
+
+namespace viewing {
+namespace {
+
+/// The block's top left pixel, so that the pixel is in its middle where the picture has room for that.
+glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px) {
+    return glm::clamp(pixel - cells / 2, glm::ivec2(0), glm::max(size_px - cells, glm::ivec2(0)));
+}
+
+/// The fragment that the last triangle of a limited frame sends, among all of a pixel.
+std::optional<Fragment> latest_of(const std::vector<Fragment>& fragments, const DrawCall& call, int triangle) {
+    const auto found = std::ranges::find_if(fragments, [&](const Fragment& fragment) {
+        return fragment.pass == call.pass && std::max(fragment.object_index, -1) == call.object &&
+               fragment.triangle == triangle;
+    });
+    return found == fragments.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace
+
+Status DepthInspector::prepare(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
+                               glm::ivec2 size_px, const DepthWishes& wishes) {
+    if (!fresh_.now) {
+        if (Status done = now_.prepare(renderer, frame, scene, derived, size_px); !done) return done;
+        fresh_.now = true;
+    }
+    const bool has_step = frame.limit.call >= 0 && wishes.cells.x > 0;
+    if (has_step && !fresh_.before) {
+        FramePlan earlier = frame;
+        earlier.limit = step_before(frame.limit, draw_calls(frame, scene));
+        if (Status done = before_.prepare(renderer, earlier, scene, derived, size_px); !done) return done;
+        fresh_.before = true;
+    }
+    return std::monostate{};
+}
+
+void DepthInspector::read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes) {
+    const glm::ivec2 cells = glm::min(wishes.cells, size_px);
+    const glm::ivec2 first = first_pixel_of(*wishes.pixel, cells, size_px);
+    data_.now = now_.block(first, cells);
+    const auto call = static_cast<std::size_t>(std::max(frame.limit.call, 0));
+    const bool has_step = frame.limit.call >= 0 && call < data_.calls.size();
+    data_.before = has_step ? before_.block(first, cells) : data_.now;
+    data_.incoming.assign(data_.now.cells.size(), std::nullopt);
+    if (!has_step) return;
+    const DrawCall& drawn = data_.calls[call];
+    const int triangles = triangles_drawn(frame.limit, frame.limit.call, drawn.triangles);
+    for (std::size_t cell = 0; cell < data_.incoming.size() && triangles > 0; ++cell) {
+        const auto index = static_cast<int>(cell);
+        const glm::ivec2 pixel = data_.now.first_pixel + glm::ivec2(index % data_.now.size.x, index / data_.now.size.x);
+        data_.incoming[cell] = latest_of(finder_->at(frame, pixel, size_px), drawn, triangles - 1);
+    }
+}
+
+Result<PixelReport> DepthInspector::at(Renderer& renderer, const FramePlan& frame, const Scene& scene,
+                                       const Derived& derived, glm::ivec2 size_px, glm::ivec2 pixel) {
+    if (Status done = prepare(renderer, frame, scene, derived, size_px, {}); !done) return Error{done.error()};
+    return now_.at(pixel, scene);
+}
+
+Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
+                              const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes) {
+    if (fresh_.told == wishes) return std::monostate{};
+    data_ = {};
+    if (wishes.calls) data_.calls = draw_calls(frame, scene);
+    if (wishes.pixel || wishes.counts)
+        if (Status done = prepare(renderer, frame, scene, derived, size_px, wishes); !done) return done;
+    if (wishes.pixel) {
+        if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
+        finder_version_ = scene_version;
+        data_.pixel = now_.at(*wishes.pixel, scene);
+        if (wishes.fragments) {
+            data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
+            reconcile(data_.fragments, *data_.pixel);
+        }
+        if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
+    }
+    if (wishes.counts) {
+        if (!fresh_.counts) fresh_.counts = now_.count_depths();
+        data_.depth_counts = *fresh_.counts;
+    }
+    fresh_.told = wishes;
+    return std::monostate{};
+}
+
+}  // namespace viewing

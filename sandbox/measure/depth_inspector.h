@@ -1,0 +1,54 @@
+// What the views below the camera's tell of its buffers, read back when one of them wants it and something changed.
+#pragma once
+
+#include <memory>
+
+#include "frame/depth/depth_data.h"
+#include "render/probe.h"
+
+namespace viewing {
+
+/// What is wanted of the picture that is shown.
+struct DepthWishes {
+    std::optional<glm::ivec2> pixel{};  ///< inside the picture
+    bool fragments = false;             ///< all surfaces on its ray
+    bool calls = false;                 ///< the frame's draw calls
+    glm::ivec2 cells{0};                ///< columns and rows of the block around it; 0: none
+    bool counts = false;                ///< the histogram
+    bool operator==(const DepthWishes&) const = default;
+};
+
+class DepthInspector {
+public:
+    /// The picture has changed: everything is read again when it is wanted.
+    void forget() { fresh_ = {}; }
+
+    /// Reads what is wanted and not known yet. `frame`: of the camera's view, not of its overdraw or difference.
+    Status update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
+                  const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes);
+
+    const DepthData& data() const { return data_; }
+
+    /// One more pixel of the same picture, for the status bar.
+    Result<PixelReport> at(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
+                           glm::ivec2 size_px, glm::ivec2 pixel);
+
+private:
+    Status prepare(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
+                   glm::ivec2 size_px, const DepthWishes& wishes);
+    void read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes);
+
+    /// What the buffers hold already.
+    struct Fresh {
+        bool now = false, before = false;
+        std::optional<DepthCounts> counts;
+        std::optional<DepthWishes> told;  ///< that the data answer
+    };
+    Fresh fresh_;
+    DepthData data_;
+    PixelProbe now_, before_;  ///< at the step that is shown, and one step earlier
+    std::unique_ptr<FragmentFinder> finder_;
+    int finder_version_ = -1;
+};
+
+}  // namespace viewing

@@ -1,0 +1,147 @@
+#include "measure/fighting_measure.h"
+
+#include "frame/hidden/hidden_surfaces.h"
+#include "visibility/difference.h"
+
+namespace viewing {
+namespace {
+
+/// What is seen, as the objects it belongs to, and the rays to ask more.
+class ExactVisibility {
+public:
+    ExactVisibility(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px,
+                    WorkProgress* progress)
+        : solver_(scene), progress_(progress) {
+        HiddenRequest request = hidden_request(params, derived, size_px);
+        request.visibility.method = VisibilityMethod::ray_cast;
+        result_ = solver_.solve(request, progress);
+        objects_ = with_ids(result_->image, solver_.surface()->object_of_source());
+    }
+
+    const std::string& problem() const { return result_->problem; }
+    const IdImage& objects() const { return objects_; }
+
+    /// Which of two objects that coincide is seen is no question for rays: it is the one that is meant to lie on top.
+    void decide_between(const FlatPair& pair) {
+        const std::vector<std::uint8_t> met = where_both_are_met(pair);
+        const int seen = pair.first_lies_on_top() ? pair.first : pair.second;
+        for (std::size_t pixel = 0; pixel < met.size(); ++pixel)
+            if (met[pixel] != 0) objects_.ids[pixel] = seen;
+    }
+
+    /// 1 for the pixels whose rays meet both objects, where one of them is seen; not all of them once it is cancelled.
+    std::vector<std::uint8_t> where_both_are_met(const FlatPair& pair) const {
+        const RayScene first(polygons_of_object(pair.first)), second(polygons_of_object(pair.second));
+        const PixelRays rays(result_->request.viewpoint.clip_from_world(), objects_.width, objects_.height);
+        RayCounters counters;
+        std::vector<std::uint8_t> met(objects_.ids.size(), 0);
+        for (int y = 0; y < objects_.height && !is_cancelled(progress_); ++y) {
+            for (int x = 0; x < objects_.width; ++x) {
+                const int seen = objects_.id(x, y);
+                if (seen != pair.first && seen != pair.second) continue;
+                const auto [ray, max_t] = rays.through(x, y);
+                const auto meets = [&, &pixel_ray = ray, &far = max_t](const RayScene& scene) {
+                    return scene.nearest(pixel_ray, far, counters).source >= 0;
+                };
+                met[objects_.index(x, y)] = meets(first) && meets(second) ? 1 : 0;
+            }
+        }
+        return met;
+    }
+
+private:
+    std::vector<Polygon> polygons_of_object(int object) const {
+        std::vector<Polygon> found;
+        for (const Polygon& polygon : *result_->fragments)
+            if (polygon.object == object) found.push_back(polygon);
+        return found;
+    }
+
+    HiddenSurfaceSolver solver_;
+    WorkProgress* progress_;
+    std::shared_ptr<const HiddenResult> result_;
+    IdImage objects_;
+};
+
+/// Whether all pixels around this one, and itself, are marked.
+bool is_inside(const std::vector<std::uint8_t>& marked, const IdImage& image, int x, int y) {
+    if (x < 1 || y < 1 || x + 1 >= image.width || y + 1 >= image.height) return false;
+    for (int ny = y - 1; ny <= y + 1; ++ny)
+        for (int nx = x - 1; nx <= x + 1; ++nx)
+            if (marked[image.index(nx, ny)] == 0) return false;
+    return true;
+}
+
+}  // namespace
+
+Params counted_params(const Params& state) {
+    Params params;
+    params.scene = state.scene;
+    params.coplanar = state.coplanar;
+    params.camera = state.camera;
+    params.projection = state.projection;
+    params.depth = state.depth;
+    params.cull = state.cull;
+    params.slips = state.slips;
+    params.shadow.enabled = params.reflection.enabled = false;
+    return params;
+}
+
+Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px) {
+    const Params params = counted_params(state);
+    FramePlan frame = plan(params, derive(params, scene, {size_px, renderer.capabilities().clip_control}));
+    std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject != Subject::objects; });
+    View view;
+    if (Status drawn = renderer.draw_identities(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
+    const Image bytes = renderer.read(view);
+    IdImage image(bytes.width, bytes.height);
+    for (std::size_t pixel = 0; pixel < image.ids.size(); ++pixel)
+        image.ids[pixel] = bytes.rgba[4 * pixel] + 256 * bytes.rgba[4 * pixel + 1] - 1;
+    return image;
+}
+
+Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, const Scene& scene,
+                                   std::span<const FlatPair> pairs, WorkProgress* progress) {
+    const Params params = counted_params(state);
+    const glm::ivec2 size_px(drawn.width, drawn.height);
+    ExactVisibility exact(params, derive(params, scene, {size_px}), scene, size_px, progress);
+    if (!exact.problem().empty()) return Error{exact.problem()};
+
+    for (const FlatPair& pair : pairs)
+        if (pair.offset == 0.0) exact.decide_between(pair);
+    const IdImage& seen = exact.objects();
+    FightingCounts counts;
+    std::vector<std::uint8_t> of_pairs(seen.ids.size(), 0);
+    for (const FlatPair& pair : pairs) {
+        const std::vector<std::uint8_t> met = exact.where_both_are_met(pair);
+        if (is_cancelled(progress)) return Error{"The count was cancelled."};
+        CountedPair counted{.pair = pair};
+        for (int y = 0; y < seen.height; ++y) {
+            for (int x = 0; x < seen.width; ++x) {
+                const std::size_t pixel = seen.index(x, y);
+                of_pairs[pixel] |= met[pixel];
+                if (!is_inside(met, seen, x, y)) continue;
+                ++counted.pixels;
+                counted.wrong += drawn.ids[pixel] != seen.ids[pixel] ? 1 : 0;
+            }
+        }
+        counts.pairs.push_back(counted);
+    }
+    const IdDifference elsewhere = difference(seen, drawn);
+    for (std::size_t pixel = 0; pixel < of_pairs.size(); ++pixel) {
+        if (of_pairs[pixel] != 0) continue;
+        counts.wrong_elsewhere += elsewhere.differs[pixel];
+        const bool is_empty = seen.ids[pixel] == IdImage::background && drawn.ids[pixel] == IdImage::background;
+        counts.pixels_elsewhere += is_empty ? 0 : 1;
+    }
+    return counts;
+}
+
+Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,
+                                      std::span<const FlatPair> pairs, glm::ivec2 size_px, WorkProgress* progress) {
+    const Result<IdImage> drawn = objects_by_gl(renderer, state, scene, size_px);
+    if (!drawn) return Error{drawn.error()};
+    return count_wrong(*drawn, state, scene, pairs, progress);
+}
+
+}  // namespace viewing

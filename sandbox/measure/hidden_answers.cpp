@@ -1,0 +1,41 @@
+#include "measure/hidden_answers.h"
+
+namespace viewing {
+namespace {
+
+Result<IdImage> ids_of(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+                       const HiddenResult& result) {
+    if (!is_drawn_by_gl_alone(result.request.visibility.method)) return result.image;
+    return polygon_ids_by_gl(renderer, params, derived, scene, result);
+}
+
+}  // namespace
+
+Result<IdImage> polygon_ids_by_gl(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+                                  const HiddenResult& result) {
+    View view;
+    return renderer.read_polygon_ids(plan_polygon_ids(params, derived, result), scene, result.request.size_px, view);
+}
+
+Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+                           HiddenAnswer& answer) {
+    if (!answer.other || answer.pictures.difference) return std::monostate{};
+    const Result<IdImage> camera = ids_of(renderer, params, derived, scene, *answer.camera);
+    if (!camera) return Error{camera.error()};
+    const Result<IdImage> other = ids_of(renderer, params, derived, scene, *answer.other);
+    if (!other) return Error{other.error()};
+    add_difference(answer, *camera, *other);
+    return std::monostate{};
+}
+
+Result<FramePlan> plan_at_once(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+                               glm::ivec2 size_px) {
+    const std::optional<HiddenQuestion> question = hidden_question(params, derived, size_px);
+    if (!question) return plan(params, derived);
+    HiddenSurfaceSolver solver(scene);
+    HiddenAnswer answer = answer_hidden_question(solver, *question);
+    if (Status done = complete_difference(renderer, params, derived, scene, answer); !done) return Error{done.error()};
+    return plan(params, derived, answer.pictures);
+}
+
+}  // namespace viewing

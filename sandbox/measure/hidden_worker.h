@@ -1,0 +1,63 @@
+// Hidden-surface methods beside the window: long ones run in a thread of their own, show how far they are and can be
+// cancelled, while the window goes on with the answer before. Knows no GL. Read studio.h next.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "frame/hidden/hidden_views.h"
+
+namespace viewing {
+
+class HiddenWorker {
+public:
+    HiddenWorker();
+    ~HiddenWorker();
+    HiddenWorker(const HiddenWorker&) = delete;
+    HiddenWorker& operator=(const HiddenWorker&) = delete;
+
+    /// Starts on the question, unless it is the one that is answered, worked on or was cancelled. A question that
+    /// differs only in where the camera is lets the one before come to its end, so that a moving camera gets answers.
+    void ask(const HiddenQuestion& question, const Scene& scene, int scene_version);
+
+    /// Waits until nothing is worked on, at most so long; negative: as long as it takes.
+    void wait(double seconds);
+
+    /// The newest answer for this scene; null while there is none. The same pointer until there is another.
+    std::shared_ptr<const HiddenAnswer> answer(int scene_version) const;
+
+    /// 0 … 1 while it works.
+    std::optional<float> fraction() const;
+
+    /// A person's wish: gives up what is worked on. Its unfinished answer is the answer, and the same question is not
+    /// worked on again.
+    void cancel();
+
+    /// Nobody wants an answer any more: what is worked on is given up and leaves nothing behind, nor does the last one.
+    void forget();
+
+private:
+    struct Job {
+        HiddenQuestion question;
+        Scene scene;
+        int scene_version = -1;
+    };
+    void work(const std::stop_token& stop);
+    void drop_current();  ///< under the lock
+
+    mutable std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::optional<Job> waiting_;
+    std::optional<HiddenQuestion> current_;  ///< worked on
+    int current_version_ = -1;
+    bool is_dropped_ = false;  ///< the current one's answer is not wanted
+    std::shared_ptr<const HiddenAnswer> answer_;
+    int answer_version_ = -1;
+    WorkProgress progress_;
+    std::jthread thread_;  ///< last: it uses all the others
+};
+
+}  // namespace viewing

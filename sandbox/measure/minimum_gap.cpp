@@ -1,0 +1,196 @@
+#include "measure/minimum_gap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/shapes.h"
+#include "measure/fighting_measure.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 size_px(48, 48);
+constexpr double most_turned_deg = 8.0;      ///< away from the eye, as the pairs of the scene `coplanar` are
+constexpr double share_of_view = 0.6;        ///< of its half height: half the side of a quad
+constexpr double share_of_room = 0.9;        ///< of the way to the near plane: the widest gap tried
+constexpr double narrowest = 1e-12;          ///< of the distance: the smallest gap tried
+constexpr double widest_narrow_code = 1e-3;  ///< of the distance
+constexpr int places = 8;                    ///< of the pair for each gap
+constexpr int halvings = 4;                  ///< of the factor 2 between too narrow and wide enough
+
+/// The state with a camera at the origin, looking along −z, and nothing that moves depth or keeps it from being
+/// cleared.
+Params plain(const Params& state) {
+    Params params;
+    params.projection = state.projection;
+    params.depth = state.depth;
+    params.depth.clear = params.depth.write_while_clearing = params.depth.reversed_clear = true;
+    params.camera.position = glm::dvec3(0.0);
+    params.camera.yaw = params.camera.pitch = params.camera.roll = 0.0;
+    return params;
+}
+
+/// The far end of a code, next to the distance. Of a float format every distance is as good.
+double far_end_of_a_code(const DepthCoding& coding, double distance) {
+    if (coding.precision.is_float) return distance;
+    const double levels = std::exp2(coding.precision.bits) - 1.0;
+    const double code = window_depth(coding.lens, coding.mapping, distance) * levels;
+    // Depth is rounded to the nearest code, so a code ends halfway to the next one; a hundredth before that is sure.
+    const double end = std::min(std::floor(code), levels - 1.0) + 0.5;
+    const double inside = coding.mapping == DepthMapping::reversed ? 0.01 : -0.01;
+    return distance_of_window_depth(coding.lens, coding.mapping, (end + inside) / levels);
+}
+
+/// Of a quad at a distance: the same part of the view.
+double half_side(const Lens& lens, double distance) {
+    const double half_height =
+        lens.orthographic ? lens.height / 2.0 : distance * std::tan(glm::radians(lens.fovy_deg) / 2.0);
+    return half_height * share_of_view;
+}
+
+}  // namespace
+
+/// Doubles the gap until it is wide enough, halves it until it is too narrow, and then halves what lies between.
+struct MinimumGapSearch::Implementation {
+    enum class Phase { widening, narrowing, between, done };
+
+    Implementation(const Renderer& renderer, const Params& state, double distance)
+        : params(plain(state)), lens(params.projection.lens()) {
+        const DepthCoding coding =
+            depth_coding(params, derive(params, Scene{}, {size_px, renderer.capabilities().clip_control}));
+        found.distance = far_end_of_a_code(coding, std::clamp(distance, lens.near, lens.far));
+        room = (found.distance - lens.near) * share_of_room;
+        if (!(room > 0.0)) {
+            end("Nothing fits between the near plane and the pair.");
+            return;
+        }
+        sine = std::min(std::sin(glm::radians(most_turned_deg)), 0.2 * room / half_side(lens, found.distance));
+        found.predicted = fighting_onset(coding, found.distance, 2.0 * half_side(lens, found.distance) * sine);
+        gap = std::min(found.predicted.gap(), room);
+        // Rounding differs from place to place: each is many units in the last place from the next and, where codes are
+        // as narrow as float32's numbers, elsewhere within its code. Wide codes are left where they are.
+        const double code = found.predicted.quantisation;  // 0 where a float's numbers are finer than a double's
+        const bool is_fine = coding.precision.is_float || coding.precision.bits >= 24;
+        const bool is_narrow = is_fine && code > 0.0 && code < widest_narrow_code * found.distance;
+        for (int place = 0; place < places; ++place) {
+            const double shift = place * 1.3e-6 * found.distance;
+            shifts.push_back(is_narrow ? code * (std::floor(shift / code) + std::fmod(place * 0.37, 1.0)) : shift);
+        }
+    }
+
+    void end(const char* problem) {
+        found.problem = problem;
+        phase = Phase::done;
+    }
+
+    /// Goes on to another gap when it is known of this one.
+    void decide(bool is_wide_enough) {
+        next_picture = 0;
+        switch (phase) {
+            case Phase::widening:
+                if (is_wide_enough) {
+                    phase = Phase::narrowing;
+                    wide = gap;
+                    gap /= 2.0;
+                } else if (gap >= room) {
+                    end("Not even a surface next to the near plane is told apart everywhere.");
+                } else {
+                    gap = std::min(2.0 * gap, room);
+                }
+                break;
+            case Phase::narrowing:
+                if (!is_wide_enough) {
+                    phase = Phase::between;
+                    narrow = gap;
+                    gap = std::sqrt(narrow * wide);
+                } else if (gap < found.distance * narrowest) {
+                    end("However narrow the gap, no pixel was wrong.");
+                } else {
+                    wide = gap;
+                    gap /= 2.0;
+                }
+                break;
+            case Phase::between:
+                (is_wide_enough ? wide : narrow) = gap;
+                gap = std::sqrt(narrow * wide);
+                if (++halved < halvings) break;
+                found.gap = wide;
+                phase = Phase::done;
+                break;
+            case Phase::done:
+                break;
+        }
+    }
+
+    /// A quad around the line of sight.
+    SceneObject quad(double distance) const {
+        const double turned_deg = glm::degrees(std::asin(sine));
+        SceneObject made;
+        made.mesh = mesh;
+        made.world_from_model = world_from_model(glm::dvec3(0.0, 0.0, -distance), {turned_deg, 90.0 + turned_deg, 0.0},
+                                                 glm::dvec3(half_side(lens, distance)));
+        return made;
+    }
+
+    /// In the next picture.
+    Result<bool> is_told_apart(Renderer& renderer, WorkProgress* progress) {
+        const double distance = found.distance - shifts[next_picture / 2];
+        Scene scene;
+        scene.objects = {quad(distance), quad(distance - gap)};
+        if (next_picture % 2 == 1) std::swap(scene.objects[0], scene.objects[1]);
+        const FlatPair pair{.first = 0, .second = 1, .offset = gap};
+        const auto counts = count_fighting(renderer, params, scene, {&pair, 1}, size_px, progress);
+        if (!counts) return Error{counts.error()};
+        ++found.pictures;
+        ++next_picture;
+        return counts->pairs[0].wrong == 0 && counts->pairs[0].pixels > 0;
+    }
+
+    Params params;
+    Lens lens;
+    double room = 0.0;           ///< the widest gap
+    double sine = 0.0;           ///< of the angle by which quads are turned twice: so little that they keep off near
+    std::vector<double> shifts;  ///< of the pair towards the eye
+    Phase phase = Phase::widening;
+    double gap = 0.0;                 ///< tried now
+    std::size_t next_picture = 0;     ///< of this gap: each shift twice, the second time with the nearer quad first
+    double narrow = 0.0, wide = 0.0;  ///< too narrow, wide enough
+    int halved = 0;
+    MinimumGap found;
+    std::shared_ptr<const Mesh> mesh = std::make_shared<const Mesh>(quad_mesh());
+};
+
+MinimumGapSearch::MinimumGapSearch(const Renderer& renderer, const Params& state, double distance)
+    : implementation_(std::make_unique<Implementation>(renderer, state, distance)) {}
+MinimumGapSearch::MinimumGapSearch(MinimumGapSearch&&) noexcept = default;
+MinimumGapSearch& MinimumGapSearch::operator=(MinimumGapSearch&&) noexcept = default;
+MinimumGapSearch::~MinimumGapSearch() = default;
+
+bool MinimumGapSearch::is_done() const {
+    return implementation_->phase == Implementation::Phase::done;
+}
+
+const MinimumGap& MinimumGapSearch::found() const {
+    return implementation_->found;
+}
+
+Status MinimumGapSearch::step(Renderer& renderer, WorkProgress* progress) {
+    Implementation& search = *implementation_;
+    if (is_done()) return std::monostate{};
+    const Result<bool> is_told_apart = search.is_told_apart(renderer, progress);
+    if (!is_told_apart) {
+        search.phase = Implementation::Phase::done;
+        return Error{is_told_apart.error()};
+    }
+    if (!*is_told_apart || search.next_picture == 2 * search.shifts.size()) search.decide(*is_told_apart);
+    return std::monostate{};
+}
+
+Result<MinimumGap> find_minimum_gap(Renderer& renderer, const Params& params, double distance, WorkProgress* progress) {
+    MinimumGapSearch search(renderer, params, distance);
+    while (!search.is_done())
+        if (Status done = search.step(renderer, progress); !done) return Error{done.error()};
+    return search.found();
+}
+
+}  // namespace viewing

@@ -1,0 +1,85 @@
+#include "measure/mirror_measure.h"
+
+#include <algorithm>
+#include <set>
+
+namespace viewing {
+namespace {
+
+/// What GL's depth buffer makes of it in colour, whatever the state's own view shows.
+FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const Viewport& viewport) {
+    Params params = mirrored_in(state, way);
+    params.visibility = {};
+    params.view = ViewParams{};
+    params.view.samples = 0;
+    return plan(params, derive(params, scene, viewport));
+}
+
+/// The frame until the first image is there and its mirror not yet; without a mirror it has no passes.
+FramePlan until_image(FramePlan frame) {
+    const auto first = std::ranges::find_if(frame.passes, &Pass::is_mirror_image);
+    const auto after = std::find_if(first, frame.passes.end(), [](const Pass& pass) { return !pass.is_mirror_image; });
+    frame.passes.erase(after, frame.passes.end());
+    if (frame.passes.empty() || !frame.passes.back().is_mirror_image) {
+        frame.passes.clear();
+    } else if (!frame.passes.back().stencil.test) {  // nothing tells its pixels from those of other passes
+        std::erase_if(frame.passes, [](const Pass& pass) { return !pass.is_mirror_image; });
+    }
+    return frame;
+}
+
+/// The depths that the image leaves inside its mask.
+Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& whole, const Scene& scene,
+                   glm::ivec2 size_px, MirrorWayReport& report) {
+    const FramePlan frame = until_image(whole);
+    if (frame.passes.empty()) return std::monostate{};
+    const StencilState& mask = frame.passes.back().stencil;
+    View view;
+    if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return drawn;
+    std::set<std::uint32_t> codes;
+    for (const StoredPixel& pixel : reader.stored(view, frame.depth_format, {{0, 0}, size_px})) {
+        const bool is_inside = !mask.test || (pixel.stencil & mask.read_bits) == mask.reference;
+        if (!is_inside || pixel.window_depth == frame.clear_depth_value) continue;
+        const bool is_first = report.image_pixels++ == 0;
+        report.first_depth = is_first ? pixel.window_depth : std::min(report.first_depth, pixel.window_depth);
+        report.last_depth = is_first ? pixel.window_depth : std::max(report.last_depth, pixel.window_depth);
+        codes.insert(pixel.code);
+    }
+    report.distinct_depths = static_cast<std::int64_t>(codes.size());
+    return std::monostate{};
+}
+
+/// Lays what differs over the picture.
+void show_difference(FramePlan& frame, DifferenceDrawing drawing) {
+    frame.hidden.difference = std::make_shared<const DifferenceDrawing>(std::move(drawing));
+    frame.passes.push_back(difference_pass("red where the picture differs from the first way's, a veil elsewhere"));
+}
+
+}  // namespace
+
+Result<MirrorWays> compare_mirror_ways(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px,
+                                       std::array<View, mirror_way_count>* pictures) {
+    Result<BufferReader> reader = BufferReader::make(renderer.capabilities());
+    if (!reader) return Error{reader.error()};
+    const Viewport viewport{size_px, renderer.capabilities().clip_control};
+    MirrorWays ways{.size_px = size_px, .reports = {}};
+    Image reference;
+    for (std::size_t index = 0; index < mirror_way_count; ++index) {
+        FramePlan frame = plan_of(state, static_cast<MirrorWay>(index), scene, viewport);
+        View own;
+        View& view = pictures ? (*pictures)[index] : own;
+        if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
+        Image picture = renderer.read(view);
+        if (index == 0) reference = picture;
+        PictureDifference found = picture_difference(reference.rgba, picture.rgba, size_px);
+        ways.reports[index] = found.report;
+        if (Status read = read_depths(renderer, *reader, frame, scene, size_px, ways.reports[index]); !read)
+            return Error{read.error()};
+        if (!pictures || index == 0) continue;
+        show_difference(frame, std::move(found.drawing));
+        if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
+    }
+    return ways;
+}
+
+}  // namespace viewing

@@ -1,0 +1,253 @@
+#include "session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <future>
+
+#include "platform/file.h"
+#include "state/fields.h"
+#include "state/json.h"
+
+namespace viewing {
+
+/// A scene being loaded off the user interface's thread.
+struct Session::LoadJob {
+    SceneSource source;
+    std::filesystem::path base;
+    CoplanarParams coplanar;
+    LoadProgress progress;
+    std::future<Result<Scene>> result;
+
+    ~LoadJob() {
+        progress.cancelled = true;
+        if (result.valid()) result.wait();
+    }
+};
+
+MotionMode motion_mode(Navigation navigation) {
+    switch (navigation) {
+        case Navigation::walk:
+            return MotionMode::walk;
+        case Navigation::orbit:
+            return MotionMode::orbit;
+        default:
+            return MotionMode::fly;
+    }
+}
+
+Session::Session(const LoadedState& state, Scene scene)
+    : params(state.params),
+      base_(state.base),
+      scene_(std::move(scene)),
+      loaded_source_(state.params.scene),
+      loaded_base_(state.base),
+      history_(state.params),
+      at_rest_(state.params),
+      before_(state.params) {}
+
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Result<Session> Session::make(const LoadedState& state) {
+    Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
+    if (!scene) return Error{scene.error()};
+    return Session(state, std::move(*scene));
+}
+
+void Session::update_scene() {
+    const bool wanted = awaits_scene();
+    if (job_ && (!wanted || job_->source != params.scene || job_->base != base_)) job_.reset();
+    if (!wanted) {
+        before_replacing_.reset();
+        remake_scene();
+        return;
+    }
+    if (!job_) {
+        job_ = std::make_unique<LoadJob>();
+        job_->source = params.scene;
+        job_->base = base_;
+        job_->coplanar = params.coplanar;
+        job_->result = std::async(std::launch::async, [job = job_.get()] {
+            return load_scene(job->source, job->base, job->coplanar, &job->progress);
+        });
+    }
+    // Most scenes are there at once: a short wait spares a frame with the old one.
+    if (job_->result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) return;
+    Result<Scene> loaded = job_->result.get();
+    if (loaded) {
+        scene_ = std::move(*loaded);
+        loaded_source_ = job_->source;
+        loaded_base_ = job_->base;
+        ++scene_version_;
+        job_.reset();
+        before_replacing_.reset();
+    } else {
+        message = {loaded.error(), true};
+        keep_scene();
+    }
+}
+
+void Session::remake_scene() {
+    if (!scene_.made_from || *scene_.made_from == params.coplanar) return;
+    Result<Scene> made = load_scene(SceneDescription{{}, SceneFormula::coplanar}, {}, params.coplanar);
+    if (!made) return report(Error{made.error()});
+    scene_ = std::move(*made);
+    ++scene_version_;
+}
+
+void Session::keep_scene() {
+    if (before_replacing_) params = *before_replacing_;
+    params.scene = loaded_source_;
+    base_ = loaded_base_;
+    before_replacing_.reset();
+    job_.reset();
+}
+
+void Session::finish_loading() {
+    update_scene();
+    while (job_) {
+        job_->result.wait();
+        update_scene();
+    }
+}
+
+std::optional<float> Session::loading_fraction() const {
+    if (!job_) return std::nullopt;
+    return job_->progress.fraction.load();
+}
+
+std::string Session::loading_name() const {
+    if (!job_) return {};
+    if (const auto* name = std::get_if<std::string>(&job_->source)) return *name;
+    const SceneDescription& scene = std::get<SceneDescription>(job_->source);
+    return scene.objects.empty() ? "scene" : scene.objects.front().name;
+}
+
+void Session::cancel_loading() {
+    if (!job_) return;
+    keep_scene();
+    message = {"loading cancelled: the scene is as it was", false};
+}
+
+void Session::aim_at_target() {
+    CameraParams& camera = params.camera;
+    const glm::dvec3 to_target = camera.target - camera.position;
+    const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(camera.angles())[2]);
+    const double half_view_deg =
+        params.projection.type == ProjectionType::perspective ? params.projection.fovy * 0.5 : 20.0;
+    const double distance = glm::length(to_target);
+    if (distance == 0.0 || glm::dot(forward, to_target) >= distance * std::cos(glm::radians(half_view_deg))) return;
+    const Angles angles = angles_looking_at(camera.position, camera.target);
+    camera.yaw = angles.yaw_deg;
+    camera.pitch = angles.pitch_deg;
+    camera.roll = angles.roll_deg;
+}
+
+void Session::navigate(const MotionInput& input, double dt_s) {
+    const bool begins = motion_.at_rest() && !input.idle();
+    if (begins && params.camera.navigation == Navigation::orbit && !params.slips.pole_flip) aim_at_target();
+    const Pose before{params.camera.position, params.camera.angles(), params.camera.target};
+    const MotionSlips slips{params.slips.walk_slows, params.slips.creeping_roll, params.slips.pole_flip};
+    const MotionMode mode = motion_mode(params.camera.navigation);
+    const Pose after = step(before, motion_, input, mode, slips, tuning_, dt_s);
+    moving_ = viewing::moving_freedoms(motion_, input, mode);
+    params.camera.position = after.position;
+    params.camera.yaw = after.angles.yaw_deg;
+    params.camera.pitch = after.angles.pitch_deg;
+    params.camera.roll = after.angles.roll_deg;
+    params.camera.target = after.target;
+    clamp_to_ranges(params);
+}
+
+void Session::scale_speed(double factor) {
+    tuning_.speed = std::clamp(tuning_.speed * factor, 0.05, 200.0);
+}
+
+void Session::rest() {
+    if (awaits_scene() || !history_.rest(params)) return;
+    before_ = at_rest_;
+    at_rest_ = params;
+}
+
+void Session::undo() {
+    if (awaits_scene() && params != at_rest_) return keep_scene();  // no step yet
+    rest();
+    if (std::optional<Params> earlier = history_.undo()) {
+        before_ = params;
+        params = at_rest_ = *earlier;
+        motion_ = {};
+    }
+}
+
+void Session::redo() {
+    rest();
+    if (std::optional<Params> later = history_.redo()) {
+        before_ = params;
+        params = at_rest_ = *later;
+        motion_ = {};
+    }
+}
+
+void Session::reset() {
+    const UiParams ui = params.ui;
+    params = Params{};
+    params.ui = ui;
+    motion_ = {};
+    message = {"everything is as at the start; Ctrl+Z brings the state back", false};
+}
+
+void Session::replace(const LoadedState& state) {
+    if (!before_replacing_) before_replacing_ = params;
+    params = state.params;
+    base_ = state.base;
+    motion_ = {};
+}
+
+Status Session::open(const std::string& argument) {
+    if (is_obj_file(argument)) {
+        params.scene = std::filesystem::absolute(argument).string();
+        return std::monostate{};
+    }
+    Result<LoadedState> state = load_state(argument);
+    if (!state) return Error{state.error()};
+    // A state that says nothing of its looks keeps the ones that the person has chosen.
+    if (state->params.ui == UiParams{}) state->params.ui = params.ui;
+    replace(*state);
+    message = {"opened " + argument, false};
+    return std::monostate{};
+}
+
+Status Session::paste(const std::string& text) {
+    Result<Params> pasted = parse_state(text, "clipboard");
+    if (!pasted) return Error{pasted.error()};
+    replace({*pasted, base_});
+    message = {"state pasted from the clipboard", false};
+    return std::monostate{};
+}
+
+std::string Session::text() const {
+    // A relative name that is a file beside the state means nothing elsewhere; names of assets stay.
+    const auto from_root = [this](std::string& name) {
+        const std::filesystem::path file = base_ / name;
+        std::error_code ignored;
+        if (std::filesystem::is_regular_file(file, ignored))
+            name = std::filesystem::absolute(file).lexically_normal().string();
+    };
+    Params portable = params;
+    if (auto* name = std::get_if<std::string>(&portable.scene))
+        from_root(*name);
+    else
+        for (ObjectDescription& object : std::get<SceneDescription>(portable.scene).objects)
+            if (object.shape == ShapeKind::mesh) from_root(object.file);
+    return write_state(portable);
+}
+
+Status Session::save(const std::filesystem::path& file) {
+    const std::string whole = text();
+    Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
+    if (written) message = {"saved " + file.string(), false};
+    return written;
+}
+
+}  // namespace viewing

@@ -1,0 +1,109 @@
+// One open sandbox without its looks: the parameters with their history, the scene they name, and the motion
+// through it. Panels edit `params` in place; the session notices. Read workbench.h next.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "geometry/navigation.h"
+#include "session/history.h"
+#include "state/presets.h"
+#include "state/scene.h"
+
+namespace viewing {
+
+/// A line for the status bar, good or bad news.
+struct Message {
+    std::string text;
+    bool is_error = false;
+};
+
+class Session {
+public:
+    /// Loads the scene at once; the error says why it cannot be.
+    static Result<Session> make(const LoadedState& state);
+    /// With a scene that is already loaded.
+    Session(const LoadedState& state, Scene scene);
+    Session(Session&&) noexcept;
+    Session& operator=(Session&&) noexcept;
+    ~Session();
+
+    Params params;
+    Message message;
+
+    /// A failure becomes the message.
+    void report(const Status& status) {
+        if (!status) message = {status.error(), true};
+    }
+
+    const Scene& scene() const { return scene_; }
+    /// Counts up whenever another scene takes over.
+    int scene_version() const { return scene_version_; }
+
+    /// Called once a frame: starts and finishes the loading of the scene that `params` names. A scene that cannot be
+    /// loaded leaves everything as it was and says why in `message`.
+    void update_scene();
+    /// Waits for it; for pictures without a window.
+    void finish_loading();
+    std::optional<float> loading_fraction() const;
+    std::string loading_name() const;
+    void cancel_loading();
+
+    /// Moves the camera; the motion goes on until it is at rest.
+    void navigate(const MotionInput& input, double dt_s);
+    bool is_moving() const { return !motion_.at_rest(); }
+    const MovingFreedoms& moving_freedoms() const { return moving_; }  ///< in the last step
+    double speed() const { return tuning_.speed; }
+    void scale_speed(double factor);
+
+    /// Called when nothing is held or moving: one undo step if something changed. A change that names another scene
+    /// becomes a step when that scene is there.
+    void rest();
+    void undo();
+    void redo();
+    bool can_undo() const { return history_.can_undo(); }
+    bool can_redo() const { return history_.can_redo(); }
+    /// The parameters before the latest edit: what is tinted as changed is measured against them.
+    const Params& before_latest_edit() const { return params == at_rest_ ? before_ : at_rest_; }
+
+    void reset();
+    /// Takes over a state as one step.
+    void replace(const LoadedState& state);
+    Status open(const std::string& argument);  ///< a file, a preset's name, an .obj or a dropped file
+    Status paste(const std::string& text);
+    Status save(const std::filesystem::path& file);
+    /// The whole state as text, with the files it names told from the root: it reads back from anywhere.
+    std::string text() const;
+
+private:
+    struct LoadJob;
+
+    /// Turns the camera to the orbit's target when that is out of view: orbiting something unseen helps nobody.
+    void aim_at_target();
+    bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
+    /// Makes the scene anew at once where a formula made it from other parameters: there is nothing to wait for.
+    void remake_scene();
+    /// The scene that is awaited does not come: back to what was before it was named.
+    void keep_scene();
+
+    std::filesystem::path base_;
+    Scene scene_;
+    SceneSource loaded_source_;
+    std::filesystem::path loaded_base_;
+    int scene_version_ = 0;
+    std::unique_ptr<LoadJob> job_;
+    std::optional<Params> before_replacing_;  ///< while the scene of a whole new state is awaited
+
+    Motion motion_;
+    MovingFreedoms moving_;
+    MotionTuning tuning_;
+    History history_;
+    Params at_rest_, before_;
+};
+
+/// The navigation mode as the motion model names it.
+MotionMode motion_mode(Navigation navigation);
+
+}  // namespace viewing

@@ -1,0 +1,33 @@
+// The small pieces that messages are made of.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace viewing {
+
+/// The shortest decimal that reads back to exactly `value`, as JSON takes it: "0.5", "-0.0", "40000", "1e6".
+std::string format_number(double value);
+
+/// A text fit for a message: control characters become "?", more than 200 bytes are cut between two characters.
+std::string one_line(std::string_view text);
+
+/// "never, less, equal".
+std::string joined(std::span<const char* const> names);
+
+/// How many insertions, deletions, substitutions and swaps of neighbours turn one word into the other
+/// (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 characters.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The candidate nearest to a misspelt word, the first on a tie; none when nothing is near enough to be meant.
+std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+/// `; did you mean "less"?` for a misspelt word, "" when nothing is near.
+std::string suggestion(std::string_view word, std::span<const std::string> candidates);
+
+/// Whether so many edits still look like a slip of the pen in a word of this length.
+bool is_near(std::size_t distance, std::size_t word_length);
+
+}  // namespace viewing

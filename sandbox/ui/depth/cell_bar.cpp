@@ -1,0 +1,155 @@
+#include "ui/depth/cell_bar.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/depth/draw_steps.h"
+#include "ui/parts/look.h"
+#include "visibility/growth.h"
+#include "widgets/diagrams.h"
+
+namespace viewing {
+namespace {
+
+constexpr float gap = 2.0F;
+
+/// Equally wide whatever stands on it, in pixels.
+float button_width() {
+    return std::round(1.15F * ImGui::GetFrameHeight());
+}
+
+bool arrow(const char* sign, bool enabled, const char* title, const char* explanation) {
+    ImGui::BeginDisabled(!enabled);
+    const bool clicked = ImGui::Button(sign, {button_width(), 0.0F});
+    widgets::Record(sign);
+    ImGui::EndDisabled();
+    widgets::Tooltip(title, enabled ? explanation : "It stands there already.");
+    return clicked;
+}
+
+/// The calls may still be those of another scene: for one frame.
+std::string title_of(const DrawCall& call, const FramePlan& plan, const Scene& scene) {
+    const bool is_known = call.pass < plan.passes.size() && call.object < static_cast<int>(scene.objects.size());
+    return is_known ? name_of(call, plan, scene) : "…";
+}
+
+/// One of the calls, or all of them; changes `limit`.
+void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
+                 float width) {
+    const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
+    const int count = static_cast<int>(calls.size());
+    const std::string all = "all " + std::to_string(count) + " draw calls";
+    const bool shows_all = limit.call < 0 || limit.call >= count;
+    if (widgets::BeginChoice("##call", shows_all ? all.c_str() : title(limit.call).c_str(), width)) {
+        for (int call = -1; call < count; ++call) {
+            ImGui::PushID(call);
+            const std::string name = call < 0 ? all : std::to_string(call + 1) + "  " + title(call);
+            if (ImGui::Selectable(name.c_str(), call < 0 ? shows_all : call == limit.call)) limit = {call, -1};
+            widgets::Record(name.c_str());
+            ImGui::PopID();
+        }
+        widgets::EndChoice();
+    } else {
+        const std::string explanation =
+            "The last draw call that GL gets; the frame has " + std::to_string(count) + " of them.";
+        widgets::Tooltip("Draw call", explanation.c_str());
+    }
+}
+
+void call_row(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
+              const Rect& rect) {
+    const widgets::Group group("calls");
+    ImGui::SetCursorScreenPos(rect.min);
+    const bool is_nothing = limit.call == 0 && limit.triangles == 0;
+    if (arrow("←", !is_nothing, "Call before", "One whole draw call back.")) limit = previous_call(limit, calls);
+    ImGui::SameLine(0.0F, px(gap));
+    choose_call(limit, calls, plan, scene, std::max(rect.width() - 2.0F * (button_width() + px(gap)), px(40.0F)));
+    ImGui::SameLine(0.0F, px(gap));
+    if (arrow("→", limit.call >= 0, "Next call", "One whole draw call further.")) limit = next_call(limit, calls);
+}
+
+/// The step after some time; at the end the playing stops.
+int played(int step, int count, StepPlayer& player, double dt_s) {
+    player.carry_steps += std::max(dt_s, 0.0) * player.steps_per_s;
+    const double whole = std::floor(player.carry_steps);
+    player.carry_steps -= whole;
+    const int reached = step < 0 ? count : step;
+    if (whole < count - reached) return reached + static_cast<int>(whole);
+    player = {.steps_per_s = player.steps_per_s};
+    return count;
+}
+
+void play_button(int& step, int count, StepPlayer& player) {
+    if (ImGui::Button(player.playing ? "■##play" : "▶##play", {button_width(), 0.0F})) {
+        player = {.playing = !player.playing, .steps_per_s = player.steps_per_s};
+        if (player.playing && (step < 0 || step >= count)) step = 0;
+    }
+    widgets::Record("play");
+    widgets::Tooltip(player.playing ? "Stop" : "Play", player.playing ? "Stay at this triangle."
+                                                                      : "Go on triangle by triangle; from the end, "
+                                                                        "start again.");
+}
+
+/// What there is room for where the whole bar has none: back, the number, on, play.
+void short_bar(int& step, int count, StepPlayer& player, const Rect& rect) {
+    if (player.playing) {
+        step = played(step, count, player, ImGui::GetIO().DeltaTime);
+        widgets::CurrentContext().editing.redraw_in_s = 0.0F;
+    }
+    const int before = step;
+    int reached = step < 0 ? count : step;
+    ImGui::PushButtonRepeat(true);
+    if (arrow("←", reached > 0, "Back", "One triangle back; hold to go on.")) step = reached - 1;
+    ImGui::SameLine(0.0F, px(gap));
+    double value = reached;
+    const std::string of = " / " + std::to_string(count);
+    const float room = rect.width() - 3.0F * (button_width() + px(gap));
+    if (widgets::Number("##triangle", value,
+                        {.min = 0.0,
+                         .max = static_cast<double>(count),
+                         .step = std::clamp(count / 400.0, 0.02, 100.0),
+                         .decimals = 0,
+                         .unit = of.c_str(),
+                         .integer = true,
+                         .default_value = static_cast<double>(count)},
+                        std::max(room, px(40.0F))))
+        step = static_cast<int>(std::lround(value));
+    widgets::Tooltip("Triangle", "How many triangles of the frame are drawn. Double-click to type, drag to change.");
+    ImGui::SameLine(0.0F, px(gap));
+    if (arrow("→", reached < count, "On", "One triangle further; hold to go on.")) step = reached + 1;
+    ImGui::PopButtonRepeat();
+    if (step != before) player.playing = false;
+    ImGui::SameLine(0.0F, px(gap));
+    play_button(step, count, player);
+}
+
+}  // namespace
+
+void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const FramePlan& plan,
+                   const CellLayout& layout, StepPlayer& player) {
+    ViewParams& view = session.params.view;
+    DrawLimit limit{view.call, view.triangle};
+    const int count = step_count(calls);
+    int step = step_of(limit, calls);
+    const int before = step;
+
+    ImGui::SetCursorScreenPos(layout.steps.min);
+    if (layout.has_step_bar) {
+        widgets::StepBar("steps", step, count, player.playing, player.steps_per_s, ImGui::GetIO().DeltaTime,
+                         player.carry_steps);
+    } else {
+        const widgets::Group group("steps");
+        short_bar(step, count, player, layout.steps);
+    }
+    if (step != before) limit = limit_of(step, calls);
+
+    if (layout.has_calls) {
+        const DrawLimit by_step = limit;
+        call_row(limit, calls, plan, session.scene(), layout.calls);
+        if (limit != by_step) player.playing = false;
+    }
+    view.call = limit.call;
+    view.triangle = limit.triangles;
+}
+
+}  // namespace viewing

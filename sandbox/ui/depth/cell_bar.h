@@ -1,0 +1,13 @@
+// The controls above the cell view: which draw call and which triangle of it the frame stops after.
+#pragma once
+
+#include "ui/depth/cell_layout.h"
+#include "ui/depth/cell_view.h"
+
+namespace viewing {
+
+/// Edits params.view.call and triangle; goes on by itself while it plays.
+void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const FramePlan& plan,
+                   const CellLayout& layout, StepPlayer& player);
+
+}  // namespace viewing

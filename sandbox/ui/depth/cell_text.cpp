@@ -1,0 +1,80 @@
+#include "ui/depth/cell_text.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+
+#include "ui/depth/fragment_text.h"
+#include "visibility/growth.h"
+
+namespace viewing {
+namespace {
+
+constexpr int least_decimals = 2, widest_code_bits = 16;
+constexpr const char* cleared_text = "clear";
+
+bool is_cleared(const BufferCell& cell, double cleared) {
+    return cell.window_depth == cleared;
+}
+
+std::vector<std::string> window_depths(const CellBlock& block, int decimals) {
+    std::vector<std::string> texts;
+    for (const BufferCell& cell : block.cells) {
+        char text[48];
+        std::snprintf(text, sizeof text, "%.*f", decimals, cell.window_depth);
+        texts.emplace_back(text);
+    }
+    return texts;
+}
+
+/// Whether equal texts stand for equal codes.
+bool tells_apart(const CellBlock& block, const std::vector<std::string>& texts) {
+    std::map<std::string, std::uint32_t> code_of;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        if (code_of.try_emplace(texts[i], block.cells[i].stored).first->second != block.cells[i].stored) return false;
+    return true;
+}
+
+struct CodeRange {
+    std::uint32_t least = ~0U, greatest = 0;
+};
+
+CodeRange written_codes(const CellBlock& block, double cleared) {
+    CodeRange range;
+    for (const BufferCell& cell : block.cells) {
+        if (is_cleared(cell, cleared)) continue;
+        range.least = std::min(range.least, cell.stored);
+        range.greatest = std::max(range.greatest, cell.stored);
+    }
+    return range;
+}
+
+}  // namespace
+
+CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room) {
+    const int most_decimals = std::max(room - 2, least_decimals);
+    if (!precision.is_float && precision.bits <= widest_code_bits) {
+        const std::int64_t greatest = (1 << precision.bits) - 1;
+        CellTexts codes;
+        for (const BufferCell& cell : block.cells) codes.texts.push_back(std::to_string(cell.stored));
+        codes.note = "stored code, 0 … " + grouped_number(greatest);
+        if (static_cast<int>(std::to_string(greatest).size()) <= room) return codes;
+    }
+    for (int decimals = least_decimals; decimals <= most_decimals; ++decimals)
+        if (std::vector<std::string> texts = window_depths(block, decimals); tells_apart(block, texts))
+            return {std::move(texts), "window depth"};
+
+    const CodeRange range = written_codes(block, cleared);
+    CellTexts above;
+    for (const BufferCell& cell : block.cells)
+        above.texts.push_back(is_cleared(cell, cleared) ? cleared_text : std::to_string(cell.stored - range.least));
+    if (range.least <= range.greatest &&
+        std::to_string(range.greatest - range.least).size() <= static_cast<std::size_t>(std::max(room, 1))) {
+        above.note = precision.is_float ? "floats above " + code_text(range.least, precision)
+                                        : "stored code minus " + grouped_number(range.least);
+        return above;
+    }
+    return {window_depths(block, most_decimals), "window depth, shortened"};
+}
+
+}  // namespace viewing

@@ -1,0 +1,229 @@
+#include "ui/depth/cell_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/depth/cell_bar.h"
+#include "ui/depth/cell_layout.h"
+#include "ui/depth/cell_text.h"
+#include "ui/depth/draw_steps.h"
+#include "ui/depth/fragment_text.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/hidden/polygon_table.h"
+#include "ui/parts/look.h"
+#include "widgets/depth.h"
+
+namespace viewing {
+namespace {
+
+ImU32 opaque(const Color& color) {
+    return IM_COL32(color.r, color.g, color.b, 255);
+}
+
+/// Near is dark and far is light, as far as the block's own depths go; black and white stay free for what is not
+/// written.
+class Greys {
+public:
+    Greys(const CellBlock& block, const FramePlan& plan) : is_reversed_(plan.depth_mapping == DepthMapping::reversed) {
+        for (const BufferCell& cell : block.cells) {
+            if (cell.window_depth == plan.clear_depth_value) continue;
+            least_ = std::min(least_, cell.window_depth);
+            greatest_ = std::max(greatest_, cell.window_depth);
+        }
+    }
+    ImU32 of(double window_depth) const {
+        const double share = greatest_ > least_ ? (window_depth - least_) / (greatest_ - least_) : 0.5;
+        const double far_share = std::clamp(is_reversed_ ? 1.0 - share : share, 0.0, 1.0);
+        const auto grey = static_cast<ImU32>(std::lround(45.0 + 175.0 * far_share));
+        return IM_COL32(grey, grey, grey, 255);
+    }
+
+private:
+    bool is_reversed_;
+    double least_ = 2.0, greatest_ = -1.0;
+};
+
+/// The block as the two grids show it.
+struct CellPicture {
+    CellTexts texts;
+    std::vector<widgets::Cell> colors, depths;
+};
+
+/// As many small digits as fit in a cell of the grid.
+int room_of(const CellBlock& block, const Rect& grid) {
+    const float columns = static_cast<float>(block.size.x), rows = static_cast<float>(block.size.y);
+    const float side = std::floor(std::min((grid.width() - px(8.0F)) / columns, (grid.height() - px(8.0F)) / rows));
+    const ImFont* font = widgets::CurrentContext().fonts.small_number;
+    if (!font) font = ImGui::GetFont();
+    const float digit = font->CalcTextSizeA(font->FontSize, 1e9F, 0.0F, "0").x;
+    return std::max(4, static_cast<int>(std::floor((side - px(5.0F)) / std::max(digit, 1.0F))));
+}
+
+CellPicture picture_of(const DepthData& data, const FramePlan& plan, bool is_step, const Rect& grid) {
+    const CellBlock& now = data.now;
+    const DepthPrecision precision = precision_of(plan.depth_format);
+    CellPicture picture{cell_texts(now, precision, plan.clear_depth_value, room_of(now, grid)), {}, {}};
+    const Greys greys(now, plan);
+    const bool compares = is_step && data.before.size == now.size && data.before.cells.size() == now.cells.size();
+    for (std::size_t i = 0; i < now.cells.size(); ++i) {
+        const BufferCell& cell = now.cells[i];
+        const BufferCell& before = compares ? data.before.cells[i] : cell;
+        const bool is_cleared = cell.window_depth == plan.clear_depth_value;
+        picture.colors.push_back({.color = opaque(cell.color),
+                                  .accent = cell.color != before.color,
+                                  .unwritten = is_cleared && cell.color == plan.background});
+        picture.depths.push_back({.color = is_cleared ? opaque(plan.unwritten) : greys.of(cell.window_depth),
+                                  .text = picture.texts.texts[i],
+                                  .accent = cell.stored != before.stored,
+                                  .unwritten = is_cleared});
+    }
+    return picture;
+}
+
+/// What the grid below it shows: as much of it as there is room for, what its numbers are before its name.
+void caption(const Rect& grid, float height, const std::string& title, const std::string& note) {
+    if (height < 1.0F) return;
+    const bool is_large = height > px(18.0F);
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    ImGui::PushFont(is_large ? fonts.text : fonts.note);
+    ImGui::SetCursorScreenPos({grid.min.x + px(4.0F), grid.min.y - height});
+    const float room = grid.width() - px(8.0F);
+    const std::string full = note.empty() ? title : title + ": " + note;
+    const bool fits = note.empty() || ImGui::CalcTextSize(full.c_str()).x <= room;
+    ImGui::TextUnformatted(shortened(fits ? full : note, room).c_str());
+    widgets::Record(full.c_str());
+    ImGui::PopFont();
+}
+
+/// Short: it must not hide the neighbours.
+void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision& precision) {
+    const std::string title = "pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
+    const std::string code =
+        precision.is_float ? bits_text(cell.stored)
+                           : code_text(cell.stored, precision) + " of 2" + widgets::RaisedText(precision.bits) + " − 1";
+    const std::string body = "stored " + code + "\nz_window " + widgets::NumberText(cell.window_depth, 9);
+    widgets::Tooltip(title.c_str(), body.c_str());
+}
+
+/// The index of a pixel's cell; −1: outside of the block.
+int cell_of(const CellBlock& block, glm::ivec2 pixel) {
+    const glm::ivec2 at = pixel - block.first_pixel;
+    if (at.x < 0 || at.y < 0 || at.x >= block.size.x || at.y >= block.size.y) return -1;
+    return at.y * block.size.x + at.x;
+}
+
+glm::ivec2 pixel_of(const CellBlock& block, int cell) {
+    return block.first_pixel + glm::ivec2(cell % block.size.x, cell / block.size.x);
+}
+
+/// Calls beyond the last one are no other frame.
+bool shows_whole_frame(const ViewParams& view, const std::vector<DrawCall>& calls) {
+    return view.call < 0 || view.call >= static_cast<int>(calls.size());
+}
+
+/// The two grids, linked; returns the cell under the pointer, or −1.
+int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, const CellLayout& layout) {
+    const CellBlock& block = data.now;
+    const DepthPrecision precision = precision_of(plan.depth_format);
+    const CellPicture picture = picture_of(data, plan, !shows_whole_frame(view, data.calls), layout.depths);
+    caption(layout.colors, layout.caption_height, "Colour buffer", "");
+    caption(layout.depths, layout.caption_height, "Depth buffer", picture.texts.note);
+
+    // Both know in the next frame which cell the pointer is on in the other one.
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID lit_id = ImGui::GetID("lit");
+    const int lit = storage.GetInt(lit_id, -1);
+    int selected = view.pixel ? cell_of(block, *view.pixel) : -1, hovered = -1;
+    bool changed = false;
+    const auto grid = [&](const char* id, const std::vector<widgets::Cell>& cells, const Rect& rect) {
+        int under = -1;
+        ImGui::SetCursorScreenPos(rect.min);
+        changed |= widgets::CellGrid(id, cells, block.size.x, block.size.y, selected,
+                                     {.lit = lit, .hovered = &under, .size = {rect.width(), rect.height()}});
+        if (under < 0) return;
+        hovered = under;
+        if (static_cast<std::size_t>(under) < block.cells.size())
+            cell_tooltip(block.cells[static_cast<std::size_t>(under)], pixel_of(block, under), precision);
+    };
+    grid("colours", picture.colors, layout.colors);
+    grid("depths", picture.depths, layout.depths);
+    storage.SetInt(lit_id, hovered);
+    if (changed && selected >= 0) view.pixel = pixel_of(block, selected);
+    if (changed && selected < 0) view.pixel.reset();
+    return hovered;
+}
+
+/// Mirror images and shadows have no fragments of their own to be told.
+bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, int call) {
+    const std::size_t pass = calls[static_cast<std::size_t>(call)].pass;
+    return pass < plan.passes.size() && !plan.passes[pass].is_mirror_image &&
+           plan.passes[pass].shading != Shading::flat;
+}
+
+/// What the step does to a cell; −1: none is asked for.
+std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
+    const auto index = static_cast<std::size_t>(cell);
+    if (shows_whole_frame(view, data.calls))
+        return "All draw calls are done. Go a step back to see the compare that decides a pixel.";
+    if (step_of({view.call, view.triangle}, data.calls) <= 0)
+        return "Nothing is drawn yet: both buffers hold what they were cleared to.";
+    if (cell < 0) return "Point at a cell to see the compare that decides it.";
+    if (index >= data.now.cells.size() || index >= data.before.cells.size()) return "";
+    const BufferCell &before = data.before.cells[index], &after = data.now.cells[index];
+    const std::optional<Fragment> incoming = index < data.incoming.size() ? data.incoming[index] : std::nullopt;
+    if (!incoming && before == after && !tells_fragments(plan, data.calls, view.call))
+        return "This triangle leaves the pixel as it is.";
+    return cell_sentence(incoming, before, after, precision_of(plan.depth_format));
+}
+
+void draw_sentence(const std::string& sentence, const Rect& rect) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    const bool is_large = rect.height() > px(18.0F) && rect.height() < px(25.0F);
+    ImGui::PushFont(is_large ? fonts.text : fonts.note);
+    ImGui::SetCursorScreenPos({rect.min.x + px(4.0F), rect.min.y});
+    const float width = rect.width() - px(8.0F), line = ImGui::GetTextLineHeight();
+    const bool fits = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y <= rect.height() + 1.0F;
+    const bool is_one_line = rect.height() < 1.9F * line;
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(fits ? sentence.c_str() : shortened(sentence, is_one_line ? width : 1.8F * width).c_str());
+    ImGui::PopTextWrapPos();
+    widgets::Record(sentence.c_str());
+    ImGui::PopFont();
+    if (!fits) widgets::Tooltip("", sentence.c_str());
+}
+
+}  // namespace
+
+void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
+                    StepPlayer& player) {
+    const LaboratoryView window("cell view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    Params& params = session.params;
+    if (!is_drawn_by_gl_alone(params.visibility.method)) {
+        if (offer("GL's depth buffer fills draw call by draw call; other methods have steps of their own.",
+                  "Use the GL depth buffer"))
+            params.visibility.method = VisibilityMethod::depth_buffer;
+        return;
+    }
+    if (data.calls.empty()) {
+        offer("There is nothing to draw.");
+        return;
+    }
+    const widgets::Group group("cells");
+    const CellLayout layout = lay_out_cells(rect);
+    draw_cell_bar(session, data.calls, plan, layout, player);
+    player.drawn = true;
+    if (data.now.cells.empty() || data.now.size.x <= 0) {
+        ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
+        offer("Point at the camera's picture, or click a pixel to pin it.");
+        return;
+    }
+    int cell = draw_grids(params.view, data, plan, layout);
+    if (cell < 0 && data.pixel) cell = cell_of(data.now, data.pixel->pixel);
+    draw_sentence(told(params.view, data, plan, cell), layout.sentence);
+}
+
+glm::ivec2 cell_block_size(const Rect& rect) {
+    return lay_out_cells(rect).block;
+}
+
+}  // namespace viewing

@@ -1,0 +1,46 @@
+// The codes of a depth buffer between near and far. Read precision_view.h.
+#include <algorithm>
+
+#include "frame/depth/depth_precision.h"
+#include "ui/depth/precision_view.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/look.h"
+#include "visibility/growth.h"
+#include "widgets/depth.h"
+
+namespace viewing {
+namespace {
+
+std::string tick_words(const DepthCodes& codes, const DepthPrecision& precision) {
+    const std::string what = precision.is_float ? "floats" : "codes";
+    if (codes.codes_per_tick == 1) return "Every code has its tick. ";
+    return "A tick stands for " + grouped_number(codes.codes_per_tick) + " " + what + ". ";
+}
+
+}  // namespace
+
+void draw_codes_view(Session& session, const Derived& derived, const Rect& rect) {
+    const LaboratoryView view("codes view", rect);
+    const DepthCoding coding = depth_coding(session.params, derived);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    // The widget draws every tick that has 6 pixels of its own.
+    const int most_ticks = static_cast<int>(std::clamp((room.x - px(28.0F)) / px(6.0F), 2.0F, 128.0F));
+    const DepthCodes codes = depth_codes(coding.lens, coding.mapping, coding.precision, most_ticks);
+    const std::string told =
+        tick_words(codes, coding.precision) + codes_sentence(coding.lens, coding.mapping, coding.precision);
+    const float below = note_height(told.c_str()) + ImGui::GetStyle().ItemSpacing.y;
+
+    const bool is_reversed = coding.mapping == DepthMapping::reversed;
+    const float height = std::max(room.y - below, px(120.0F));
+    widgets::CodeTicks(
+        "codes", codes.eye_distances, coding.lens.near, coding.lens.far,
+        {.depth_title = coding.precision.is_float ? "floats: equal numbers of them" : "codes: equal steps",
+         .first_depth = is_reversed ? "depth 1" : "depth 0",
+         .last_depth = is_reversed ? "depth 0" : "depth 1",
+         .codes = codes.codes,
+         .size = {room.x, height}});
+    widgets::Note(told.c_str());
+    widgets::Record(told.c_str());
+}
+
+}  // namespace viewing

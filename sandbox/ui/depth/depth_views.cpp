@@ -1,0 +1,131 @@
+#include "ui/depth/depth_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frame/depth/depth_colors.h"
+#include "frame/plan.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "widgets/depth.h"
+
+namespace viewing {
+namespace {
+
+/// What black and white stand for, or the first and the last band.
+void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rect) {
+    const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
+    const LegendEntry entries[] = {{near_color(params.view.depth_colors), near.c_str()},
+                                   {far_color(params.view.depth_colors), far.c_str()},
+                                   {ground_of(params.ui.theme).unwritten, "never written"}};
+    draw_legend(ImGui::GetWindowDrawList(), rect, entries);
+}
+
+void tell_missing_depth(const Params& params, const Rect& rect) {
+    if (params.visibility.method == VisibilityMethod::depth_buffer) return;
+    widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
+                      "This method draws with GL's depth test off: no depth is written.");
+}
+
+/// The headline of the second picture, and which of the two a divider's sides are.
+struct BesideTitles {
+    std::string camera, beside;
+};
+BesideTitles titles(const Params& params) {
+    if (params.view.beside.shows == Beside::depth) return {"colour", "depth"};
+    return {depth_title(params.depth.format, params.depth.mapping),
+            depth_title(params.view.beside.format, params.view.beside.mapping)};
+}
+
+void beside_legend(const Session& session, const Derived& derived, const Rect& rect) {
+    if (session.params.view.beside.shows != Beside::depth) return;
+    depth_legend(session.params, contrast_range(session.params, derived, session.scene()), rect);
+    tell_missing_depth(session.params, rect);
+}
+
+}  // namespace
+
+std::string depth_title(DepthFormat format, DepthMapping mapping) {
+    static constexpr const char* mappings[] = {"", ", reversed", ", logarithmic"};
+    const DepthPrecision precision = precision_of(format);
+    return std::to_string(precision.bits) + (precision.is_float ? "-bit float" : "-bit") +
+           mappings[static_cast<std::size_t>(mapping)];
+}
+
+void depth_choices(Params& params, float right) {
+    static constexpr const char* scales[] = {"window", "linear"};
+    static constexpr const char* scale_explanations[] = {
+        "Window depth, 0 to 1 as it is stored: most of it is spent close to the eye.",
+        "Eye distance from near to far: as far apart as the surfaces are."};
+    static constexpr const char* colors[] = {"grey", "bands"};
+    static constexpr const char* color_explanations[] = {"Depth as greys: black is near, white is far.",
+                                                         "Depth as bands of colour: dark is near, light is far."};
+    int scale = static_cast<int>(params.view.depth_scale), color = static_cast<int>(params.view.depth_colors);
+    if (!have_room(scales, right)) return;  // the panel has both
+    if (words("##scale", scale, scales, scale_explanations, 1, right))
+        params.view.depth_scale = static_cast<DepthScale>(scale);
+    ImGui::SameLine(0.0F, px(10.0F));
+    if (!have_room(colors, right)) return ImGui::NewLine();
+    if (words("##colors", color, colors, color_explanations, 0, right))
+        params.view.depth_colors = static_cast<DepthColors>(color);
+}
+
+void draw_depth_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+    depth_choices(session.params, rect.max.x);
+    picture_item("lower view", rect, picture);
+    depth_legend(session.params, contrast_range(session.params, derived, session.scene()), rect);
+    tell_missing_depth(session.params, rect);
+}
+
+void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect) {
+    Params& params = session.params;
+    const bool is_linear = params.view.depth_scale == DepthScale::linear;
+    depth_choices(params, rect.max.x);
+    const Lens lens = params.projection.lens();
+    const DepthMapping mapping = params.depth.mapping;
+    const auto shown = [&](double distance) { return is_linear ? distance : window_depth(lens, mapping, distance); };
+    const auto meant = [&](double value) { return is_linear ? value : distance_of_window_depth(lens, mapping, value); };
+    const glm::dvec2 whole(lens.near, lens.far);
+    const glm::dvec2 distances = contrast_range(params, derived, session.scene());
+    // Reversed depth runs the other way: the bars count window depth up, whatever that means.
+    const bool turns = !is_linear && mapping == DepthMapping::reversed;
+    glm::dvec2 range(shown(distances.x), shown(distances.y));
+    if (turns) std::swap(range.x, range.y);
+    ImGui::SetCursorScreenPos(rect.min);
+    const widgets::HistogramStyle style{.title = is_linear ? "eye distance z" : "window depth",
+                                        .logarithmic = true,
+                                        .unwritten = counts.unwritten,
+                                        .size = {rect.width(), rect.height()}};
+    if (!widgets::Histogram("histogram", counts.counts, counts.min, counts.max, range, style)) return;
+    glm::dvec2 edited(meant(range.x), meant(range.y));
+    if (turns) std::swap(edited.x, edited.y);
+    edited = glm::clamp(edited, whole.x, whole.y);
+    if (edited.x < edited.y) params.view.depth_range = edited;
+}
+
+void draw_beside_half(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+    const Params& params = session.params;
+    view_header(rect, params.view.beside.shows == Beside::depth ? "Depth buffer" : titles(params).beside.c_str());
+    if (params.view.beside.shows == Beside::depth)
+        depth_choices(session.params, rect.max.x);
+    else
+        header_note("the same picture with another depth buffer", rect.max.x);
+    picture_item("beside view", rect, picture);
+    beside_legend(session, derived, rect);
+}
+
+bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+    auto share = static_cast<float>(session.params.view.beside.share);
+    const float middle = rect.min.x + share * rect.width();
+    if (picture)
+        ImGui::GetWindowDrawList()->AddImage(picture, {middle, rect.min.y}, rect.max, {share, 1.0F}, {1.0F, 0.0F});
+    beside_legend(session, derived, {{std::min(middle, rect.max.x - px(260.0F)), rect.min.y}, rect.max});
+    const BesideTitles both = titles(session.params);
+    bool is_held = false;
+    if (widgets::Divider("divider", rect.min, rect.max, share,
+                         {.left = both.camera.c_str(), .right = both.beside.c_str(), .held = &is_held}))
+        session.params.view.beside.share = share;
+    return is_held;
+}
+
+}  // namespace viewing

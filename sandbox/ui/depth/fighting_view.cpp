@@ -1,0 +1,249 @@
+#include "ui/depth/fighting_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "frame/depth/depth_precision.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/look.h"
+#include "visibility/growth.h"
+
+namespace viewing {
+namespace {
+
+constexpr float bar_room = 30.0F;  ///< design pixels
+
+enum Column { names, distance, gap, step, onset, predicted, counted, pixels, column_count };
+
+struct ColumnText {
+    const char *title, *explanation;
+};
+constexpr std::array<ColumnText, column_count> columns = {{
+    {"pair",
+     "Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was counted in "
+     "the picture: where GL shows another surface than exact visibility does."},
+    {"z", "Eye distance of the middle of where they overlap."},
+    {"gap", "Between the two, along their normal."},
+    {"step", "Δz, the width of a depth code there, in eye distance."},
+    {"safe gap",
+     "The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
+     "arithmetic adds to it. A gap that is narrower is red."},
+    {"predicted",
+     "The share of the pair's pixels where both have the same code and the wrong one wins. Rounding in "
+     "arithmetic is left out; – where the formulas do not say."},
+    {"counted", "The share of the pair's pixels that show the wrong surface."},
+    {"wrong pixels", "Pixels that show the wrong surface, and all that the pair has, away from its edges."},
+}};
+
+struct PairRow {
+    std::array<std::string, column_count> texts;
+    float counted_share = 0.0F;
+    bool is_below_onset = false, fights = false;
+};
+
+std::string percent(double share) {
+    return widgets::NumberText(100.0 * share, 1) + " %";
+}
+
+/// What both names have in common is said once: "back / front quad at 4".
+std::string pair_name(const std::string& first, const std::string& second) {
+    const std::size_t at = first.find(' '), other = second.find(' ');
+    if (at != std::string::npos && other != std::string::npos && first.substr(at) == second.substr(other))
+        return first.substr(0, at) + " / " + second;
+    return first + " / " + second;
+}
+
+PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
+    const FightingOnset& gap_needed = row.predicted.onset;
+    const double needed = gap_needed.gap() * row.predicted.slant;
+    PairRow made;
+    made.is_below_onset = !gap_needed.is_reachable || counted_pair.pair.gap() < needed;
+    made.fights = counted_pair.wrong > 0;
+    made.counted_share = static_cast<float>(counted_pair.wrong_fraction());
+    const auto& share = row.predicted.wrong_share;
+    made.texts = {pair_name(row.first, row.second),
+                  widgets::NumberText(row.predicted.distance, 2),
+                  figures(counted_pair.pair.gap()),
+                  figures(row.predicted.step),
+                  gap_needed.is_reachable ? figures(needed) : "–",
+                  share ? percent(*share) : "–",
+                  counted_pair.pixels > 0 ? percent(counted_pair.wrong_fraction()) : "–",
+                  grouped_number(counted_pair.wrong) + " of " + grouped_number(counted_pair.pixels)};
+    return made;
+}
+
+std::vector<PairRow> rows_of(const FightingReport& report) {
+    std::vector<PairRow> rows;
+    for (std::size_t i = 0; i < report.rows.size(); ++i) rows.push_back(row_of(report.rows[i], report.counts.pairs[i]));
+    return rows;
+}
+
+using Widths = ColumnWidths<column_count>;
+
+/// What the columns need; where the names do not fit wholly, a row is told by its distance.
+Widths widths_of(const std::vector<PairRow>& rows, float room) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    Widths widths{};
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        widths[c] = width_of(columns[c].title, fonts.note);
+        for (const PairRow& row : rows)
+            widths[c] = std::max(widths[c], width_of(row.texts[c], c == names ? fonts.note : fonts.small_number));
+        widths[c] = std::ceil(widths[c]) + 1.0F;
+    }
+    widths[counted] = std::max(widths[counted], width_of("100.0 %", fonts.small_number)) + px(bar_room);
+    for (const Column left_out : {names, pixels, step, gap, onset, predicted})
+        if (widths.sum() > room) widths[left_out] = 0.0F;
+    return widths;
+}
+
+/// The share as a part of a line, in front of its number.
+void draw_bar(float share, ImU32 color) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetTextLineHeight(), width = px(bar_room - 6.0F);
+    const float top = at.y + std::round(0.3F * height), bottom = at.y + std::round(0.7F * height);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({at.x, top}, {at.x + width, bottom}, palette().field, px(1.0F));
+    const float filled = share > 0.0F ? std::max(share * width, 1.0F) : 0.0F;
+    if (filled > 0.0F) draw->AddRectFilled({at.x, top}, {at.x + filled, bottom}, color, px(1.0F));
+    ImGui::Dummy({width, height});
+    ImGui::SameLine(0.0F, 0.0F);
+}
+
+ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
+    if (is_behind) return palette().quiet;
+    if (column == counted || column == pixels) return row.fights ? palette().trouble : palette().text;
+    if (column == onset && row.is_below_onset) return palette().trouble;
+    return palette().text;
+}
+
+void draw_row(const PairRow& row, const Widths& widths, bool is_behind) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    ImGui::TableNextRow();
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        if (widths[c] <= 0.0F) continue;
+        ImGui::TableNextColumn();
+        const ImU32 color = color_of(row, c, is_behind);
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::PushFont(c == names ? fonts.note : fonts.small_number);
+        if (c == counted) draw_bar(row.counted_share, color);
+        if (c == names)
+            ImGui::TextUnformatted(row.texts[c].c_str());
+        else
+            text_at_right(row.texts[c]);
+        if (c == distance || c == counted) widgets::Record((row.texts[names] + ": " + row.texts[c]).c_str());
+        if (c == distance) widgets::Tooltip("Pair", row.texts[names].c_str());
+        ImGui::PopFont();
+        ImGui::PopStyleColor();
+    }
+}
+
+void draw_titles(const Widths& widths) {
+    ImGui::TableNextRow();
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        if (widths[c] <= 0.0F) continue;
+        ImGui::TableNextColumn();
+        if (c == names)
+            ImGui::TextUnformatted(columns[c].title);
+        else
+            text_at_right(columns[c].title);
+        widgets::Record(columns[c].title);
+        widgets::Tooltip(columns[c].title, columns[c].explanation);
+    }
+    ImGui::PopStyleColor();
+}
+
+void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
+    const Widths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
+    const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
+    if (ImGui::BeginTable("pairs", shown, 0, {widths.sum(), 0.0F})) {
+        for (std::size_t c = 0; c < widths.size(); ++c)
+            if (widths[c] > 0.0F)
+                ImGui::TableSetupColumn(columns[c].title, ImGuiTableColumnFlags_WidthFixed, widths[c]);
+        draw_titles(widths);
+        for (const PairRow& row : rows) draw_row(row, widths, is_behind);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+struct LinePart {
+    std::string text;
+    ImU32 color;
+};
+
+/// Parts in a line, or in several: none is broken that fits into one.
+void line(const std::vector<LinePart>& parts) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
+    const float between = px(14.0F);
+    float end = left - between;
+    ImGui::PushTextWrapPos(0.0F);
+    for (const auto& [text, color] : parts) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        const bool goes_on = end > left && end + between + width <= right;
+        if (goes_on) ImGui::SameLine(0.0F, between);
+        end = (goes_on ? end + between : left) + width;
+        ImGui::PushStyleColor(ImGuiCol_Text, color);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+        widgets::Record(text.c_str());
+    }
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+}
+
+/// In the trouble colour where there is something wrong.
+LinePart told(std::string text, bool is_wrong) {
+    return {std::move(text), is_wrong ? palette().trouble : palette().text};
+}
+
+void draw_totals(const FightingReport& report) {
+    const FightingCounts& counts = report.counts;
+    ImGui::Dummy({0.0F, px(2.0F)});
+    if (report.counts_are_behind) {
+        line({{"counting…", palette().quiet}});
+    } else {
+        const bool bleeds = counts.wrong_elsewhere > 0;
+        const std::string size = std::to_string(report.size_px.x) + " × " + std::to_string(report.size_px.y);
+        line(
+            {told("all pairs " + percent(counts.wrong_fraction()) + " wrong", counts.wrong_fraction() > 0.0),
+             told("elsewhere " + grouped_number(counts.wrong_elsewhere) + (bleeds ? " bleed through" : " wrong pixels"),
+                  bleeds),
+             {"in " + size + " pixels", palette().quiet}});
+    }
+    if (report.gap_is_behind || !report.minimum_gap) {
+        line({{"searching for the minimum gap…", palette().quiet}});
+    } else {
+        const MinimumGap& found = *report.minimum_gap;
+        line({told("minimum gap at the target, z " + widgets::NumberText(found.distance, 2), false),
+              told("predicted " + (found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"), false),
+              told("counted " + (found.gap ? figures(*found.gap) : "–"), false)});
+        if (!found.problem.empty()) widgets::Note(found.problem.c_str());
+    }
+    if (!report.problem.empty()) line({told(report.problem, true)});
+}
+
+}  // namespace
+
+void draw_fighting_view(Session& session, const FightingReport* report, const Rect& rect) {
+    const LaboratoryView view("fighting view", rect);
+    const widgets::Group group("fighting");
+    if (!report) {
+        offer("Counting…");
+        return;
+    }
+    if (report->rows.empty() && report->problem.empty() && !report->counts_are_behind) {
+        if (offer("No two flat surfaces of this scene are nearly coplanar: nothing fights.", "Open coplanar"))
+            session.params.scene = std::string("coplanar");
+        return;
+    }
+    draw_table(rows_of(*report), report->counts_are_behind);
+    draw_totals(*report);
+}
+
+}  // namespace viewing

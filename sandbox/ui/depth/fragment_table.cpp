@@ -1,0 +1,207 @@
+#include "ui/depth/fragment_table.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/depth/fragment_text.h"
+#include "ui/depth/pixel_numbers.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/hidden/polygon_table.h"
+#include "ui/parts/look.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+namespace {
+
+constexpr float least_name = 64.0F, swatch_room = 16.0F;  ///< design pixels
+
+enum Column { number, object, eye_z, facing, stored, compared, result, column_count };
+constexpr std::array<const char*, column_count> titles = {"", "object", "eye z", "facing", "stored", "compare", "test"};
+
+/// A row's texts, and how it is told.
+struct FragmentRow {
+    std::array<std::string, column_count> texts;
+    std::string explanation;
+    ImU32 swatch = 0;
+    bool is_seen = false, is_drawn = false;
+    bool is_close = false;  ///< a tie, or decided by rounding
+};
+
+ImU32 color_of(const Scene& scene, const std::string& object) {
+    if (const SceneObject* found = scene.find(object)) {
+        const Color& color = found->description.color;
+        return IM_COL32(color.r, color.g, color.b, 255);
+    }
+    return palette().plane;
+}
+
+std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const DepthPrecision& precision,
+                                 const Scene& scene) {
+    std::vector<FragmentRow> rows;
+    const int seen = seen_fragment(fragments);
+    for (const Fragment& fragment : fragments) {
+        const TestText test = test_text(fragment, precision);
+        FragmentRow row;
+        row.is_seen = static_cast<int>(rows.size()) == seen;
+        row.is_close = fragment.decided_by_rounding || test.result.starts_with("tie");
+        row.is_drawn = fragment.drawn;
+        row.swatch = color_of(scene, fragment.object);
+        row.texts = {std::to_string(rows.size() + 1),
+                     fragment.object,
+                     widgets::NumberText(fragment.eye_z, 3),
+                     fragment.front_facing ? "front" : "back",
+                     code_text(fragment.stored, precision),
+                     test.compare,
+                     test.result + (row.is_seen ? ", seen" : "")};
+        row.explanation = decision_sentence(fragment, precision) + "\nstored code " +
+                          code_text(fragment.stored, precision) + ", step Δz " + step_text(fragment.step) +
+                          (row.is_seen ? "\nIt is the last one whose colour is written: the one that is seen." : "");
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+struct TableFonts {
+    ImFont *text, *number;
+};
+
+bool is_number(int column) {
+    return column == number || column == eye_z || column == stored || column == compared;
+}
+
+using Widths = ColumnWidths<column_count>;
+
+/// What the columns need; names get what is left.
+Widths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, float room) {
+    Widths widths{};
+    for (int column = 0; column < column_count; ++column) {
+        const auto c = static_cast<std::size_t>(column);
+        widths[c] = width_of(titles[c], fonts.text);
+        for (const FragmentRow& row : rows)
+            widths[c] = std::max(widths[c], width_of(row.texts[c], is_number(column) ? fonts.number : fonts.text));
+        widths[c] = std::ceil(widths[c]) + 1.0F;
+    }
+    const float whole_names = widths[object] + px(swatch_room);
+    widths[object] = px(least_name);
+    const Widths wanted = widths;
+    constexpr std::array<Column, 4> by_importance = {compared, eye_z, stored, facing};
+    for (const Column column : by_importance) widths[column] = 0.0F;
+    for (const Column column : by_importance) {
+        widths[column] = wanted[column];
+        if (widths.sum() > room) widths[column] = 0.0F;
+    }
+    widths[object] = std::max(std::min(whole_names, widths[object] + room - widths.sum()), px(least_name));
+    return widths;
+}
+
+void draw_object(const FragmentRow& row) {
+    const float side = std::round(0.6F * ImGui::GetTextLineHeight());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float top = at.y + std::round((ImGui::GetTextLineHeight() - side) * 0.5F);
+    const ImU32 color = row.is_drawn ? row.swatch : with_alpha(row.swatch, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side}, color, px(2.0F));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine(0.0F, px(5.0F));
+    ImGui::TextUnformatted(shortened(row.texts[object], ImGui::GetContentRegionAvail().x).c_str());
+}
+
+/// Something to point at over the whole row; recorded as "2 box: 812 < 812  tie: fails".
+void draw_row_item(const FragmentRow& row) {
+    const float x = ImGui::GetCursorPosX();
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette().field);  // less than the one that is seen
+    ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette().field);
+    ImGui::Selectable("##row", false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+    ImGui::PopStyleColor(2);
+    const std::string told =
+        row.texts[compared].empty() ? row.texts[result] : row.texts[compared] + "  " + row.texts[result];
+    widgets::Record((row.texts[number] + " " + row.texts[object] + ": " + told).c_str());
+    ImGui::PushFont(widgets::CurrentContext().fonts.text);
+    widgets::Tooltip(row.texts[object].c_str(), row.explanation.c_str());
+    ImGui::PopFont();
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(x);
+}
+
+ImU32 color_of(const FragmentRow& row, int column) {
+    if (row.is_close && (column == compared || column == result)) return palette().trouble;
+    if (row.is_seen && column == result) return palette().accent;
+    return row.is_drawn ? palette().text : palette().quiet;
+}
+
+void draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fonts, float height) {
+    ImGui::TableNextRow(0, height);
+    if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, 45U));
+    for (int column = 0; column < column_count; ++column) {
+        const auto c = static_cast<std::size_t>(column);
+        if (widths[c] <= 0.0F) continue;
+        ImGui::TableNextColumn();
+        if (column == number) draw_row_item(row);
+        ImGui::PushFont(is_number(column) ? fonts.number : fonts.text);
+        ImGui::PushStyleColor(ImGuiCol_Text, color_of(row, column));
+        if (column == object)
+            draw_object(row);
+        else if (is_number(column))
+            text_at_right(row.texts[c]);
+        else
+            ImGui::TextUnformatted(row.texts[c].c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopFont();
+    }
+}
+
+void draw_titles(const Widths& widths) {
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    for (int column = 0; column < column_count; ++column) {
+        const auto c = static_cast<std::size_t>(column);
+        if (widths[c] <= 0.0F) continue;
+        ImGui::TableNextColumn();
+        if (is_number(column))
+            text_at_right(titles[c]);
+        else
+            ImGui::TextUnformatted(titles[c]);
+    }
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrecision& precision, const Scene& scene,
+                         bool is_large) {
+    const widgets::Fonts& own = widgets::CurrentContext().fonts;
+    const TableFonts fonts = is_large ? TableFonts{own.text, own.number} : TableFonts{own.note, own.small_number};
+    const std::vector<FragmentRow> rows = rows_of(fragments, precision, scene);
+    ImGui::PushFont(fonts.text);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(cell_padding_y);
+    const Widths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
+    const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
+    const bool scrolls = room.y >= 4.0F * row_height;
+    const ImVec2 size(std::min(room.x, widths.sum() + ImGui::GetStyle().ScrollbarSize), scrolls ? room.y : 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
+    ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
+    if (ImGui::BeginTable("fragments", shown, scrolls ? ImGuiTableFlags_ScrollY : 0, size)) {
+        ImGui::TableSetupScrollFreeze(0, 1);
+        for (int column = 0; column < column_count; ++column) {
+            const auto c = static_cast<std::size_t>(column);
+            if (widths[c] <= 0.0F) continue;
+            ImGui::TableSetupColumn(titles[c], ImGuiTableColumnFlags_WidthFixed, widths[c]);
+        }
+        draw_titles(widths);
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(rows.size()), row_height);
+        while (clipper.Step())
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                ImGui::PushID(i);
+                draw_row(rows[static_cast<std::size_t>(i)], widths, fonts, row_height);
+                ImGui::PopID();
+            }
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+}  // namespace viewing

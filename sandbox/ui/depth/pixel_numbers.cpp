@@ -1,0 +1,112 @@
+#include "ui/depth/pixel_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "ui/depth/fragment_text.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+namespace {
+
+std::string with_place_for_sign(const std::string& number) {
+    const bool is_negative = number.starts_with("−");
+    return is_negative ? number : " " + number;
+}
+
+/// Enough to tell neighbouring codes apart near the ends of the range, where they are farthest apart in eye z.
+int decimals_of(const DepthPrecision& precision) {
+    return precision.is_float ? 9 : static_cast<int>(std::ceil(precision.bits * 0.30103)) + 1;
+}
+
+/// So many that a step changes one of the last two.
+int decimals_for_step(double step) {
+    if (!(step > 0.0) || !std::isfinite(step)) return 3;
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 3, 6);
+}
+
+std::string code_count(const DepthPrecision& precision) {
+    return "(2^{" + std::to_string(precision.bits) + "} - 1)";
+}
+
+std::string eye_z_formula(const ProjectionParams& projection, DepthMapping mapping) {
+    if (mapping == DepthMapping::logarithmic) return "z_{eye} = -n (f/n)^d; d = z_{window}";
+    const bool reversed = mapping == DepthMapping::reversed;
+    if (projection.type == ProjectionType::orthographic)
+        return reversed ? "z_{eye} = -(f - d (f - n)); d = z_{window}" : "z_{eye} = -(n + d (f - n)); d = z_{window}";
+    return reversed ? "z_{eye} = -n f / (n + d (f - n)); d = z_{window}"
+                    : "z_{eye} = -n f / (f - d (f - n)); d = z_{window}";
+}
+
+std::string step_formula(const ProjectionParams& projection, DepthMapping mapping, const DepthPrecision& precision) {
+    if (precision.is_float) return "";
+    const std::string codes = code_count(precision);
+    if (mapping == DepthMapping::logarithmic) return "Δz = z ln(f/n) / " + codes;
+    if (projection.type == ProjectionType::orthographic) return "Δz = (f - n) / " + codes;
+    return "Δz = z^2 (f - n) / (f n " + codes + ")";
+}
+
+PixelNumber stored_number(const PixelReport& pixel) {
+    if (pixel.precision.is_float)
+        return {"stored",
+                with_place_for_sign(bits_text(pixel.stored)),
+                "float bits",
+                "Stored bits",
+                "The 32 bits in the depth buffer, read back: those of the float z_window.",
+                ""};
+    return {"stored",
+            with_place_for_sign(code_text(pixel.stored, pixel.precision)),
+            "of 2" + widgets::RaisedText(pixel.precision.bits) + " − 1",
+            "Stored code",
+            "The integer in the depth buffer, read back and not recomputed: the one next to",
+            "z_{window} " + code_count(pixel.precision)};
+}
+
+std::string point_text(const glm::dvec3& point) {
+    return with_place_for_sign(widgets::NumberText(point.x, 3)) + "  " +
+           with_place_for_sign(widgets::NumberText(point.y, 3)) + "  " +
+           with_place_for_sign(widgets::NumberText(point.z, 3));
+}
+
+}  // namespace
+
+std::string step_text(double step) {
+    if (!(step >= 1e-3)) return widgets::NumberText(step, 2);
+    return widgets::NumberText(step, std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 5));
+}
+
+std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& params, const Derived& derived) {
+    const DepthMapping mapping = params.depth.mapping;
+    const DepthPrecision& precision = pixel.precision;
+    const int decimals = decimals_of(precision);
+    const bool has_depth = pixel.written && pixel.has_depth;
+    const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
+    const char* like_cleared = pixel.written && !pixel.has_depth ? "Its depth is that of a cleared buffer. " : "";
+
+    std::vector<PixelNumber> numbers{stored_number(pixel)};
+    numbers.push_back({"z_{window}", with_place_for_sign(widgets::NumberText(pixel.window_depth, decimals)), "",
+                       "Window depth", "What the stored value means, 0 to 1.",
+                       precision.is_float ? "" : "z_{window} = stored / " + code_count(precision)});
+    numbers.push_back({"z_{ndc}", with_place_for_sign(widgets::NumberText(pixel.ndc_z, decimals)), "",
+                       "z in normalised device coordinates",
+                       derived.clip_zero_to_one ? "With glClipControl the range is 0 to 1." : "The range is −1 to 1.",
+                       derived.clip_zero_to_one ? "z_{ndc} = z_{window}" : "z_{ndc} = 2 z_{window} - 1"});
+    numbers.push_back({"eye z", known(widgets::NumberText(pixel.eye_z, decimals_for_step(pixel.step))), "", "Eye z",
+                       std::string(like_cleared) + "Recovered from the stored depth; negative in front of the "
+                                                   "camera. n is near, f is far:",
+                       eye_z_formula(params.projection, mapping)});
+    numbers.push_back({"step Δz", known(step_text(pixel.step)), "", "Step Δz",
+                       "How far apart two surfaces have to be here to get different codes" +
+                           std::string(precision.is_float ? ": one unit in the last place of the float." : ":"),
+                       step_formula(params.projection, mapping, precision)});
+    numbers.push_back({"stencil", with_place_for_sign(std::to_string(pixel.stencil)), "", "Stencil",
+                       "What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals.",
+                       ""});
+    numbers.push_back({"world", has_depth ? point_text(pixel.world) : " —", "", "World position",
+                       std::string(like_cleared) + "The point that the pixel shows, by its stored depth: x, y, z.",
+                       "C (x_{eye}, y_{eye}, z_{eye}, 1)"});
+    return numbers;
+}
+
+}  // namespace viewing

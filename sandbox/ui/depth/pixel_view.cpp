@@ -1,0 +1,182 @@
+#include "ui/depth/pixel_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/depth/fragment_table.h"
+#include "ui/depth/pixel_numbers.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/hidden/polygon_table.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr const char* follows = "follows the pointer: click the picture to pin it";
+
+struct ViewFonts {
+    ImFont *text, *number;
+};
+
+ViewFonts fonts_of(bool is_large) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    return is_large ? ViewFonts{fonts.text, fonts.number} : ViewFonts{fonts.note, fonts.small_number};
+}
+
+/// On the headline, in the middle of its height.
+void headline_text(const std::string& text, ImFont* font, ImU32 color) {
+    ImGui::PushFont(font);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = px(20.0F), down = std::floor(0.5F * (height - ImGui::GetTextLineHeight()));
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+    ImGui::GetWindowDrawList()->AddText({at.x, at.y + down}, color, text.c_str());
+    ImGui::Dummy({size.x, height});
+    widgets::Record(text.c_str());
+    ImGui::PopFont();
+}
+
+void color_swatch(const Color& color) {
+    const float side = px(14.0F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 min(at.x, at.y + px(3.0F)), max(min.x + side, min.y + side);
+    ImGui::GetWindowDrawList()->AddRectFilled(min, max, IM_COL32(color.r, color.g, color.b, 255), px(2.0F));
+    ImGui::GetWindowDrawList()->AddRect(min, max, palette().border, px(2.0F));
+    ImGui::Dummy({side, px(20.0F)});
+}
+
+std::string surface_text(const PixelReport& pixel) {
+    if (!pixel.written) return "background";
+    return pixel.object + (pixel.front_facing ? ", front face" : ", back face");
+}
+
+/// At the right end of the headline, `room` pixels wide: a button that releases the pin, or that there is none.
+void pin_state(ViewParams& view, float right, float room) {
+    if (view.pixel) {
+        const float width = ImGui::CalcTextSize("release").x + 2.0F * px(8.0F);
+        ImGui::SameLine();
+        ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
+        if (widgets::SmallButton("release")) view.pixel.reset();
+        widgets::Tooltip("Release", "The pixel is pinned; released, the view follows the pointer again.");
+        return;
+    }
+    ImFont* font = widgets::CurrentContext().fonts.note;
+    const char* text = width_of(follows, font) <= room ? follows : "live";
+    ImGui::SameLine();
+    ImGui::SetCursorScreenPos({right - width_of(text, font), ImGui::GetCursorScreenPos().y});
+    headline_text(text, font, palette().quiet);
+    widgets::Tooltip("Live", "The view follows the pointer; a click on the camera's picture pins a pixel.");
+}
+
+void headline(ViewParams& view, const PixelReport& pixel) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
+    char place[48], hex[16];
+    std::snprintf(place, sizeof place, "pixel (%d, %d)", pixel.pixel.x, pixel.pixel.y);
+    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", pixel.color.r, pixel.color.g, pixel.color.b);
+    const float state_width = std::max(width_of("release", fonts.text) + px(16.0F), width_of("live", fonts.note));
+
+    color_swatch(pixel.color);
+    ImGui::SameLine(0.0F, px(7.0F));
+    headline_text(place, fonts.number, palette().text);
+    ImGui::SameLine(0.0F, px(10.0F));
+    const bool has_hex = ImGui::GetCursorScreenPos().x + width_of(hex, fonts.small_number) + state_width < right;
+    if (has_hex) headline_text(hex, fonts.small_number, palette().quiet);
+    const std::string surface = surface_text(pixel);
+    const float wanted = width_of(surface, fonts.text);
+    ImGui::SameLine(0.0F, px(10.0F));
+    const float here = ImGui::GetCursorScreenPos().x;
+    const bool on_this_line = has_hex && here + wanted + px(8.0F) + state_width <= right;
+    if (on_this_line) headline_text(surface, fonts.text, palette().text);
+    pin_state(view, right, right - here - (on_this_line ? wanted : 0.0F) - px(16.0F));
+    if (on_this_line) return;
+    ImGui::PushFont(fonts.text);
+    const std::string shown = shortened(surface, right - left);
+    ImGui::PopFont();
+    headline_text(shown, fonts.text, palette().text);
+}
+
+/// One number at the cursor, in a column of its own: its name, its value, and its unit where there is room.
+void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_width, float width, float height) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    ImGui::InvisibleButton(number.name.c_str(), {width, height});
+    if (ImGui::IsItemHovered())
+        draw->AddRectFilled({at.x - px(3.0F), at.y}, {at.x + width, at.y + height}, palette().field, px(3.0F));
+    widgets::Record((number.name + ": " + number.value).c_str());
+    widgets::Tooltip(number.title.c_str(), number.explanation.c_str(), number.formula.c_str());
+
+    ImGui::PushFont(fonts.text);
+    const float down = std::floor(0.5F * (height - ImGui::GetTextLineHeight()));
+    widgets::Formula(draw, {at.x, at.y + down}, number.name.c_str(), {}, palette().quiet, fonts.text);
+    ImGui::PopFont();
+    ImGui::PushFont(fonts.number);
+    draw->AddText({at.x + name_width, at.y + down}, palette().text, number.value.c_str());
+    const float end = name_width + ImGui::CalcTextSize(number.value.c_str()).x + px(6.0F);
+    ImGui::PopFont();
+    if (number.unit.empty() || end + width_of(number.unit, fonts.text) > width) return;
+    ImGui::PushFont(fonts.text);
+    draw->AddText({at.x + end, at.y + down}, palette().quiet, number.unit.c_str());
+    ImGui::PopFont();
+}
+
+/// Down the first column, then down the second; the last number has a row for itself. Leaves the cursor below.
+void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
+    const ViewFonts fonts = fonts_of(is_large);
+    ImGui::PushFont(fonts.text);
+    const float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : 2.0F);
+    ImGui::PopFont();
+    const bool in_two = !is_large && width >= px(320.0F);
+    const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
+    const float name_width = std::ceil(width_of("step Δz", fonts.text)) + px(is_large ? 20.0F : 8.0F);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const bool is_last = i == in_columns;
+        const std::size_t row = is_last ? rows : i % rows, column = is_last ? 0 : i / rows;
+        ImGui::SetCursorScreenPos(
+            {from.x + static_cast<float>(column) * (each + gap), from.y + static_cast<float>(row) * height});
+        draw_number(numbers[i], fonts, name_width, is_last ? width : each, height);
+    }
+    ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + 1) * height + px(4.0F)});
+}
+
+void draw_fragments(const Session& session, const DepthData& data, bool is_large) {
+    if (data.fragments.empty())
+        widgets::Note("No surface lies on this pixel's ray.");
+    else
+        draw_fragment_table(data.fragments, data.pixel->precision, session.scene(), is_large);
+}
+
+/// The numbers, and beside them, where there is room, else below, the surfaces.
+void draw_pixel(Session& session, const Derived& derived, const DepthData& data) {
+    headline(session.params.view, *data.pixel);
+    const std::vector<PixelNumber> numbers = pixel_numbers(*data.pixel, session.params, derived);
+    const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x >= px(760.0F), is_large = room.x >= px(900.0F);
+    const float numbers_width = beside ? px(is_large ? 340.0F : 230.0F) : room.x;
+    draw_numbers(numbers, is_large, numbers_width);
+    if (beside) {
+        const float left = from.x + numbers_width + px(20.0F);
+        ImGui::SetCursorScreenPos({left, from.y});
+        ImGui::BeginChild("on the ray", {from.x + room.x - left, room.y});
+        draw_fragments(session, data, is_large);
+        ImGui::EndChild();
+    } else {
+        draw_fragments(session, data, is_large);
+    }
+}
+
+}  // namespace
+
+void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const Rect& rect) {
+    const LaboratoryView view("pixel view", rect);
+    const widgets::Group group("pixel");
+    if (data.pixel) return draw_pixel(session, derived, data);
+    if (!session.params.view.pixel)
+        offer("Point at the camera's picture to see what is stored in a pixel; a click pins it.");
+    else if (offer("The pinned pixel lies outside of the picture.", "release"))
+        session.params.view.pixel.reset();
+}
+
+}  // namespace viewing

@@ -1,0 +1,14 @@
+// The pixel view: what is at the pixel that is pinned or pointed at, the chain of numbers that its depth went through,
+// and every surface on its ray. Read pixel_numbers.h and fragment_table.h next.
+#pragma once
+
+#include "frame/depth/depth_data.h"
+#include "frame/derive.h"
+#include "session/session.h"
+#include "ui/window/layout.h"
+
+namespace viewing {
+
+void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const Rect& rect);
+
+}  // namespace viewing

@@ -1,0 +1,159 @@
+#include "ui/depth/precision_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "frame/depth/depth_precision.h"
+#include "frame/depth/near_advice.h"
+#include "state/fields.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/look.h"
+#include "widgets/depth.h"
+
+namespace viewing {
+namespace {
+
+ImU32 color_of(DepthMapping mapping) {
+    switch (mapping) {
+        case DepthMapping::standard:
+            return palette().light;
+        case DepthMapping::reversed:
+            return palette().plane;
+        default:
+            return palette().mirror;
+    }
+}
+
+/// What near and far can be dragged over: a decade more than they take, and the same during a drag from wherever it
+/// began.
+widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
+    const auto decade = [](double z, bool is_upper) {
+        return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
+    };
+    return {.title = "eye distance z",
+            .min = 0.1 * decade(std::min(now.near, before.near), false),
+            .max = 10.0 * decade(std::max(now.far, before.far), true)};
+}
+
+/// Of the other formats and mappings, what a small chart is left with.
+bool is_telling(const StepCurve& curve) {
+    return curve.mapping == DepthMapping::standard ||
+           (curve.mapping == DepthMapping::reversed ? curve.format == DepthFormat::d32f
+                                                    : curve.format == DepthFormat::d24);
+}
+
+/// The curves as the chart takes them, with the names that it points to.
+class ChartCurves {
+public:
+    ChartCurves(PrecisionCurves curves, bool is_small) : curves_(std::move(curves)) {
+        names_.reserve(curves_.others.size() + 1);
+        add(curves_.current, true);
+        for (const StepCurve& other : curves_.others)
+            if (!is_small || is_telling(other)) add(other, false);
+    }
+    ChartCurves(const ChartCurves&) = delete;
+    ChartCurves& operator=(const ChartCurves&) = delete;
+
+    std::span<const widgets::ChartCurve> all() const { return shown_; }
+    std::array<widgets::ChartCurve, 2> terms() const {
+        return {{{.name = "quantisation", .color = palette().text, .points = curves_.quantisation},
+                 {.name = "arithmetic", .color = palette().quiet, .points = curves_.arithmetic}}};
+    }
+
+private:
+    void add(const StepCurve& curve, bool is_current) {
+        names_.push_back(short_name(curve.format, curve.mapping));
+        shown_.push_back({.name = names_.back().c_str(),
+                          .color = color_of(curve.mapping),
+                          .points = curve.points,
+                          .emphasised = is_current});
+    }
+
+    PrecisionCurves curves_;
+    std::vector<std::string> names_;
+    std::vector<widgets::ChartCurve> shown_;
+};
+
+void draw_chart(Session& session, const Derived& derived, const std::vector<SeenThing>& seen, float height,
+                double cursor_z) {
+    Params& params = session.params;
+    const float width = ImGui::GetContentRegionAvail().x;
+    const bool is_small = height < px(240.0F);
+    const ChartCurves curves(precision_curves(params, derived), is_small);
+    const std::array<widgets::ChartCurve, 2> terms = curves.terms();
+    // Their names stand in the upper half of the plot, side by side or below each other.
+    const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
+    const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
+    std::vector<widgets::DepthMark> marks;
+    for (const DistanceMark& thing : things)
+        marks.push_back({is_small ? "" : thing.label.c_str(), thing.z, thing.is_plane ? palette().plane : 0});
+    const ProjectionParams defaults;
+    ProjectionParams& projection = params.projection;
+    if (widgets::PrecisionChart("precision", curves.all(), projection.near, projection.far,
+                                {.x = distance_axis(projection, session.before_latest_edit().projection),
+                                 .y = {.title = "safe gap"},
+                                 .terms = terms,
+                                 .marks = marks,
+                                 .cursor_z = cursor_z,
+                                 .default_near = defaults.near,
+                                 .default_far = defaults.far,
+                                 .size = {width, height}}))
+        clamp_to_ranges(params);
+}
+
+/// The sentence with its button behind it where there is room, else below.
+class AdviceLine {
+public:
+    explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
+        if (!advice.near) return;
+        const float width = ImGui::CalcTextSize(button()).x + px(24.0F);
+        if (room_ - width >= px(240.0F))
+            button_width_ = width;
+        else
+            button_height_ = ImGui::GetTextLineHeight() + px(10.0F);
+    }
+    float height() const { return sentence_height() + button_height_ + ImGui::GetStyle().ItemSpacing.y; }
+
+    void draw(Params& params) const {
+        ImGui::BeginChild("advice", {room_ - button_width_, sentence_height()}, false, ImGuiWindowFlags_NoScrollbar);
+        ImGui::PushFont(widgets::CurrentContext().fonts.note);
+        widgets::Trouble(advice_.sentence.c_str());
+        ImGui::PopFont();
+        ImGui::EndChild();
+        if (!advice_.near) return;
+        if (button_width_ > 0.0F) ImGui::SameLine();
+        if (!widgets::SmallButton(button())) return;
+        params.projection.near = *advice_.near;
+        clamp_to_ranges(params);
+    }
+
+private:
+    const char* button() const { return advice_.cuts ? "lower near" : "raise near"; }
+    float sentence_height() const {
+        ImGui::PushFont(widgets::CurrentContext().fonts.note);
+        const float height = widgets::TroubleHeight(advice_.sentence.c_str(), room_ - button_width_);
+        ImGui::PopFont();
+        return height + px(4.0F);
+    }
+
+    const NearAdvice& advice_;
+    float room_;                                        ///< width of both
+    float button_width_ = 0.0F, button_height_ = 0.0F;  ///< what it takes from the sentence, or below it
+};
+
+}  // namespace
+
+void draw_precision_view(Session& session, const Derived& derived, const Rect& rect, double cursor_z) {
+    const LaboratoryView view("precision view", rect);
+    const std::vector<SeenThing> seen = seen_things(session.params, derived, session.scene());
+    const std::optional<NearAdvice> advice = near_advice(session.params, derived, seen);
+    const float room = ImGui::GetContentRegionAvail().y;
+    if (!advice) return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
+    const AdviceLine line(*advice);
+    // Where there is no room for both, the chart fills the view and the sentence is scrolled to.
+    const float height = room - line.height() >= px(120.0F) ? room - line.height() : std::max(room, px(120.0F));
+    draw_chart(session, derived, seen, height, cursor_z);
+    line.draw(session.params);
+}
+
+}  // namespace viewing

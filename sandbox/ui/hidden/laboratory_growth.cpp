@@ -1,0 +1,242 @@
+// Costs as they grow: measured beside the window, drawn as curves while it goes on, told in sentences, exported.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "frame/hidden/scene_surface.h"
+#include "platform/file.h"
+#include "ui/hidden/laboratory.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+
+namespace viewing {
+namespace {
+
+/// Items side by side, and below one another where they would go beyond the right edge.
+class Flow {
+public:
+    explicit Flow(float room) : room_(room) {}
+
+    /// Places the cursor for an item of that width.
+    void next(float width) {
+        const float gap = px(6.0F);
+        if (used_ > 0.0F && used_ + gap + width <= room_) {
+            ImGui::SameLine(0.0F, gap);
+            used_ += gap + width;
+        } else {
+            used_ = width;
+        }
+    }
+    float room() const { return room_; }
+    static float button_width(const char* label) { return ImGui::CalcTextSize(label).x + px(2.0F * 8.0F); }
+
+private:
+    float room_;
+    float used_ = 0.0F;
+};
+
+constexpr int own_scene = static_cast<int>(GrowthScene::own_polygons);
+
+const std::vector<GrowthRow>& shown_rows(const LaboratoryState& state) {
+    return state.growth_rows[static_cast<std::size_t>(state.growth_scene)];
+}
+
+int triangle_count(const Scene& scene) {
+    std::size_t count = 0;
+    for (const SceneObject& object : scene.objects) count += object.mesh ? object.mesh->triangle_count() : 0;
+    return static_cast<int>(std::min<std::size_t>(count, 1'000'000'000));
+}
+
+/// Everything is made on the worker's thread; the scene shares its meshes.
+void start(LaboratoryState& state, const Scene& scene) {
+    state.growth_log = std::make_shared<GrowthLog>();
+    state.growth.start(
+        [log = state.growth_log, which = static_cast<GrowthScene>(state.growth_scene), scene](WorkProgress& progress) {
+            GrowthRequest request{.scene = which};
+            if (which == GrowthScene::own_polygons) request.own_polygons = surface_of(scene).polygons;
+            return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
+        });
+}
+
+/// A name in the working directory that no file has: viewing-growth.csv, viewing-growth-2.csv, …
+std::filesystem::path free_file(const std::string& extension) {
+    std::error_code ignored;
+    const std::filesystem::path folder = std::filesystem::current_path(ignored);
+    for (int number = 1;; ++number) {
+        const std::string suffix = number == 1 ? "" : "-" + std::to_string(number);
+        std::filesystem::path file = folder / ("viewing-growth" + suffix + extension);
+        if (!std::filesystem::exists(file, ignored)) return file;
+    }
+}
+
+void save_csv(const LaboratoryState& state, Session& session) {
+    const std::string text = growth_csv(shown_rows(state));
+    const std::filesystem::path file = free_file(".csv");
+    const Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    session.message = written ? Message{"costs written to " + file.string(), false} : Message{written.error(), true};
+}
+
+/// What to measure, and the way to begin or end it.
+void measuring(LaboratoryState& state, const Session& session, Flow& flow) {
+    static constexpr const char* scenes[] = {"small random triangles", "large random triangles", "the current scene"};
+    const bool is_running = state.growth.is_running();
+    const float choice_width = std::min(px(184.0F), ImGui::GetContentRegionAvail().x);
+    flow.next(choice_width);
+    ImGui::BeginDisabled(is_running);
+    widgets::Choice("##scene", state.growth_scene, scenes, 0, choice_width);
+    ImGui::EndDisabled();
+    widgets::Tooltip("Polygons",
+                     "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
+                     "cuts polygons has much to cut. Of the current scene more and more polygons are taken.");
+    const char* label = is_running ? "Cancel" : "Measure";
+    flow.next(Flow::button_width(label));
+    if (!widgets::SmallButton(label)) return;
+    if (is_running)
+        state.growth.cancel();
+    else
+        start(state, session.scene());
+}
+
+void quantity_words(LaboratoryState& state, Flow& flow) {
+    static constexpr std::array names{"time", "operations"};
+    static constexpr std::array explanations{
+        "Time to the finished picture; of a BSP tree also to the finished tree.",
+        "How often a method does what it does most: comparisons, pixels tested, intersection tests."};
+    flow.next(Flow::button_width(names[0]) + Flow::button_width(names[1]) + px(2.0F));
+    int index = state.growth_shows_operations ? 1 : 0;
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (words("##quantity", index, names, explanations, 0, right)) state.growth_shows_operations = index == 1;
+}
+
+float saving_width() {
+    return Flow::button_width("Save CSV") + px(6.0F) + Flow::button_width("Save PNG");
+}
+
+/// How far it is; before and after that, the ways to keep the result. True when the picture is asked for, whose place
+/// is not known yet.
+bool progress_or_saving(const LaboratoryState& state, Session& session, Flow& flow) {
+    if (state.growth.is_running()) {
+        const float width = std::min(saving_width(), flow.room());
+        flow.next(width);
+        const std::string percent = std::to_string(static_cast<int>(100.0F * state.growth.fraction())) + " %";
+        ImGui::ProgressBar(state.growth.fraction(), {width, ImGui::GetTextLineHeight() + px(4.0F)}, percent.c_str());
+        widgets::Record("progress");
+        return false;
+    }
+    const bool has_rows = !shown_rows(state).empty();
+    flow.next(Flow::button_width("Save CSV"));
+    if (widgets::SmallButton("Save CSV", has_rows, "Measure first.")) save_csv(state, session);
+    flow.next(Flow::button_width("Save PNG"));
+    return widgets::SmallButton("Save PNG", has_rows, "Measure first.");
+}
+
+/// The points of each method that a budget did not stop.
+class Curves {
+public:
+    Curves(std::span<const GrowthRow> rows, bool of_operations) {
+        for (const GrowthRow& row : rows) {
+            const double value = of_operations ? static_cast<double>(row.operations) : row.time_ms;
+            if (row.problem.empty())
+                points_[static_cast<std::size_t>(row.method)].emplace_back(static_cast<double>(row.polygons), value);
+        }
+        const widgets::Palette& colors = palette();
+        const std::array<ImU32, growth_method_count> own = {colors.light,  colors.plane,   colors.mirror,
+                                                            colors.camera, colors.trouble, colors.text};
+        static constexpr std::array names{"painter", "Newell", "BSP build", "BSP walk", "z-buffer", "ray casting"};
+        for (std::size_t method = 0; method < growth_method_count; ++method)
+            curves_[method] = {.name = names[method], .color = own[method], .points = points_[method]};
+    }
+    Curves(const Curves&) = delete;
+    Curves& operator=(const Curves&) = delete;
+
+    std::span<const widgets::ChartCurve> get() const { return curves_; }
+
+private:
+    std::array<std::vector<glm::dvec2>, growth_method_count> points_;
+    std::array<widgets::ChartCurve, growth_method_count> curves_;
+};
+
+/// Where it is, without what lies below the view.
+Rect draw_chart(const LaboratoryState& state, const Scene& scene, float height) {
+    const Curves curves(shown_rows(state), state.growth_shows_operations);
+    const bool is_own = state.growth_scene == own_scene;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    // A fixed range, so that the curves grow and not the axis; a scene of one's own may have fewer polygons.
+    widgets::LogChart("chart", curves.get(),
+                      {.x = {.title = "polygons", .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
+                       .y = {.title = state.growth_shows_operations ? "operations" : "time in ms"},
+                       .marker_x = static_cast<double>(triangle_count(scene)),
+                       .marker_label = "this scene",
+                       .size = {width, height}});
+    const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    return {from, {from.x + width, std::min(from.y + height, bottom)}};
+}
+
+/// Who wins where, and where each curve ended early.
+std::vector<std::string> sentences(const LaboratoryState& state) {
+    std::vector<std::string> told;
+    if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
+    for (const GrowthRow& row : shown_rows(state))
+        if (!row.problem.empty()) told.push_back(row.problem);
+    return told;
+}
+
+void draw_results(LaboratoryState& state, const Session& session, bool wants_picture) {
+    const std::vector<std::string> told = sentences(state);
+    float below = 0.0F;
+    for (const std::string& sentence : told) below += note_height(sentence.c_str()) + ImGui::GetStyle().ItemSpacing.y;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    // Where there is no room for both, the chart fills the view and the sentences are scrolled to.
+    const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
+    const Rect chart = draw_chart(state, session.scene(), height);
+    // Scrolled back first: the picture is taken of what the window shows in the next frame.
+    if (std::exchange(state.growth_wants_picture, wants_picture)) state.wanted_picture = {chart, free_file(".png")};
+    if (wants_picture) ImGui::SetScrollY(0.0F);
+    for (const std::string& sentence : told) {
+        widgets::Note(sentence.c_str());
+        widgets::Record(sentence.c_str());
+    }
+}
+
+}  // namespace
+
+void take_growth_rows(LaboratoryState& state) {
+    if (!state.growth_log) return;
+    // Asked first: what is in the log afterwards is all that the result has.
+    const bool is_finished = state.growth.take().has_value();
+    state.growth_rows[static_cast<std::size_t>(state.growth_scene)] = state.growth_log->rows();
+    if (is_finished) state.growth_log.reset();
+}
+
+void draw_growth_view(LaboratoryState& state, Session& session, const Rect& rect) {
+    if (state.growth_of_version != session.scene_version() && !state.growth.is_running()) {
+        state.growth_rows[own_scene].clear();  // it was another scene
+        state.growth_of_version = session.scene_version();
+    }
+    // At the right end of the headline, where there is room beside the choice of the topic.
+    bool wants_picture = false;
+    const float left = rect.max.x - saving_width();
+    const bool fits_above = left >= rect.min.x + px(190.0F + 8.0F);
+    if (fits_above) {
+        ImGui::SetCursorScreenPos({left, rect.min.y - px(23.0F)});
+        Flow above(saving_width());
+        wants_picture = progress_or_saving(state, session, above);
+    }
+    const LaboratoryView view("growth view", rect);
+    Flow flow(ImGui::GetContentRegionAvail().x);
+    measuring(state, session, flow);
+    quantity_words(state, flow);
+    if (!fits_above) wants_picture = progress_or_saving(state, session, flow);
+    if (shown_rows(state).empty()) {
+        offer(state.growth.is_running() ? "The first method is being measured."
+                                        : "Every method is measured on more and more polygons, up to 100,000, while "
+                                          "the window stays live.");
+        return;
+    }
+    draw_results(state, session, wants_picture);
+}
+
+}  // namespace viewing

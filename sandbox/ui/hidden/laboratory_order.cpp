@@ -1,0 +1,188 @@
+// The order in which polygons are drawn, linked with the pictures, and beside it what the method does at the step:
+// Newell's ladder, the compare of the depth buffer, the hits of a ray. Read polygon_table.h and step_text.h first.
+#include <algorithm>
+#include <cmath>
+
+#include "ui/hidden/laboratory.h"
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/hidden/polygon_names.h"
+#include "ui/hidden/polygon_table.h"
+#include "ui/hidden/step_text.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+void recorded_note(const std::string& sentence) {
+    if (sentence.empty()) return;
+    widgets::Note(sentence.c_str());
+    widgets::Record(sentence.c_str());
+}
+
+void draw_list(LaboratoryState& state, const HiddenResult& result, ImVec2 size) {
+    const OrderRows rows(result, state.tree_index);
+    PolygonTable table(state, result, "order", rows.detail_title(), rows.count(), size);
+    if (!table.is_open()) return;
+    // Once each: the place that the step has come to, and the polygon that was picked elsewhere.
+    if (rows.current() != std::exchange(state.order_current, rows.current()) && rows.current() >= 0)
+        table.scroll_to(rows.current());
+    const int selected = state.link.selected_fragment;
+    if (selected != std::exchange(state.order_revealed, selected) && selected >= 0)
+        if (const int place = place_of(result, selected); place >= 0) table.scroll_to(place);
+    ImGuiListClipper clipper;
+    clipper.Begin(rows.count(), PolygonTable::row_height());
+    while (clipper.Step())
+        for (int place = clipper.DisplayStart; place < clipper.DisplayEnd; ++place)
+            table.row(place + 1, rows.row(place));
+}
+
+void draw_hits(LaboratoryState& state, const HiddenResult& result) {
+    const std::vector<RayHitRow> hits = ray_rows(result);
+    if (hits.empty()) return;
+    PolygonTable table(state, result, "hits", "distance", static_cast<int>(hits.size()),
+                       {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
+    if (!table.is_open()) return;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(hits.size()), PolygonTable::row_height());
+    while (clipper.Step())
+        for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
+            const RayHitRow& hit = hits[static_cast<std::size_t>(number)];
+            table.row(number + 1, {.fragment = hit.fragment,
+                                   .name = listed_name(result.surface.get(), hit.source),
+                                   .detail = widgets::NumberText(hit.distance, 3) + (number == 0 ? " seen" : ""),
+                                   .color = polygon_color(result.surface.get(), hit.source),
+                                   .is_reached = number == 0,
+                                   .is_current = number == 0});
+        }
+}
+
+/// A test of the ladder: what failed is crossed out, what decided stands out.
+void draw_rung(const char* text, RungState rung) {
+    const bool decided = rung == RungState::decided;
+    ImGui::PushStyleColor(ImGuiCol_Text, decided ? palette().accent : palette().quiet);
+    ImGui::TextUnformatted(rung == RungState::failed ? "✗" : decided ? "✓" : " ");
+    ImGui::SameLine(px(24.0F));
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string fitting = shortened(text, ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(fitting.c_str());
+    if (rung == RungState::failed) {
+        const float middle = std::round(at.y + 0.55F * ImGui::GetTextLineHeight());
+        ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {at.x + ImGui::CalcTextSize(fitting.c_str()).x, middle},
+                                            palette().quiet, px(1.0F));
+    }
+    ImGui::PopStyleColor();
+    widgets::Record((std::string(rung == RungState::failed ? "failed: "
+                                 : decided                 ? "decided: "
+                                                           : "untried: ") +
+                     text)
+                        .c_str());
+}
+
+void named_polygon(const char* letter, const std::string& name, ImU32 color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(letter);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(px(24.0F));
+    ImGui::TextUnformatted(shortened(name, ImGui::GetContentRegionAvail().x).c_str());
+}
+
+/// What came of it stands above the tests: a low view shows at least that.
+void draw_ladder(const Ladder& ladder) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    named_polygon("P", ladder.p, palette().light);
+    if (!ladder.q.empty()) named_polygon("Q", ladder.q, palette().mirror);
+    ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(ladder.action.c_str());
+    ImGui::PopTextWrapPos();
+    widgets::Record(ladder.action.c_str());
+    if (!ladder.q.empty())
+        for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
+            draw_rung(newell_test_text(static_cast<NewellTest>(rung)), ladder.rungs[rung]);
+    ImGui::PopFont();
+}
+
+/// Of all steps: how many pairs each test decided.
+void draw_decided(const NewellCounters& counters) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::TextUnformatted("pairs decided by each test");
+    ImGui::PopStyleColor();
+    for (std::size_t test = 0; test < counters.decided.size(); ++test) {
+        const std::string count = grouped_number(counters.decided[test]);
+        const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
+        const char* text = newell_test_text(static_cast<NewellTest>(test));
+        const float room = right - ImGui::GetCursorPosX() - px(8.0F);
+        ImGui::TextUnformatted(shortened(text, room).c_str());
+        widgets::Record((std::string(text) + ": " + count).c_str());
+        ImGui::SameLine(right);
+        ImGui::TextUnformatted(count.c_str());
+    }
+    ImGui::PopFont();
+}
+
+/// Beside the list where there is room, else above it.
+void draw_newell(LaboratoryState& state, const HiddenResult& result) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x >= px(360.0F);
+    const float gap = px(10.0F), list_width = beside ? std::floor(room.x * 0.5F) : room.x;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float ladder_height = beside ? room.y : std::floor(room.y * 0.5F);
+    ImGui::SetCursorScreenPos(beside ? ImVec2(from.x + list_width + gap, from.y) : from);
+    ImGui::BeginChild("ladder", {beside ? room.x - list_width - gap : room.x, ladder_height});
+    if (const std::optional<Ladder> ladder = newell_ladder(result))
+        draw_ladder(*ladder);
+    else if (result.step < 0)
+        draw_decided(result.newell->counters);
+    else
+        recorded_note("Polygons are sorted by their farthest vertices; no pair has been compared yet.");
+    ImGui::EndChild();
+    ImGui::SetCursorScreenPos(beside ? from : ImVec2(from.x, from.y + ladder_height + gap));
+    draw_list(state, result, {list_width, std::max(beside ? room.y : room.y - ladder_height - gap, px(40.0F))});
+}
+
+void draw_pixels_of(const HiddenResult& result) {
+    const std::string compare = compare_sentence(result);
+    recorded_note(compare.empty() ? "Polygons come in the scene's own order; the depth buffer decides at every pixel."
+                                  : compare);
+    recorded_note(grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)) + " pixels tested, " +
+                  grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0)) + " written");
+}
+
+void draw_result(LaboratoryState& state, const HiddenResult& result) {
+    if (result.newell) return draw_newell(state, result);
+    switch (result.request.visibility.method) {
+        case VisibilityMethod::ray_cast:
+            recorded_note(ray_sentence(result));
+            return draw_hits(state, result);
+        case VisibilityMethod::software_depth_buffer:
+            draw_pixels_of(result);
+            break;
+        case VisibilityMethod::depth_buffer:
+        case VisibilityMethod::none:
+            recorded_note("GL is given the polygons in the scene's own order.");
+            break;
+        default:
+            break;
+    }
+    if (result.order.empty()) {
+        offer("There is nothing to draw.");
+        return;
+    }
+    draw_list(state, result, {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
+}
+
+}  // namespace
+
+void draw_order_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect) {
+    const LaboratoryView view("order view", rect);
+    const std::shared_ptr<const HiddenResult>& result = shown_result(hidden);
+    if (result) {
+        if (state.tree_index.follow(result)) ++state.tree_revision;
+        return draw_result(state, *result);
+    }
+    if (!is_drawn_by_gl_alone(session.params.visibility.method)) return tell_waiting(hidden);
+    if (offer("GL draws the polygons in the order in which the scene has them.", "Show their numbers"))
+        session.params.visibility.numbers = true;
+}
+
+}  // namespace viewing

@@ -1,0 +1,253 @@
+// What the laboratory draws over the pictures: numbers, the linked polygon and its node, and what the step is about.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "frame/ground.h"
+#include "ui/hidden/laboratory.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+ImU32 im_color(const Color& color) {
+    return IM_COL32(color.r, color.g, color.b, 255);
+}
+
+const Polygon* polygon_at(const HiddenResult& result, int fragment) {
+    const auto& fragments = *result.fragments;
+    return fragment >= 0 && fragment < static_cast<int>(fragments.size())
+               ? &fragments[static_cast<std::size_t>(fragment)]
+               : nullptr;
+}
+
+void outline(Overlay& overlay, const Polygon& polygon, ImU32 color, float thickness) {
+    for (std::size_t i = 0, last = polygon.vertices.size() - 1; i < polygon.vertices.size(); last = i++)
+        overlay.line(polygon.vertices[last], polygon.vertices[i], color, thickness);
+}
+
+void marked(Overlay& overlay, const Polygon& polygon, ImU32 color) {
+    for (std::size_t corner = 2; corner < polygon.vertices.size(); ++corner)
+        overlay.fill(
+            {polygon.vertices[0], polygon.vertices[corner - 1], polygon.vertices[corner], polygon.vertices[corner]},
+            with_alpha(color, 70));
+    outline(overlay, polygon, color, 2.4F);
+}
+
+/// Whether a place lies in the polygon as it is drawn on screen.
+bool covers(const Overlay& overlay, const Polygon& polygon, ImVec2 place) {
+    bool left = false, right = false;
+    std::optional<ImVec2> before = overlay.project(polygon.vertices.back());
+    for (const glm::dvec3& vertex : polygon.vertices) {
+        const std::optional<ImVec2> here = overlay.project(vertex);
+        if (!here || !before) return false;
+        const float turn =
+            (here->x - before->x) * (place.y - before->y) - (here->y - before->y) * (place.x - before->x);
+        (turn < 0.0F ? left : right) = true;
+        before = here;
+    }
+    return left != right;
+}
+
+/// The middle of a pixel of the method's picture, which may be of an earlier size.
+ImVec2 place_of_pixel(const Overlay& overlay, const IdImage& image, glm::ivec2 pixel) {
+    const Rect& rect = overlay.rect();
+    return {rect.min.x + rect.width() * (static_cast<float>(pixel.x) + 0.5F) / static_cast<float>(image.width),
+            rect.min.y + rect.height() * (static_cast<float>(pixel.y) + 0.5F) / static_cast<float>(image.height)};
+}
+
+std::optional<glm::ivec2> pixel_of_place(const Overlay& overlay, const IdImage& image, ImVec2 place) {
+    const Rect& rect = overlay.rect();
+    const glm::ivec2 pixel(static_cast<int>((place.x - rect.min.x) / rect.width() * static_cast<float>(image.width)),
+                           static_cast<int>((place.y - rect.min.y) / rect.height() * static_cast<float>(image.height)));
+    const bool inside =
+        place.x >= rect.min.x && place.y >= rect.min.y && pixel.x < image.width && pixel.y < image.height;
+    return inside ? std::optional(pixel) : std::nullopt;
+}
+
+struct NumberBox {
+    ImVec2 min, max;
+
+    bool overlaps(const NumberBox& other) const {
+        return min.x < other.max.x && other.min.x < max.x && min.y < other.max.y && other.min.y < max.y;
+    }
+};
+
+/// Where the number of a polygon goes: in its middle, if that is seen and large enough to hold it.
+std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& result, const Polygon& polygon,
+                                    ImVec2 size) {
+    const std::optional<ImVec2> middle = overlay.project(centroid(polygon));
+    if (!middle) return std::nullopt;
+    if (!result.image.ids.empty()) {
+        const auto pixel = pixel_of_place(overlay, result.image, *middle);
+        if (!pixel || result.image.id(pixel->x, pixel->y) != polygon.source) return std::nullopt;
+    }
+    const NumberBox box{{middle->x - size.x * 0.5F, middle->y - size.y * 0.5F},
+                        {middle->x + size.x * 0.5F, middle->y + size.y * 0.5F}};
+    const bool fits = covers(overlay, polygon, box.min) && covers(overlay, polygon, box.max);
+    return fits ? std::optional(box) : std::nullopt;
+}
+
+/// Each polygon's place in the order; of numbers that would overlap the one that is drawn later.
+void numbers(Overlay& overlay, const HiddenResult& result) {
+    constexpr int most = 3000;
+    ImFont* font = widgets::CurrentContext().fonts.small_number;
+    std::vector<NumberBox> taken;
+    for (int place = result.drawn - 1; place >= std::max(0, result.drawn - most); --place) {
+        const Polygon* polygon = polygon_at(result, result.order[static_cast<std::size_t>(place)]);
+        const std::string text = std::to_string(place + 1);
+        const ImVec2 size =
+            font ? font->CalcTextSizeA(font->FontSize, 1e30F, 0.0F, text.c_str()) : ImGui::CalcTextSize(text.c_str());
+        const std::optional<NumberBox> box = number_box(overlay, result, *polygon, size);
+        if (!box || std::ranges::any_of(taken, [&](const NumberBox& other) { return box->overlaps(other); })) continue;
+        taken.push_back(*box);
+        widgets::HaloText(overlay.draw(), box->min, palette().text, text.c_str(), font);
+    }
+}
+
+void pixel_mark(const Overlay& overlay, const IdImage& image, glm::ivec2 pixel, ImU32 color, const std::string& text) {
+    const ImVec2 place = place_of_pixel(overlay, image, pixel);
+    const float half = px(5.0F);
+    overlay.draw()->AddRect({place.x - half, place.y - half}, {place.x + half, place.y + half}, color, 0.0F, 0,
+                            px(1.6F));
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float x = std::min(place.x + half * 2.0F, overlay.rect().max.x - width - px(8.0F));
+    widgets::HaloText(overlay.draw(), {std::max(x, overlay.rect().min.x + px(4.0F)), place.y + half}, palette().text,
+                      text.c_str());
+}
+
+std::string decimals(double value, const char* infinite) {
+    return value < 1e300 ? widgets::NumberText(value, 5) : infinite;
+}
+
+/// The pair, node, pixel or ray that the step is about, in the camera's picture.
+void step_in_camera(Overlay& overlay, const HiddenResult& result) {
+    if (result.step < 0) return;
+    if (result.newell && result.step > 0) {
+        const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
+        if (const Polygon* q = polygon_at(result, step.q)) marked(overlay, *q, palette().mirror);
+        if (const Polygon* p = polygon_at(result, step.p)) marked(overlay, *p, palette().light);
+        if (const Polygon* p = polygon_at(result, step.p)) overlay.label(centroid(*p), "P", palette().light);
+        if (const Polygon* q = polygon_at(result, step.q)) overlay.label(centroid(*q), "Q", palette().mirror);
+        return;
+    }
+    if (result.compare && result.compare->polygon >= 0) {
+        const RasterStep& step = *result.compare;
+        pixel_mark(overlay, result.image, {step.x, step.y}, palette().accent,
+                   decimals(step.depth, "∞") + (step.written ? " < " : " ≥ ") + decimals(step.stored_depth, "∞") +
+                       (step.written ? ": written" : ": not written"));
+        return;
+    }
+    if (result.traced) {
+        const std::size_t hits = result.traced->hits.size();
+        pixel_mark(overlay, result.image, result.traced->pixel, palette().accent,
+                   hits == 0 ? "no hit" : std::to_string(hits) + (hits == 1 ? " hit" : " hits, the nearest counts"));
+        return;
+    }
+    const int last = result.drawn - 1;
+    if (last < 0 || last >= static_cast<int>(result.order.size())) return;
+    if (const Polygon* polygon = polygon_at(result, result.order[static_cast<std::size_t>(last)]))
+        outline(overlay, *polygon, palette().accent, 2.4F);
+}
+
+/// All polygons of a subtree, its root left out.
+void subtree(Overlay& overlay, const BspTree& tree, int root, ImU32 color) {
+    constexpr int most = 4000;
+    std::vector<int> waiting;
+    if (root >= 0) waiting.push_back(root);
+    for (int drawn = 0; !waiting.empty() && drawn < most;) {
+        const BspNode& node = tree.nodes[static_cast<std::size_t>(waiting.back())];
+        waiting.pop_back();
+        for (int i = 0; i < node.fragment_count; ++i, ++drawn)
+            outline(overlay, tree.fragments[static_cast<std::size_t>(node.first_fragment + i)], color, 1.4F);
+        for (const int child : {node.front, node.back})
+            if (child >= 0) waiting.push_back(child);
+    }
+}
+
+/// A node's plane around its polygons, its normal, and what lies on either side in two colours.
+void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
+    const BspTree& tree = *result.tree;
+    if (index < 0 || index >= static_cast<int>(tree.nodes.size())) return;
+    const BspNode& node = tree.nodes[static_cast<std::size_t>(index)];
+    const ImU32 front = im_color(front_color), back = im_color(back_color);
+    subtree(overlay, tree, node.front, with_alpha(front, 200));
+    subtree(overlay, tree, node.back, with_alpha(back, 200));
+    if (node.fragment_count == 0) return;
+    const Polygon& polygon = tree.fragments[static_cast<std::size_t>(node.first_fragment)];
+    const glm::dvec3 normal(node.plane), middle = centroid(polygon);
+    const glm::dvec3 along = glm::normalize(
+        glm::cross(normal, std::abs(normal.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
+    const glm::dvec3 across = glm::cross(normal, along);
+    const double half = 0.35 * result.surface->diagonal;
+    const std::array<glm::dvec3, 4> corners = {middle + half * (along + across), middle + half * (along - across),
+                                               middle - half * (along + across), middle - half * (along - across)};
+    overlay.fill(corners, with_alpha(palette().plane, 50));
+    for (std::size_t i = 0; i < 4; ++i) overlay.line(corners[i], corners[(i + 1) % 4], palette().plane, 1.6F);
+    const double arrow = 0.25 * half;
+    overlay.arrow(middle, middle + arrow * normal, palette().plane);
+    overlay.label(middle + arrow * normal, "front", front);
+    overlay.label(middle - arrow * normal, "back", back);
+    outline(overlay, polygon, palette().accent, 2.4F);
+}
+
+}  // namespace
+
+int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 pixel) {
+    if (!hidden.answer) return -1;
+    const HiddenResult& result = *hidden.answer->camera;
+    if (result.image.ids.empty()) return -1;
+    const ImVec2 place(overlay.rect().min.x + static_cast<float>(pixel.x) + 0.5F,
+                       overlay.rect().min.y + static_cast<float>(pixel.y) + 0.5F);
+    const auto at = pixel_of_place(overlay, result.image, place);
+    const int source = at ? result.image.id(at->x, at->y) : IdImage::background;
+    if (source == IdImage::background) return -1;
+    const bool has_order = !result.order.empty();  // rays have none
+    for (int turn = (has_order ? result.drawn : static_cast<int>(result.fragments->size())) - 1; turn >= 0; --turn) {
+        const int fragment = has_order ? result.order[static_cast<std::size_t>(turn)] : turn;
+        const Polygon* polygon = polygon_at(result, fragment);
+        if (polygon && polygon->source == source && covers(overlay, *polygon, place)) return fragment;
+    }
+    return -1;
+}
+
+void draw_laboratory_overlay(const LaboratoryState& state, const Session& session, const HiddenStatus& hidden,
+                             Overlay& overlay) {
+    if (hidden.fraction) {
+        const std::string text =
+            "The method is at work: " + std::to_string(static_cast<int>(*hidden.fraction * 100.0F)) + " %";
+        widgets::HaloText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
+                          palette().text, text.c_str());
+    }
+    if (!hidden.answer) return;
+    const HiddenResult& result = *hidden.answer->camera;
+    if (session.params.visibility.numbers) numbers(overlay, result);
+    step_in_camera(overlay, result);
+    if (const Polygon* polygon = polygon_at(result, state.link.shown_fragment()))
+        marked(overlay, *polygon, palette().accent);
+}
+
+void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& hidden, Overlay& overlay) {
+    if (!hidden.answer) return;
+    const HiddenResult& result = *hidden.answer->camera;
+    if (result.tree) {
+        const bool builds = result.step > 0 && result.visited_nodes == 0;
+        const bool walks = result.step > 0 && result.visited_nodes > 0;
+        const int of_step = builds  ? result.built_nodes - 1
+                            : walks ? result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node
+                                    : -1;
+        node_in_observer(overlay, result, state.link.shown_node() >= 0 ? state.link.shown_node() : of_step);
+    }
+    if (result.traced) {
+        const TracedRay& traced = *result.traced;
+        const double reach = traced.hits.empty() ? 2.0 * result.surface->diagonal : traced.hits.back().t;
+        overlay.line(traced.ray.origin, traced.ray.at(reach), palette().accent, 1.6F);
+        for (const RayCastHit& hit : traced.hits)
+            overlay.dot(traced.ray.at(hit.t), &hit == traced.hits.data() ? palette().accent : palette().quiet,
+                        &hit == traced.hits.data() ? 5.0F : 3.5F);
+    }
+    if (const Polygon* polygon = polygon_at(result, state.link.shown_fragment()))
+        marked(overlay, *polygon, palette().accent);
+}
+
+}  // namespace viewing

@@ -1,0 +1,181 @@
+// The method's options, its steps, what it counted, and the search for a view where a sort key fails.
+#include <algorithm>
+
+#include "ui/hidden/laboratory.h"
+#include "ui/parts/controls.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr float choice_width = 150.0F;
+
+void options_of(VisibilityMethod method, Params& params) {
+    static constexpr const char* keys[] = {"nearest vertex", "farthest vertex", "centroid"};
+    static constexpr const char* splitters[] = {"first", "random", "fewest splits", "balanced"};
+    static constexpr const char* walks[] = {"back to front", "front to back"};
+    switch (method) {
+        case VisibilityMethod::painter:
+            control(params, "visibility.sort_key", {.width = choice_width, .names = keys, .label = "sort key"});
+            break;
+        case VisibilityMethod::bsp:
+            control(params, "visibility.splitter", {.width = choice_width, .names = splitters, .label = "splitter"});
+            control(params, "visibility.walk", {.width = choice_width, .names = walks, .label = "walk"});
+            [[fallthrough]];
+        case VisibilityMethod::newell:
+            control(params, "visibility.epsilon", {.decimals = 2, .label = "epsilon"});
+            break;
+        case VisibilityMethod::ray_cast:
+            ImGui::BeginDisabled(params.cull.enabled);
+            control(params, "visibility.exact_curves", {.label = "Exact curves"});
+            ImGui::EndDisabled();
+            if (params.cull.enabled) widgets::Note("Culling tells faces apart: curves are triangles while it is on.");
+            break;
+        case VisibilityMethod::depth_buffer:
+        case VisibilityMethod::none:
+        case VisibilityMethod::software_depth_buffer:
+            break;
+    }
+}
+
+void start_failure_search(LaboratoryState& state, const Params& params, const HiddenResult& result) {
+    const CameraParams& camera = params.camera;
+    const Orbit orbit{camera.target, std::max(1e-3, glm::distance(camera.position, camera.target)),
+                      result.request.viewpoint.clip_from_view};
+    state.failure_asked = {state.scene_version, params.visibility, params.camera, params.projection};
+    const FailureSearchOptions options{.key = static_cast<PainterKey>(params.visibility.sort_key),
+                                       .start = {camera.yaw, camera.pitch}};
+    state.failure_search.start([surface = result.surface, orbit, options](WorkProgress& progress) {
+        return find_failure(surface->polygons, orbit, options, &progress);
+    });
+}
+
+void failure_search(LaboratoryState& state, const Params& params, const HiddenResult& result) {
+    if (state.failure_search.is_running()) {
+        ImGui::ProgressBar(state.failure_search.fraction(), {px(choice_width), 0.0F}, "searching");
+        ImGui::SameLine();
+        if (widgets::SmallButton("Stop")) state.failure_search.cancel();
+        return;
+    }
+    ImGui::BeginDisabled(params.cull.enabled);
+    if (widgets::SmallButton("Find a view where this key fails")) start_failure_search(state, params, result);
+    widgets::Tooltip("Find a view where this key fails",
+                     "Turns the camera about its target and goes where the painter's picture differs from ray casting "
+                     "in the most pixels. All faces count: culling has to be off.");
+    ImGui::EndDisabled();
+}
+
+/// In the row of what stands before it, so that nothing moves when it comes and goes.
+void cancel_button(LaboratoryState& state, const HiddenStatus& hidden) {
+    const bool was_cancelled = hidden.answer && hidden.answer->camera->is_cancelled;
+    if (!hidden.fraction && !was_cancelled) return;
+    ImGui::SameLine(px(118.0F));
+    if (!hidden.fraction) {
+        if (widgets::SmallButton("Run again")) state.restart_method = true;
+    } else if (widgets::SmallButton("Cancel")) {
+        state.cancel_method = true;
+    }
+}
+
+/// Two columns of what the method counted; what it does not have is left out.
+class CounterTable {
+public:
+    void number(const char* name, std::int64_t value) {
+        if (value >= 0) text(name, grouped_number(value).c_str());
+    }
+    void text(const char* name, const char* value) {
+        const float column = px(148.0F), number_end = px(130.0F);
+        if (count_ % 2 == 1) ImGui::SameLine(column);
+        const float left = count_ % 2 == 1 ? column : 0.0F;
+        ImGui::PushFont(widgets::CurrentContext().fonts.note);
+        ImGui::TextUnformatted(name);
+        ImGui::PopFont();
+        ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+        ImGui::SameLine(left + number_end - ImGui::CalcTextSize(value).x);
+        ImGui::TextUnformatted(value);
+        ImGui::PopFont();
+        ++count_;
+    }
+
+private:
+    int count_ = 0;
+};
+
+void counters(const HiddenResult& result, bool shows_time) {
+    const HiddenCounters& counted = result.counters;
+    CounterTable table;
+    const auto time = [&](double ms) {
+        if (!shows_time) return std::string("–");
+        return ms < 0.1 ? widgets::NumberText(ms * 1e3, 1) + " µs" : widgets::NumberText(ms, 2) + " ms";
+    };
+    table.number("polygons", counted.polygons);
+    table.number("culled", counted.culled > 0 ? counted.culled : -1);
+    table.number(result.tree ? "plane tests" : "comparisons", counted.comparisons);
+    table.number("swaps", counted.swaps);
+    table.number("splits", counted.splits);
+    table.number("fragments", counted.fragments);
+    table.number("tree depth", counted.tree_depth);
+    table.number("rays", counted.rays);
+    table.number("ray tests", counted.intersection_tests);
+    table.number("pixels tested", counted.pixels_tested);
+    table.number("pixels written", counted.pixels_written);
+    if (counted.pixels_written >= 0) table.text("overdraw", widgets::NumberText(counted.overdraw(), 2).c_str());
+    if (!is_drawn_by_gl_alone(result.request.visibility.method)) table.text("time", time(result.time_ms).c_str());
+    if (result.tree || result.counters.rays >= 0) table.text("built in", time(result.build_ms).c_str());
+}
+
+void culling_counts(const HiddenResult& result) {
+    const CullCounts& counts = result.facing;
+    const auto pair = [](int front, int back) {
+        return grouped_number(front) + " front, " + grouped_number(back) + " back";
+    };
+    std::string text = "By the plane's sign " + pair(counts.facing_towards, counts.facing_away) + "; by GL's winding " +
+                       pair(counts.gl_front, counts.gl_back) + ".";
+    const std::int64_t culled = result.counters.culled;
+    const std::int64_t total = result.tree ? result.counters.fragments : counts.input;
+    if (culled > 0)
+        text += " Culling leaves " + grouped_number(total - culled) + " of " + grouped_number(total) +
+                (result.tree ? " fragments." : ".");
+    widgets::Note(text.c_str());
+}
+
+}  // namespace
+
+void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden) {
+    Params& params = session.params;
+    const VisibilityMethod method = params.visibility.method;
+    const bool is_open = !is_drawn_by_gl_alone(method) || params.view.shows == Shows::difference ||
+                         params.visibility.step >= 0 || params.visibility.numbers;
+    if (!is_open) {
+        ImGui::SameLine();
+        if (widgets::SmallButton("Steps")) params.visibility.step = 0;
+        widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order in which GL gets them.");
+        return;
+    }
+    options_of(method, params);
+    const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
+    if (result && method == VisibilityMethod::painter) failure_search(state, params, *result);
+    ImGui::BeginDisabled(method == VisibilityMethod::ray_cast);  // rays draw no polygons
+    control(params, "visibility.numbers", {.label = "Numbers"});
+    ImGui::EndDisabled();
+    cancel_button(state, hidden);
+    if (params.view.shows == Shows::difference) {
+        control(params, "visibility.compare_with", {.width = choice_width, .names = method_names, .label = "compare"});
+    }
+    if (!result) return;
+    widgets::StepBar("steps", params.visibility.step, result->step_count, state.playing, state.steps_per_s,
+                     ImGui::GetIO().DeltaTime, state.carry_steps);
+    if (result->newell && result->newell->steps_left_out > 0) {
+        const std::string note = "Only the first " + grouped_number(result->step_count) + " of " +
+                                 grouped_number(result->counters.comparisons) + " comparisons can be gone through.";
+        widgets::Note(note.c_str());
+    }
+    state.last_step = params.visibility.step;
+    state.has_step_bar = true;
+    counters(*result, hidden.shows_time);
+    culling_counts(*result);
+    if (params.visibility.step >= 0) widgets::Note("Shadow and mirror wait while steps are shown.");
+    if (!hidden.answer->problem().empty()) widgets::Trouble(hidden.answer->problem().c_str());
+}
+
+}  // namespace viewing

@@ -1,0 +1,78 @@
+#include "ui/hidden/laboratory_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/parts/look.h"
+
+namespace viewing {
+
+const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden) {
+    static const std::shared_ptr<const HiddenResult> none;
+    return hidden.answer ? hidden.answer->camera : none;
+}
+
+LaboratoryView::LaboratoryView(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+    ImGui::SetCursorScreenPos(rect.min);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().view_ground);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(6.0F)});
+    ImGui::BeginChild(name, {rect.width(), rect.height()}, false, flags | ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
+}
+
+LaboratoryView::~LaboratoryView() {
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+float note_height(const char* text) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
+    const float height = ImGui::CalcTextSize(text, nullptr, false, width).y;
+    ImGui::PopFont();
+    return height;
+}
+
+bool offer(const char* sentence, const char* button) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = std::max(std::min(room.x, px(360.0F)), 1.0F);
+    const ImVec2 size = ImGui::CalcTextSize(sentence, nullptr, false, width);
+    const float button_height = button ? ImGui::GetFrameHeight() + px(8.0F) : 0.0F;
+    const float top = from.y + std::floor(std::max(0.0F, (room.y - size.y - button_height) * 0.5F));
+    const auto centred = [&](float item) { return from.x + std::floor(std::max(0.0F, (room.x - item) * 0.5F)); };
+
+    ImGui::SetCursorScreenPos({centred(size.x), top});
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1.0F);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::TextUnformatted(sentence);
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    widgets::Record(sentence);
+    if (!button) return false;
+    const float button_width = ImGui::CalcTextSize(button).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});
+    return widgets::Button(button);
+}
+
+void tell_waiting(const HiddenStatus& hidden) {
+    const std::string percent =
+        hidden.fraction ? ": " + std::to_string(static_cast<int>(std::lround(100.0F * *hidden.fraction))) + " %" : "";
+    offer(("The method is at work" + percent + ".").c_str());
+}
+
+float width_of(const std::string& text, ImFont* font) {
+    ImGui::PushFont(font);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::PopFont();
+    return width;
+}
+
+void text_at_right(const std::string& text) {
+    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
+    ImGui::TextUnformatted(text.c_str());
+}
+
+}  // namespace viewing

@@ -1,0 +1,63 @@
+#include "ui/hidden/order_rows.h"
+
+#include <algorithm>
+
+#include "ui/hidden/polygon_names.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+
+OrderRows::OrderRows(const HiddenResult& result, const TreeIndex& index) : result_(result), index_(index) {
+    reached_ = count();
+    if (result.step < 0) return;
+    if (result.newell && result.step > 0 && result.step <= static_cast<int>(result.newell->steps.size()))
+        newell_step_ = &result.newell->steps[static_cast<std::size_t>(result.step - 1)];
+    if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) {
+        // Steps are pixels: the polygon whose pixel is compared is the last one that was reached.
+        current_ = result.compare ? place_of(result, result.compare->polygon) : -1;
+        reached_ = current_ + 1;
+    } else {
+        reached_ = std::min(result.drawn, count());
+        current_ = newell_step_ ? place_of(result, newell_step_->p) : reached_ - 1;
+    }
+}
+
+OrderRow OrderRows::row(int place) const {
+    OrderRow row;
+    if (!result_.fragments || place < 0 || place >= count()) return row;
+    const int fragment = result_.order[static_cast<std::size_t>(place)];
+    if (fragment < 0 || fragment >= static_cast<int>(result_.fragments->size())) return row;
+    const int source = (*result_.fragments)[static_cast<std::size_t>(fragment)].source;
+    row.fragment = fragment;
+    row.name = listed_name(result_.surface.get(), source);
+    row.detail = detail_of(fragment);
+    row.color = polygon_color(result_.surface.get(), source);
+    row.is_reached = place < reached_;
+    row.is_current = place == current_;
+    return row;
+}
+
+std::string OrderRows::detail_of(int fragment) const {
+    if (result_.painter && static_cast<std::size_t>(fragment) < result_.painter->distances.size())
+        return widgets::NumberText(result_.painter->distances[static_cast<std::size_t>(fragment)], 3);
+    if (newell_step_) return fragment == newell_step_->p ? "P" : fragment == newell_step_->q ? "Q" : "";
+    if (!result_.tree) return "";
+    const int node = index_.node_of(fragment);
+    if (node < 0) return "";
+    const int side = index_.eye_side_of(node);
+    return std::to_string(node + 1) + (side > 0 ? ", front" : side < 0 ? ", back" : ", in plane");
+}
+
+const char* OrderRows::detail_title() const {
+    static constexpr const char* keys[] = {"nearest vertex", "farthest vertex", "centroid"};
+    if (result_.painter) return keys[static_cast<std::size_t>(result_.request.visibility.sort_key)];
+    if (newell_step_) return "pair";
+    return result_.tree ? "node, eye's side" : "";
+}
+
+int place_of(const HiddenResult& result, int fragment) {
+    const auto found = std::find(result.order.begin(), result.order.end(), fragment);
+    return found == result.order.end() ? -1 : static_cast<int>(found - result.order.begin());
+}
+
+}  // namespace viewing

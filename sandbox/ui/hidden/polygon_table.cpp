@@ -1,0 +1,112 @@
+#include "ui/hidden/polygon_table.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr float cell_padding = 1.0F;  ///< above and below a row, design pixels
+
+/// The colour of the polygon's object, before its name.
+void swatch(const OrderRow& row) {
+    const float side = std::round(0.6F * ImGui::GetTextLineHeight());
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float top = at.y + std::round((ImGui::GetTextLineHeight() - side) * 0.5F);
+    const ImU32 color = row.is_reached || row.color == 0 ? row.color : with_alpha(row.color, 90);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side}, color, px(2.0F));
+    ImGui::Dummy({side, side});
+    ImGui::SameLine(0.0F, px(5.0F));
+}
+
+}  // namespace
+
+std::string shortened(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
+        // The bytes that continue a letter go with it.
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "…";
+}
+
+PolygonTable::PolygonTable(LaboratoryState& state, const HiddenResult& result, const char* id, const char* detail,
+                           int count, ImVec2 size)
+    : state_(state), has_tree_(result.tree != nullptr), has_detail_(*detail != '\0') {
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), px(cell_padding)});
+    ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
+    is_open_ = ImGui::BeginTable(id, has_detail_ ? 3 : 2, ImGuiTableFlags_ScrollY, size);
+    if (!is_open_) return;
+    const float number_width = ImGui::CalcTextSize(std::to_string(count).c_str()).x + px(8.0F);
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, number_width);
+    ImGui::TableSetupColumn("polygon", ImGuiTableColumnFlags_WidthStretch);
+    if (has_detail_) ImGui::TableSetupColumn(detail, ImGuiTableColumnFlags_WidthFixed);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::TableHeadersRow();
+    ImGui::PopStyleColor();
+}
+
+PolygonTable::~PolygonTable() {
+    if (is_open_) ImGui::EndTable();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
+float PolygonTable::row_height() {
+    return ImGui::GetTextLineHeight() + 2.0F * px(cell_padding);
+}
+
+void PolygonTable::scroll_to(int place) const {
+    const float height = row_height(), top = static_cast<float>(place) * height;
+    const float room = ImGui::GetWindowHeight() - 2.0F * height;  // below the header
+    const float at = ImGui::GetScrollY();
+    if (top < at || top > at + room - height) ImGui::SetScrollY(std::max(0.0F, top - 0.4F * room));
+}
+
+void PolygonTable::row(int number, const OrderRow& row) {
+    ImGui::TableNextRow(0, row_height());
+    ImGui::PushID(number);
+    const bool is_lit = row.fragment >= 0 && row.fragment == state_.link.hovered_fragment;
+    if (row.is_current || is_lit)
+        ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, row.is_current ? 90U : 45U));
+    const bool is_plain = row.is_reached || row.is_current;
+    ImGui::PushStyleColor(ImGuiCol_Text, is_plain ? palette().text : with_alpha(palette().quiet, 170));
+    ImGui::TableNextColumn();
+    const std::string digits = std::to_string(number);
+    select(row, digits);
+    text_at_right(digits);
+    ImGui::TableNextColumn();
+    swatch(row);
+    ImGui::TextUnformatted(shortened(row.name, ImGui::GetContentRegionAvail().x).c_str());
+    if (has_detail_) {
+        ImGui::TableNextColumn();
+        text_at_right(row.detail);
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopID();
+}
+
+/// The row as something to point at and click; recorded as "3 box, polygon 12".
+void PolygonTable::select(const OrderRow& row, const std::string& digits) {
+    const bool is_selected = row.fragment >= 0 && row.fragment == state_.link.selected_fragment;
+    const float x = ImGui::GetCursorPosX();
+    if (ImGui::Selectable("##row", is_selected,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+        const int chosen = is_selected ? -1 : row.fragment;
+        state_.next_link.selected_fragment = state_.order_revealed = chosen;
+        state_.next_link.selected_node = has_tree_ ? state_.tree_index.node_of(chosen) : -1;
+    }
+    if (ImGui::IsItemHovered()) state_.next_link.hovered_fragment = row.fragment;
+    widgets::Record((digits + " " + row.name).c_str());
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(x);
+}
+
+}  // namespace viewing

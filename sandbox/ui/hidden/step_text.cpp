@@ -1,0 +1,136 @@
+#include "ui/hidden/step_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/hidden/polygon_names.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+namespace {
+
+int source_of(const HiddenResult& result, int fragment) {
+    if (!result.fragments || fragment < 0 || fragment >= static_cast<int>(result.fragments->size())) return -1;
+    return (*result.fragments)[static_cast<std::size_t>(fragment)].source;
+}
+
+std::string name_of(const HiddenResult& result, int fragment) {
+    return polygon_name(result.surface.get(), source_of(result, fragment));
+}
+
+std::string pixel_text(glm::ivec2 pixel) {
+    return "pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
+}
+
+/// Whether a cut was made along the plane of that fragment, in whichever direction.
+bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& plane) {
+    if (source_of(result, fragment) < 0) return false;
+    const glm::dvec4& own = (*result.fragments)[static_cast<std::size_t>(fragment)].plane;
+    constexpr double rounding = 1e-9;
+    return glm::length(own - plane) < rounding || glm::length(own + plane) < rounding;
+}
+
+std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
+    const bool cuts_p = step.split == step.p;
+    const char *cut = cuts_p ? "P" : "Q", *other = cuts_p ? "Q" : "P";
+    const bool by_plane = is_plane_of(result, cuts_p ? step.q : step.p, step.cut_plane);
+    return std::string(cut) + " is cut by " + (by_plane ? "the plane of " : "a plane through the eye and an edge of ") +
+           other + ".";
+}
+
+std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
+    switch (step.action) {
+        case NewellAction::goes_on:
+            return "P may go before Q.";
+        case NewellAction::swaps:
+            return "Swap: Q goes before P.";
+        case NewellAction::splits:
+            return cut_sentence(result, step);
+        case NewellAction::draws:
+            return "Nothing is left that P could hide: P is drawn.";
+        case NewellAction::forces:
+            return "P is drawn although Q stands against it: they overlap by less than epsilon.";
+    }
+    return "";
+}
+
+/// As many decimals as it takes to tell two depths apart, 4 to 9.
+int decimals_for(double a, double b) {
+    const double apart = std::abs(a - b);
+    if (!std::isfinite(apart) || apart <= 0.0) return 4;
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(apart))) + 1, 4, 9);
+}
+
+}  // namespace
+
+const char* newell_test_text(NewellTest test) {
+    switch (test) {
+        case NewellTest::depth_extents:
+            return "apart in depth";
+        case NewellTest::x_extents:
+            return "apart along x";
+        case NewellTest::y_extents:
+            return "apart along y";
+        case NewellTest::p_behind_q:
+            return "P behind the plane of Q";
+        case NewellTest::q_in_front_of_p:
+            return "Q in front of the plane of P";
+        case NewellTest::projections_disjoint:
+            return "apart on the screen";
+        case NewellTest::q_behind_p:
+            return "Q behind the plane of P";
+        case NewellTest::p_in_front_of_q:
+            return "P in front of the plane of Q";
+        case NewellTest::none:
+            return "none: cut";
+    }
+    return "";
+}
+
+std::optional<Ladder> newell_ladder(const HiddenResult& result) {
+    if (!result.newell || result.step <= 0 || result.step > static_cast<int>(result.newell->steps.size()))
+        return std::nullopt;
+    const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
+    Ladder ladder{.p = name_of(result, step.p),
+                  .q = step.q >= 0 ? name_of(result, step.q) : "",
+                  .action = action_sentence(result, step)};
+    const auto decided = static_cast<std::size_t>(step.decided_by);
+    for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
+        ladder.rungs[rung] = step.q < 0        ? RungState::untried
+                             : rung < decided  ? RungState::failed
+                             : rung == decided ? RungState::decided
+                                               : RungState::untried;
+    return ladder;
+}
+
+std::string compare_sentence(const HiddenResult& result) {
+    if (!result.compare || result.compare->polygon < 0) return "";
+    const RasterStep& step = *result.compare;
+    const int decimals = decimals_for(step.depth, step.stored_depth);
+    const std::string depth = widgets::NumberText(step.depth, decimals);
+    const std::string stored = widgets::NumberText(step.stored_depth, decimals);
+    const char* relation = depth == stored ? " = " : step.depth < step.stored_depth ? " < " : " > ";
+    return pixel_text({step.x, step.y}) + ": " + name_of(result, step.polygon) + ", depth " + depth + relation +
+           "stored " + stored + (step.written ? " → written" : " → not written");
+}
+
+std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
+    std::vector<RayHitRow> rows;
+    if (!result.traced) return rows;
+    for (const RayCastHit& hit : result.traced->hits) rows.push_back({hit.polygon, hit.source, hit.t});
+    return rows;
+}
+
+std::string ray_sentence(const HiddenResult& result) {
+    if (!result.traced)
+        return result.step < 0 ? "One ray went through every pixel. Go to a step to see what a single ray meets."
+                               : "No ray has been cast yet.";
+    const std::string ray = "The ray through " + pixel_text(result.traced->pixel);
+    const std::size_t hits = result.traced->hits.size();
+    if (hits == 0) return ray + " meets no object.";
+    if (hits == 1) return ray + " meets one surface, which is seen.";
+    return ray + " meets " + std::to_string(hits) + " surfaces: the first one is seen.";
+}
+
+}  // namespace viewing

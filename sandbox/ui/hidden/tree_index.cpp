@@ -1,0 +1,113 @@
+#include "ui/hidden/tree_index.h"
+
+#include <algorithm>
+
+#include "ui/hidden/polygon_names.h"
+#include "visibility/growth.h"
+
+namespace viewing {
+namespace {
+
+std::string counted(std::int64_t count, const char* one, const char* many) {
+    return grouped_number(count) + " " + (count == 1 ? one : many);
+}
+
+bool is_index(int index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+}  // namespace
+
+bool TreeIndex::follow(const std::shared_ptr<const HiddenResult>& result) {
+    if (!result || !result->tree || result == followed_) return false;
+    const bool is_new = !followed_ || followed_->tree != result->tree;
+    if (is_new) take_tree(*result->tree);
+    take_walk(*result);
+    followed_ = result;
+    return is_new;
+}
+
+void TreeIndex::take_tree(const BspTree& tree) {
+    const std::size_t count = tree.nodes.size();
+    nodes_.assign(count, {});
+    labels_.clear();
+    std::vector<std::size_t> label_ends(count);
+    node_of_fragment_.assign(tree.fragments.size(), -1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const BspNode& node = tree.nodes[i];
+        nodes_[i].parent = node.parent;
+        nodes_[i].front = node.front;
+        nodes_[i].back = node.back;
+        const std::string label = std::to_string(i + 1);
+        labels_.insert(labels_.end(), label.begin(), label.end());
+        label_ends[i] = labels_.size();
+        for (int own = 0; own < node.fragment_count; ++own)
+            node_of_fragment_[static_cast<std::size_t>(node.first_fragment + own)] = static_cast<int>(i);
+    }
+    for (std::size_t i = 0, begin = 0; i < count; begin = label_ends[i++])
+        nodes_[i].label = {labels_.data() + begin, label_ends[i] - begin};
+}
+
+void TreeIndex::take_walk(const HiddenResult& result) {
+    eye_sides_.assign(nodes_.size(), 0);
+    for (widgets::TreeNode& node : nodes_) {
+        node.mark = -1;
+        node.eye_side = 0;
+    }
+    if (!result.walk) return;
+    const std::vector<BspVisit>& visits = result.walk->visits;
+    for (std::size_t place = 0; place < visits.size(); ++place) {
+        const BspVisit& visit = visits[place];
+        if (!is_index(visit.node, nodes_.size())) continue;
+        const auto node = static_cast<std::size_t>(visit.node);
+        eye_sides_[node] = static_cast<signed char>(visit.eye_side);
+        if (place >= static_cast<std::size_t>(std::max(result.visited_nodes, 0))) continue;
+        nodes_[node].mark = static_cast<int>(place) + 1;
+        nodes_[node].eye_side = visit.eye_side;
+    }
+}
+
+int TreeIndex::node_of(int fragment) const {
+    return is_index(fragment, node_of_fragment_.size()) ? node_of_fragment_[static_cast<std::size_t>(fragment)] : -1;
+}
+
+int TreeIndex::eye_side_of(int node) const {
+    return is_index(node, eye_sides_.size()) ? eye_sides_[static_cast<std::size_t>(node)] : 0;
+}
+
+std::string tree_sentence(const HiddenResult& result) {
+    if (!result.tree) return "";
+    static constexpr const char* splitters[] = {"first", "random", "fewest splits", "balanced"};
+    const BspTree& tree = *result.tree;
+    const auto nodes = static_cast<int>(tree.nodes.size());
+    std::string text = counted(nodes, "node", "nodes") + ", " + grouped_number(tree.counters.depth) + " deep, " +
+                       counted(static_cast<std::int64_t>(tree.fragments.size()), "fragment", "fragments") + ", " +
+                       counted(tree.counters.splits, "split", "splits") +
+                       "; splitter: " + splitters[static_cast<std::size_t>(result.request.visibility.splitter)];
+    if (result.step < 0) return text;
+    if (result.built_nodes < nodes) return text + "; " + grouped_number(result.built_nodes) + " built so far";
+    return text + "; " + grouped_number(result.visited_nodes) + " visited so far";
+}
+
+std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index) {
+    if (!result.tree || !is_index(node, result.tree->nodes.size()) || node >= result.built_nodes) return "";
+    const BspNode& told = result.tree->nodes[static_cast<std::size_t>(node)];
+    std::string text = "node " + std::to_string(node + 1) + ": ";
+    if (told.sorted) {
+        text += "plane of " + listed_name(result.surface.get(), told.splitter_source) + "; " +
+                grouped_number(told.front_count) + " in front, " + grouped_number(told.back_count) + " behind, " +
+                grouped_number(told.split_count) + " cut";
+    } else {
+        text += counted(told.fragment_count, "polygon", "polygons") + " left unsorted by the budget";
+    }
+    const bool is_visited =
+        is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
+    if (!is_visited || !told.sorted) return text;
+    const int side = index.eye_side_of(node);
+    if (side == 0) return text + "; the eye lies in the plane: neither side hides the other";
+    const bool front_first = (side > 0) == (result.request.visibility.walk == BspWalkOrder::front_to_back);
+    return text + "; the eye is " + (side > 0 ? "in front" : "behind") + ", so its " +
+           (front_first ? "front" : "back") + " side is drawn first";
+}
+
+}  // namespace viewing

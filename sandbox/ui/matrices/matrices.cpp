@@ -1,0 +1,304 @@
+#include "ui/matrices/matrices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame/matrix_facts.h"
+#include "frame/matrix_text.h"
+#include "ui/matrices/display_code.h"
+#include "ui/parts/links.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+using widgets::Role;
+
+/// How well an identity holds, measured: "S² = (P·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (P·L)S".
+std::string identity_text(const char* identity, double residual) {
+    if (residual == 0.0) return std::string(identity) + " ± 0";
+    if (residual > 1e-3) {
+        std::string broken = identity;
+        return broken.replace(broken.find(" = "), 3, " ≠ ");
+    }
+    const int exponent = static_cast<int>(std::ceil(-std::log10(residual)));
+    return std::string(identity) + " ± 10⁻" + widgets::RaisedText(exponent);
+}
+
+void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
+    struct Entry {
+        const char* label;
+        MatrixFormat format;
+    };
+    static constexpr Entry entries[] = {{"GLM (columns first)", MatrixFormat::glm},
+                                        {"GLSL (columns first)", MatrixFormat::glsl},
+                                        {"NumPy", MatrixFormat::numpy},
+                                        {"MATLAB", MatrixFormat::matlab},
+                                        {"LaTeX", MatrixFormat::latex},
+                                        {"plain text", MatrixFormat::text}};
+    ImGui::PushID(id);
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    if (widgets::SmallButton("Copy")) ImGui::OpenPopup("copy");
+    widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
+    if (ImGui::BeginPopup("copy")) {
+        widgets::ClosePopupOnEscape();
+        for (const Entry& entry : entries) {
+            if (ImGui::MenuItem(entry.label)) ImGui::SetClipboardText(matrix_text(name, matrix, entry.format).c_str());
+            widgets::Record(entry.label);
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+}
+
+/// "Shadow S   rank 3 · S² = (P·L) S" and the copy menu.
+void heading(const char* title, const char* letter, const std::string& note, Role role) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::TextUnformatted(title);
+    ImGui::SameLine(0.0F, px(6.0F));
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.of(role));
+    ImGui::TextUnformatted(letter);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::SameLine(0.0F, px(10.0F));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.note);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+/// A matrix with everything around it.
+struct Shown {
+    const char* title;
+    const char* letter;
+    const char* name;  ///< as in C++, GLSL and JSON
+    const char* explains;
+    Role role;
+    glm::dmat4 now, before;
+    MatrixCells cells;
+    std::span<const widgets::LetterRole> roles;
+    glm::dmat4 derived{1.0};    ///< what it would be without an entry by hand
+    std::string heading = "";   ///< in place of the letter
+    std::string property = "";  ///< what one by hand should have, and how far it is from that
+};
+
+/// Buttons beside Copy, from the right; returns which one was pressed.
+const char* show(Shown shown, const std::string& note, std::span<const char* const> buttons,
+                 std::optional<glm::dmat4>* by_hand = nullptr) {
+    const char* pressed = nullptr;
+    ImGui::PushID(shown.name);
+    mark_changed(shown.cells, shown.now, shown.before);
+    heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role);
+    widgets::Tooltip(shown.name, shown.explains);
+    float right = ImGui::GetContentRegionMax().x - px(56.0F);
+    for (const char* button : buttons) {
+        right -= ImGui::CalcTextSize(button).x + px(20.0F);
+        ImGui::SameLine(right);
+        if (widgets::SmallButton(button)) pressed = button;
+    }
+    copy_menu(shown.name, shown.name, shown.now);
+    if (by_hand && *by_hand) {
+        const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
+        widgets::Matrix(shown.letter, **by_hand, style);
+        widgets::Trouble("by hand: light and plane change nothing here");
+        const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
+        const std::string told = std::string("largest difference to the right ") + shown.letter +
+                                 ", up to a factor: " + widgets::NumberText(difference, 3);
+        widgets::ValueText(told.c_str(), difference < 5e-4 ? Role::plane : Role::trouble);
+        widgets::Note(shown.property.c_str());
+    } else {
+        const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles};
+        const glm::dmat4& value = shown.now;
+        widgets::Matrix(shown.letter, value, style);
+    }
+    ImGui::Dummy({0.0F, px(1.0F)});
+    ImGui::PopID();
+    return pressed;
+}
+
+/// S or R with a button to enter it by hand, or to go back, unless it belongs to a further plane or light.
+void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand, bool is_first) {
+    if (!is_first) {
+        show(shown, note, {});
+        return;
+    }
+    const char* const buttons[] = {by_hand ? "release" : "edit"};
+    if (!show(shown, note, buttons, &by_hand)) return;
+    if (by_hand)
+        by_hand.reset();
+    else
+        by_hand = shown.now;
+}
+
+/// "name = (   1.000,   2.000,   3.000 )" with the columns of all lines under each other; `w` is a fourth.
+void vector_line(const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
+    constexpr std::size_t columns = 7;
+    const auto padded = [](double number) {
+        const std::string text = widgets::NumberText(number, 3);
+        const std::size_t shown = length_of(text);
+        return std::string(shown < columns ? columns - shown : 0, ' ') + text;
+    };
+    std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
+    text += w ? "," + padded(*w) + " )" : " )";
+    widgets::ValueText(text.c_str(), role);
+}
+
+void followed_point(Session& session, const Derived& derived) {
+    const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
+    const std::string of = session.params.follow ? session.params.follow->object : "";
+    heading("Follow a point", "p", of + (has_several && derived.followed ? " · by plane 1, light 1" : ""), Role::point);
+    if (!derived.followed) {
+        widgets::Note(
+            "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
+            "from here.");
+        return;
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    if (widgets::SmallButton("Clear")) session.params.follow.reset();
+    const FollowedPoint& followed = *derived.followed;
+    vector_line("p   ", followed.point_world, Role::point);
+    vector_line("S p ", glm::dvec3(followed.shadow_homogeneous), Role::none, &followed.shadow_homogeneous.w);
+    if (followed.shadow_world)
+        vector_line("÷ w ", *followed.shadow_world, Role::light);
+    else
+        widgets::ValueText("÷ w  at infinity: w = 0", Role::trouble);
+    vector_line("R p ", followed.mirrored_world, Role::mirror);
+    vector_line("foot", followed.foot_world, Role::plane);
+    const std::string distance = "k    = n·p + d = " + widgets::NumberText(followed.plane_distance, 3);
+    widgets::ValueText(distance.c_str(), Role::plane);
+}
+
+/// Camera movement read both ways: V and C take turns, and below P stands the slide's display().
+void camera_matrices(const Params& params, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
+    const SlipParams& slips = params.slips;
+    const std::string inverse = identity_text("V C = I", derived.facts.view_residual);
+    static constexpr const char* show_view[] = {"show V"};
+    static constexpr const char* show_camera[] = {"show C"};
+    const char* const product = slips.swapped_order ? "C = R_y R_x R_z T, a slip" : "C = T R_y R_x R_z";
+    const bool switched =
+        shows_camera_matrix
+            ? show({"Camera", "C", "world_from_view",
+                    "Where the camera is: its columns are right, up, back and the eye.", Role::camera,
+                    derived.world_from_view, before.world_from_view, camera_cells(slips.swapped_order), camera_roles()},
+                   product, show_view)
+            : show({"View", "V", "view_from_world",
+                    "V = C⁻¹: the world as the camera sees it. Its rows are right, up and back.", Role::camera,
+                    derived.view_from_world, before.view_from_world,
+                    slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order),
+                    camera_roles()},
+                   slips.camera_as_view ? "= C, a slip" : "= C⁻¹ · " + inverse, show_camera);
+    if (switched) shows_camera_matrix = !shows_camera_matrix;
+
+    const bool perspective = params.projection.type == ProjectionType::perspective;
+    show(
+        {"Projection", "P", "clip_from_view", "P takes view space to clip space; after ÷ w near becomes −1 and far +1.",
+         Role::camera, derived.clip_from_view, before.clip_from_view,
+         projection_cells(params, derived.clip_zero_to_one), camera_roles()},
+        (perspective ? "c = cot(½ fovy) · aspect " : "aspect ") + widgets::NumberText(derived.aspect, 3), {});
+    heading("Camera movement", "", "the slide's display()", Role::camera);
+    widgets::Tooltip(
+        "Moving the camera is moving the world the other way",
+        "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
+        "the same.");
+    draw_display_code(params, derived);
+}
+
+/// How far points of the plane are moved: "points of the plane stay ± 0", "points of the plane move by 0.25".
+std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
+    double moved = 0.0;
+    for (const glm::dvec3& corner : patch.corners()) {
+        const glm::dvec4 sent = matrix * glm::dvec4(corner, 1.0);
+        if (std::abs(sent.w) < 1e-12) return "points of the plane go to infinity";
+        moved = std::max(moved, glm::length(glm::dvec3(sent) / sent.w - corner));
+    }
+    if (moved > 1e-3) return "points of the plane move by up to " + widgets::NumberText(moved, 3);
+    return identity_text("points of the plane stay", moved);
+}
+
+/// "plane 1", "plane 2", …: which one S and R are of.
+void choose_one(const char* name, std::size_t& index, std::size_t count) {
+    index = index < count ? index : 0;
+    if (count == 1) return;
+    std::vector<std::string> texts;
+    std::vector<const char*> names;
+    for (std::size_t i = 0; i < count; ++i) texts.push_back(name + (" " + std::to_string(i + 1)));
+    for (const std::string& text : texts) names.push_back(text.c_str());
+    int chosen = static_cast<int>(index);
+    ImGui::SameLine(0.0F, px(8.0F));
+    if (widgets::Choice((std::string("##") + name).c_str(), chosen, names, 0)) index = static_cast<std::size_t>(chosen);
+    widgets::Tooltip(name,
+                     "Each plane has an R, and with each light an S. Those of plane 1 and light 1 can be entered "
+                     "by hand.");
+}
+
+void choose_pair(MatrixChoice& choice, const Derived& derived) {
+    if (derived.planes.size() > 1 || derived.lights_world.size() > 1) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("S and R of");
+    }
+    choose_one("plane", choice.plane, derived.planes.size());
+    choose_one("light", choice.light, derived.lights_world.size());
+}
+
+/// Hovering an entry points at the first plane's and light's controls: not where it belongs to others.
+MatrixCells cells_for(MatrixCells cells, bool is_first) {
+    if (!is_first)
+        for (widgets::MatrixCell& cell : cells) cell.links = cell.own = 0;
+    return cells;
+}
+
+void shadow_and_mirror(Session& session, const Derived& derived, const Derived& before, const MatrixChoice& choice) {
+    Overrides& overrides = session.params.overrides;
+    const DerivedPlane& plane = derived.planes[choice.plane];
+    const CastShadow& cast = plane.shadows[choice.light];
+    const bool was_there = choice.plane < before.planes.size() && choice.light < before.lights_world.size();
+    const DerivedPlane& plane_before = was_there ? before.planes[choice.plane] : plane;
+    const glm::dmat4& shadow_before =
+        was_there ? plane_before.shadows[choice.light].shadow_from_world : cast.shadow_from_world;
+    const bool is_first_plane = choice.plane == 0, is_first = is_first_plane && choice.light == 0;
+
+    const glm::dmat4& shadow = cast.shadow_from_world;
+    show_overridable(
+        {"Shadow", "S", "shadow_from_world",
+         "S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
+         "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
+         "the same map, but with w > 0, which the clipper keeps.",
+         Role::light, shadow, shadow_before, cells_for(shadow_cells(), is_first), shadow_roles(),
+         shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
+         moved_text(shadow, plane.patch)},
+        "rank " + std::to_string(rank_of(shadow)) + " · " +
+            identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light)),
+        overrides.shadow_from_world, is_first);
+
+    const glm::dmat4& mirror = plane.mirror_from_world;
+    const bool by_rows = session.params.reflection.printed_by_rows;
+    const bool is_transposed = by_rows && !(is_first_plane && overrides.mirror_from_world);
+    const std::string fact = is_transposed ? "as printed" : "det " + widgets::NumberText(glm::determinant(mirror), 0);
+    show_overridable(
+        {"Reflection", "R", "mirror_from_world",
+         "R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
+         "winding around.",
+         Role::mirror, mirror, plane_before.mirror_from_world, cells_for(mirror_cells(by_rows), is_first_plane),
+         mirror_roles(), mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
+        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirror_from_world, is_first_plane);
+}
+
+}  // namespace
+
+void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
+    const widgets::Group group("matrices");
+    choose_pair(choice, derived);
+    shadow_and_mirror(session, derived, before, choice);
+    followed_point(session, derived);
+    ImGui::Dummy({0.0F, px(4.0F)});
+    camera_matrices(session.params, derived, before, choice.shows_camera);
+}
+
+}  // namespace viewing

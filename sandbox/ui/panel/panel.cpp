@@ -1,0 +1,175 @@
+// One function a section. A problem is told where its cause is.
+#include "ui/panel/panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/depth/depth_panel.h"
+#include "ui/parts/controls.h"
+#include "ui/parts/links.h"
+#include "ui/parts/look.h"
+#include "ui/parts/panel_parts.h"
+#include "ui/planes/shadow_panel.h"
+
+namespace viewing {
+namespace {
+
+using widgets::Lamp;
+using widgets::Role;
+
+void camera_lamps(const Session& session) {
+    const Navigation mode = session.params.camera.navigation;
+    const MovingFreedoms can = available_freedoms(motion_mode(mode));
+    const MovingFreedoms& now = session.moving_freedoms();
+    const Lamp lamps[] = {{"forward", can.forward, now.forward}, {"strafe", can.strafe, now.strafe},
+                          {"up/down", can.lift, now.lift},       {"yaw", can.yaw, now.yaw},
+                          {"pitch", can.pitch, now.pitch},       {"roll", can.roll, now.roll}};
+    widgets::Lamps("degrees of freedom", lamps, Role::camera);
+    widgets::Tooltip("Degrees of freedom",
+                     "Ringed: this mode has it. Filled: it is moving now. Fly-through has six, walk-through two: "
+                     "pan about y and walk forward or back.");
+}
+
+/// The five slips; one that cannot show in this mode is disabled, and its tooltip says when it can.
+void slips(Params& params) {
+    struct Slip {
+        const char *path, *label;
+        bool shows;
+    };
+    const Navigation mode = params.camera.navigation;
+    const Slip all[] = {
+        {"slips.walk_slows", "walking slows (walk)", mode == Navigation::walk},
+        {"slips.creeping_roll", "creeping roll (walk, orbit)", mode != Navigation::fly},
+        {"slips.pole_flip", "flip at the pole (orbit)", mode == Navigation::orbit},
+        {"slips.swapped_order", "R·T in place of T·R", true},
+        {"slips.camera_as_view", "C sent as V", true},
+    };
+    for (const Slip& slip : all) {
+        ImGui::BeginDisabled(!slip.shows);
+        control(params, slip.path, {.label = slip.label});
+        ImGui::EndDisabled();
+    }
+}
+
+void camera_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Camera")) return;
+    const widgets::Group group("camera");
+    Params& params = session.params;
+    static constexpr const char* modes[] = {"Fly (6 DOF)", "Walk (2 DOF)", "Orbit"};
+    control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
+    control(params, "camera.position", {.links = link::position, .label = "position"});
+
+    double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
+    static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
+    static constexpr double defaults[] = {30.6, -16.4, 0.0};
+    const widgets::NumberStyle style{.min = -360.0, .max = 360.0, .step = 0.2, .decimals = 1, .unit = "°"};
+    if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
+        params.camera.yaw = angles[0];
+        params.camera.pitch = angles[1];
+        params.camera.roll = angles[2];
+    }
+    widgets::Tooltip("Yaw, pitch, roll",
+                     "Heading about y, then nodding about the camera's x, then tilting about its z.",
+                     "C = T R_y R_x R_z");
+    camera_lamps(session);
+    if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = "target"});
+
+    if (details("Famous slips")) slips(params);
+    tell_problems(derived, "camera");
+    tell_problems(derived, "follow");
+}
+
+void projection_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Projection")) return;
+    const widgets::Group group("projection");
+    Params& params = session.params;
+    static constexpr const char* types[] = {"Perspective", "Orthographic"};
+    control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
+    static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
+                                    far[] = {link::far};
+    if (params.projection.type == ProjectionType::perspective)
+        control(params, "projection.fovy", {.decimals = 1, .slider = true, .links = fovy});
+    else
+        control(params, "projection.height", {.slider = true, .links = height, .min = 0.1, .max = 100.0});
+    // Near and far push against each other, so that near < far holds while either is dragged.
+    ProjectionParams& projection = params.projection;
+    if (control(params, "projection.near", {.decimals = 3, .slider = true, .links = near, .min = 0.001, .max = 100.0}))
+        projection.near = std::min(projection.near, projection.far * 0.999);
+    if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
+        projection.far = std::max(projection.far, projection.near * 1.001);
+
+    const DepthPrecision precision = precision_of(params.depth.format);
+    const std::string note = std::to_string(precision.bits) + (precision.is_float ? "-bit float" : "-bit") +
+                             " depth: Δz at z = " + widgets::NumberText(derived.facts.target_distance, 2) + " is " +
+                             widgets::NumberText(derived.facts.depth_step_at_target, 2);
+    widgets::Note(note.c_str());
+    widgets::Tooltip("Depth resolution",
+                     "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
+                     "this fight.",
+                     "Δz = z^2 (f - n)/(f n (2^b - 1))");
+    tell_problems(derived, "projection");
+}
+
+void hidden_surfaces_section(Session& session, const Derived& derived, LaboratoryState& laboratory,
+                             const HiddenStatus& hidden) {
+    if (!widgets::Section("Hidden surfaces")) return;
+    const widgets::Group group("depth");
+    Params& params = session.params;
+    static constexpr const char* funcs[] = {"GL_NEVER",   "GL_LESS",     "GL_EQUAL",  "GL_LEQUAL",
+                                            "GL_GREATER", "GL_NOTEQUAL", "GL_GEQUAL", "GL_ALWAYS"};
+    static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
+    static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
+    static constexpr float second = 118.0F;
+    const bool compares =
+        params.view.shows == Shows::difference && params.visibility.compare_with == VisibilityMethod::depth_buffer;
+    ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer && !compares);  // without any use
+    control(params, "depth.test", {.label = "Depth test"});
+    beside(second);
+    control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});
+    control(params, "depth.write", {.label = "Depth mask"});
+    beside(second);
+    control(params, "depth.clear", {.label = "Clear depth"});
+    ImGui::EndDisabled();
+    control(params, "cull.enabled", {.label = "Cull face"});
+    beside(second);
+    control(params, "cull.face", {.width = 150.0F, .names = faces, .label = "##face"});
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Front face");
+    beside(second);
+    control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
+    if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"}))
+        params.view.lower_right = Topic::automatic;  // what belongs to the method
+    draw_laboratory_panel(laboratory, session, hidden);
+    tell_problems(derived, "depth");
+    tell_problems(derived, "visibility");
+}
+
+void observer_section(Session& session) {
+    if (!widgets::Section("Observer", false)) return;
+    const widgets::Group group("observer");
+    control(session.params, "observer.target", {.label = "target"});
+    control(session.params, "observer.yaw", {.decimals = 1, .label = "yaw"});
+    control(session.params, "observer.pitch", {.decimals = 1, .label = "pitch"});
+    control(session.params, "observer.distance", {.label = "distance"});
+    control(session.params, "observer.light_rays", {.label = "Light rays"});
+    beside(118.0F);
+    control(session.params, "observer.mirrored_eye", {.label = "Mirrored eye"});
+    control(session.params, "observer.image_space", {.label = "Image space"});
+}
+
+}  // namespace
+
+void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden) {
+    ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
+    camera_section(session, derived);
+    projection_section(session, derived);
+    hidden_surfaces_section(session, derived, laboratory, hidden);
+    draw_depth_section(session);
+    draw_light_section(session, derived);
+    draw_plane_section(session, derived);
+    draw_shadow_and_reflection_section(session, derived);
+    observer_section(session);
+    ImGui::PopItemWidth();
+}
+
+}  // namespace viewing

@@ -1,0 +1,13 @@
+// The left column: every parameter that takes effect, in the lecture's order and words.
+#pragma once
+
+#include "frame/derive.h"
+#include "session/session.h"
+#include "ui/hidden/laboratory.h"
+
+namespace viewing {
+
+/// Draws the sections into the current ImGui window and edits the session's parameters.
+void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden);
+
+}  // namespace viewing

@@ -1,0 +1,114 @@
+#include "ui/parts/controls.h"
+
+#include <cassert>
+#include <string>
+
+namespace viewing {
+namespace {
+
+// A field's address inside a Params that is only read.
+template <typename T>
+const T& default_of(const Field& field) {
+    return *std::get<T*>(field.in(const_cast<Params&>(default_params())));
+}
+
+widgets::NumberStyle number_style(const Field& field, const ControlStyle& style, int component = 0) {
+    const Range range = component_range(field, component);
+    widgets::NumberStyle number;
+    number.min = style.min != style.max ? style.min : range.min;
+    number.max = style.min != style.max ? style.max : range.max;
+    number.step = field.step;
+    number.decimals = style.decimals;
+    number.unit = field.unit == "°" ? "°" : "";
+    number.logarithmic = field.logarithmic;
+    if (!style.links.empty()) number.links = style.links[0];
+    return number;
+}
+
+/// Draws what the field holds; the visitor's cases are the field types that have a control of their own here.
+struct DrawControl {
+    const Field& field;
+    const ControlStyle& style;
+    const char* label;
+
+    float width() const { return style.width * widgets::CurrentContext().scale; }
+
+    bool operator()(bool* value) const { return widgets::Toggle(label, *value, default_of<bool>(field)); }
+
+    bool operator()(int* value) const {
+        widgets::NumberStyle number = number_style(field, style);
+        number.integer = true;
+        number.decimals = 0;
+        number.default_value = default_of<int>(field);
+        double edited = *value;
+        const bool changed = style.slider ? widgets::Slider(label, edited, number, width())
+                                          : widgets::Number(label, edited, number, width());
+        if (!changed) return false;
+        *value = static_cast<int>(edited);
+        return true;
+    }
+
+    bool operator()(double* value) const {
+        widgets::NumberStyle number = number_style(field, style);
+        number.default_value = default_of<double>(field);
+        return style.slider ? widgets::Slider(label, *value, number, width())
+                            : widgets::Number(label, *value, number, width());
+    }
+
+    bool operator()(glm::dvec3* value) const {
+        return widgets::Vec3(label, *value, number_style(field, style), default_of<glm::dvec3>(field), style.links);
+    }
+
+    bool operator()(Color* value) const {
+        const Color& start = default_of<Color>(field);
+        glm::u8vec3 rgb(value->r, value->g, value->b);
+        if (!widgets::ColorField(label, rgb, {start.r, start.g, start.b})) return false;
+        *value = {rgb.r, rgb.g, rgb.b};
+        return true;
+    }
+
+    bool operator()(const EnumRef& value) const {
+        const int start = std::get<EnumRef>(field.in(const_cast<Params&>(default_params()))).index();
+        const std::span<const char* const> names = style.names.empty() ? value.names : style.names;
+        int index = value.index();
+        const bool changed = style.segments ? widgets::Segments(label, index, names, start, style.tips)
+                                            : widgets::Choice(label, index, names, start, width());
+        if (changed) value.set(index);
+        return changed;
+    }
+
+    template <typename T>
+    bool operator()(T*) const {
+        assert(!"this field has a widget of its own");
+        return false;
+    }
+};
+
+}  // namespace
+
+const Params& default_params() {
+    static const Params defaults;
+    return defaults;
+}
+
+void explain(const Field& field, std::string_view label) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string body =
+        std::string(field.help) + (field.unit.empty() || field.unit == "°" ? "" : " (" + std::string(field.unit) + ")");
+    std::string title(label.substr(0, label.find("##")));
+    if (title.empty()) title = field.label;
+    widgets::Tooltip(title.c_str(), body.c_str(), std::string(field.formula).c_str(),
+                     std::string(field.gl_call).c_str(), {}, std::string(field.path).c_str());
+}
+
+bool control(Params& params, std::string_view path, const ControlStyle& style) {
+    const Field& found = field(path);
+    ImGui::PushID(found.path.data(), found.path.data() + found.path.size());
+    const char* label = style.label ? style.label : found.label.data();
+    const bool changed = std::visit(DrawControl{found, style, label}, found.in(params));
+    ImGui::PopID();
+    explain(found, label);
+    return changed;
+}
+
+}  // namespace viewing

@@ -1,0 +1,60 @@
+// A figure as on a slide: lines, marks and labels in a cross-section. Read section.h for what is where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/parts/section.h"
+
+namespace viewing {
+
+/// Draws into the current window at once, but for the labels: they are placed when the figure ends, where nothing else
+/// is. Places are of the world, sizes design pixels.
+class Figure {
+public:
+    explicit Figure(const Section& section) : draw_(ImGui::GetWindowDrawList()), section_(section) {}
+    ~Figure();
+    Figure(const Figure&) = delete;
+    Figure& operator=(const Figure&) = delete;
+
+    /// Whether symbols stand beside the numbers.
+    static bool has_room(const Rect& rect);
+    bool has_room() const { return has_room(section_.rect()); }
+
+    void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 1.6F);
+    void dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color);
+    void triangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, ImU32 color, ImU32 alpha);
+    void dot(const glm::dvec3& point, ImU32 color, float radius = 4.5F);
+    /// Half a square in the corner between the plane and a perpendicular.
+    void right_angle(const glm::dvec3& foot, const glm::dvec3& across, const glm::dvec3& up);
+    void name(const glm::dvec3& point, const char* text, ImU32 color);
+    /// In the middle of what is seen of a line: "|p − l| = 3.91", where there is little room the number alone.
+    void measure(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
+    /// The same of an upright line, beside a dimension line left of it.
+    void dimension(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
+
+private:
+    struct Label {
+        ImVec2 place;
+        std::string text;
+        ImU32 color;
+        bool is_name;
+    };
+    struct Segment {
+        ImVec2 from, to;
+    };
+    /// The part of a line inside the rectangle; the whole line where none is.
+    Segment seen(ImVec2 from, ImVec2 to) const;
+    ImVec2 middle_seen(ImVec2 from, ImVec2 to) const;
+    void keep_labels_off(ImVec2 from, ImVec2 to);
+    std::string measure_text(const char* symbol, double value) const;
+    ImFont* number_font() const;
+
+    ImDrawList* draw_;
+    const Section& section_;
+    std::vector<ImVec2> marks_;
+    std::vector<Rect> taken_;
+    std::vector<Label> labels_;
+};
+
+}  // namespace viewing

@@ -1,0 +1,126 @@
+#include "ui/parts/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+constexpr double least_w = 1e-4;  ///< nearer to the eye's plane than this counts as behind it
+
+}  // namespace
+
+Overlay::Overlay(ImDrawList* draw, const Rect& rect, const glm::dmat4& clip_from_world)
+    : draw_(draw),
+      rect_(rect),
+      clip_from_world_(clip_from_world),
+      scale_(widgets::CurrentContext().scale),
+      stroke_(widgets::CurrentContext().palette.stroke * scale_) {
+    draw_->PushClipRect(rect.min, rect.max, true);
+}
+
+Overlay::~Overlay() {
+    widgets::LabelPlacer placer(draw_, rect_.min, rect_.max);
+    const float around = 12.0F * scale_;  // the largest mark: the light's ring
+    for (const Label& label : labels_)
+        placer.Avoid({label.place.x - around, label.place.y - around},
+                     {label.place.x + around, label.place.y + around});
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    for (const Label& label : labels_) placer.Place(label.place, label.text.c_str(), label.color);
+    ImGui::PopFont();
+    draw_->PopClipRect();
+}
+
+ImVec2 Overlay::place_of(const glm::dvec4& clip) const {
+    return {rect_.min.x + static_cast<float>((clip.x / clip.w * 0.5 + 0.5) * rect_.width()),
+            rect_.min.y + static_cast<float>((0.5 - clip.y / clip.w * 0.5) * rect_.height())};
+}
+
+std::optional<ImVec2> Overlay::project(const glm::dvec3& point_world) const {
+    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point_world, 1.0);
+    if (clip.w < least_w) return std::nullopt;
+    return place_of(clip);
+}
+
+Ray Overlay::ray_at(ImVec2 place) const {
+    const glm::dvec2 ndc((place.x - rect_.min.x) / rect_.width() * 2.0 - 1.0,
+                         1.0 - (place.y - rect_.min.y) / rect_.height() * 2.0);
+    return ray_through_pixel(clip_from_world_, ndc);
+}
+
+std::optional<Overlay::Segment> Overlay::segment(const glm::dvec3& from, const glm::dvec3& to) const {
+    glm::dvec4 a = clip_from_world_ * glm::dvec4(from, 1.0), b = clip_from_world_ * glm::dvec4(to, 1.0);
+    if (a.w < least_w && b.w < least_w) return std::nullopt;
+    if (a.w < least_w) a = glm::mix(b, a, (b.w - least_w) / (b.w - a.w));
+    if (b.w < least_w) b = glm::mix(a, b, (a.w - least_w) / (a.w - b.w));
+    return Segment{place_of(a), place_of(b)};
+}
+
+void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
+    if (const auto found = segment(from, to)) draw_->AddLine(found->from, found->to, color, thickness * stroke_);
+}
+
+void Overlay::dashed(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
+    const auto found = segment(from, to);
+    if (!found) return;
+    const ImVec2 way(found->to.x - found->from.x, found->to.y - found->from.y);
+    const float length = std::hypot(way.x, way.y), dash = 6.0F * scale_;
+    const int dashes = std::clamp(static_cast<int>(length / (2.0F * dash)), 1, 200);
+    for (int one = 0; one < dashes; ++one) {
+        const float begin = static_cast<float>(one) / static_cast<float>(dashes);
+        const float end = begin + 0.5F / static_cast<float>(dashes);
+        draw_->AddLine({found->from.x + way.x * begin, found->from.y + way.y * begin},
+                       {found->from.x + way.x * end, found->from.y + way.y * end}, color, thickness * stroke_);
+    }
+}
+
+void Overlay::fill(const std::array<glm::dvec3, 4>& corners, ImU32 color) {
+    ImVec2 places[4];
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const std::optional<ImVec2> place = project(corners[corner]);
+        if (!place) return;
+        places[corner] = *place;
+    }
+    draw_->AddQuadFilled(places[0], places[1], places[2], places[3], color);
+}
+
+void Overlay::dot(const glm::dvec3& point, ImU32 color, float radius) {
+    const auto place = project(point);
+    if (!place) return;
+    draw_->AddCircleFilled(*place, (radius + 1.5F) * scale_, widgets::CurrentContext().palette.view_ground);
+    draw_->AddCircleFilled(*place, radius * scale_, color);
+}
+
+void Overlay::ring(const glm::dvec3& point, ImU32 color, float radius) {
+    if (const auto place = project(point)) draw_->AddCircle(*place, radius * scale_, color, 0, 1.5F * stroke_);
+}
+
+void Overlay::square(const glm::dvec3& point, ImU32 color, float half_size) {
+    const auto place = project(point);
+    if (!place) return;
+    const float half = half_size * scale_;
+    const ImVec2 min(place->x - half, place->y - half), max(place->x + half, place->y + half);
+    draw_->AddRectFilled({min.x - scale_, min.y - scale_}, {max.x + scale_, max.y + scale_},
+                         widgets::CurrentContext().palette.view_ground, 2.0F * scale_);
+    draw_->AddRectFilled(min, max, color, 2.0F * scale_);
+}
+
+void Overlay::arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {
+    const auto found = segment(from, to);
+    if (!found) return;
+    draw_->AddLine(found->from, found->to, color, thickness * stroke_);
+    const ImVec2 way(found->to.x - found->from.x, found->to.y - found->from.y);
+    const float length = std::hypot(way.x, way.y);
+    if (length < 8.0F * scale_) return;
+    const ImVec2 along(way.x / length * 9.0F * scale_, way.y / length * 9.0F * scale_);
+    const ImVec2 across(-along.y * 0.45F, along.x * 0.45F);
+    const ImVec2 tip(found->to.x + along.x, found->to.y + along.y);
+    draw_->AddTriangleFilled(tip, {found->to.x + across.x, found->to.y + across.y},
+                             {found->to.x - across.x, found->to.y - across.y}, color);
+}
+
+void Overlay::label(const glm::dvec3& point, const char* text, ImU32 color) {
+    if (const auto place = project(point)) labels_.push_back({*place, text, color});
+}
+
+}  // namespace viewing

@@ -1,0 +1,119 @@
+#include "ui/parts/view_parts.h"
+#include "ui/parts/look.h"
+
+#include <cmath>
+
+namespace viewing {
+void draw_picture(const Rect& rect, ImTextureID picture) {
+    if (picture)
+        ImGui::GetWindowDrawList()->AddImage(picture, rect.min, rect.max, {0, 1}, {1, 0});  // GL's rows count up
+}
+
+void picture_item(const char* name, const Rect& rect, ImTextureID picture) {
+    ImGui::SetCursorScreenPos(rect.min);
+    draw_picture(rect, picture);
+    ImGui::InvisibleButton(
+        name, {rect.width(), rect.height()},
+        ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    widgets::Record(name);
+}
+
+void view_header(const Rect& rect, const char* title) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImGui::SetCursorScreenPos({rect.min.x, rect.min.y - px(25.0F)});
+    if (*title == '\0') return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.heading);
+    ImGui::TextUnformatted(title);
+    ImGui::PopFont();
+    ImGui::SameLine(0.0F, px(12.0F));
+}
+
+bool have_room(std::span<const char* const> names, float right) {
+    float end = ImGui::GetCursorScreenPos().x;
+    for (const char* name : names) end += ImGui::CalcTextSize(name).x + px(2.0F * 8.0F + 2.0F);
+    return end <= right;
+}
+
+bool words(const char* id, int& index, std::span<const char* const> names, std::span<const char* const> explanations,
+           int default_index, float right) {
+    if (!have_room(names, right)) return widgets::Choice(id, index, names, default_index);  // has none to explain
+    bool changed = false;
+    ImGui::PushID(id);
+    for (int one = 0; one < static_cast<int>(names.size()); ++one) {
+        if (one > 0) ImGui::SameLine(0.0F, px(2.0F));
+        const bool chosen = one == index;
+        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().field_active : 0U);
+        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().quiet);
+        if (widgets::SmallButton(names[static_cast<std::size_t>(one)]) && !chosen) {
+            index = one;
+            changed = true;
+        }
+        ImGui::PopStyleColor(2);
+        widgets::Tooltip(names[static_cast<std::size_t>(one)], explanations[static_cast<std::size_t>(one)]);
+    }
+    ImGui::PopID();
+    return changed;
+}
+
+void header_note(const char* text, float right) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(context.fonts.note);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
+    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(text).x <= right) {
+        ImGui::TextUnformatted(text);
+        widgets::Record("note");
+    }
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImGui::PushFont(context.fonts.note);
+    const float swatch = px(11.0F), gap = px(6.0F), between = px(14.0F), margin = px(8.0F);
+    const auto width_of = [&](const LegendEntry& entry) { return swatch + gap + ImGui::CalcTextSize(entry.meaning).x; };
+
+    // As many as fit, on a plate that keeps them readable over any picture.
+    float width = -between;
+    std::size_t count = 0;
+    while (count < entries.size() && width + between + width_of(entries[count]) < rect.width() - 4.0F * margin)
+        width += between + width_of(entries[count++]);
+    const float height = ImGui::GetTextLineHeight();
+    ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - 2.0F * margin - height);
+    const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (220U << IM_COL32_A_SHIFT);
+    draw->AddRectFilled({at.x - margin, at.y - margin * 0.5F}, {at.x + width + margin, at.y + height + margin * 0.5F},
+                        plate, px(4.0F));
+    for (const LegendEntry& entry : entries.first(count)) {
+        const float top = std::round(at.y + (height - swatch) * 0.5F);
+        const ImVec2 end(at.x + swatch, top + swatch);
+        draw->AddRectFilled({at.x, top}, end, IM_COL32(entry.color.r, entry.color.g, entry.color.b, 255), px(2.0F));
+        draw->AddRect({at.x, top}, end, context.palette.quiet, px(2.0F));
+        draw->AddText({end.x + gap, at.y}, context.palette.text, entry.meaning);
+        at.x += width_of(entry) + between;
+    }
+    ImGui::PopFont();
+}
+
+void draw_followed(Overlay& overlay, const Derived& derived) {
+    if (!derived.followed) return;
+    const FollowedPoint& followed = *derived.followed;
+    const glm::dvec3& p = followed.point_world;
+    const glm::dvec4& light = derived.lights_world.front();
+    if (followed.shadow_world) {
+        if (light.w > 1e-3) overlay.line(glm::dvec3(light) / light.w, p, palette().light);
+        overlay.line(p, *followed.shadow_world, palette().light);
+        overlay.dot(*followed.shadow_world, palette().light);
+        overlay.label(*followed.shadow_world, "s = S p", palette().light);
+    }
+    overlay.dashed(p, followed.foot_world, palette().mirror);
+    overlay.dashed(followed.foot_world, followed.mirrored_world, palette().mirror);
+    overlay.dot(followed.foot_world, palette().plane, 3.0F);
+    overlay.dot(followed.mirrored_world, palette().mirror);
+    overlay.label(followed.mirrored_world, "R p", palette().mirror);
+    overlay.dot(p, palette().point, 5.0F);
+    overlay.label(p, "p", palette().point);
+}
+
+}  // namespace viewing

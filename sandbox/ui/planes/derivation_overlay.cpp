@@ -1,0 +1,90 @@
+// The derivations in the world: the slides' figures where they belong.
+#include <algorithm>
+
+#include "frame/planes/derivation.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "ui/planes/derivation_views.h"
+#include "ui/window/topics.h"
+
+namespace viewing {
+namespace {
+
+/// Whether a view has room for more than names and numbers.
+bool is_large(const Overlay& overlay) {
+    return overlay.rect().width() >= px(560.0F);
+}
+
+/// In the middle of a line "symbol = number", or the number alone.
+void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
+             ImU32 color) {
+    const std::string number = widgets::NumberText(value, 2);
+    const std::string text = is_large(overlay) ? std::string(symbol) + " = " + number : number;
+    overlay.label((from + to) * 0.5, text.c_str(), color);
+}
+
+void triangle(Overlay& overlay, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, ImU32 color) {
+    overlay.fill({a, b, c, c}, with_alpha(color, 36));
+}
+
+/// The light's handle with its label is there already.
+void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDerivation& found) {
+    const widgets::Palette& colors = palette();
+    const glm::dvec3 &p = found.point_world, &foot = found.point_foot_world;
+    const double far = 20.0 * derived.patch.extent;
+    const bool has_light = !found.parallel_light && found.light_to_point < far;
+    const glm::dvec3 towards = found.parallel_light ? found.light_world : found.light_world - p;
+    const double length = glm::length(towards);
+    const glm::dvec3 source = has_light || length == 0.0 ? p + towards : p + towards / length * far;
+
+    if (found.shadow_world) {
+        const glm::dvec3& s = *found.shadow_world;
+        if (has_light) {
+            triangle(overlay, found.light_world, found.light_foot_world, s, colors.light);
+            overlay.line(found.light_foot_world, s, colors.plane);
+        }
+        triangle(overlay, p, foot, s, colors.point);
+        overlay.line(foot, s, colors.plane);
+        overlay.line(p, s, colors.light, 2.0F);
+        measure(overlay, p, s, "|s − p|", found.point_to_shadow, colors.light);
+        overlay.dot(s, colors.light);
+        overlay.label(s, "s", colors.light);
+    }
+    overlay.line(source, p, colors.light, 2.0F);
+    if (has_light) {
+        overlay.dashed(found.light_world, found.light_foot_world, colors.light);
+        overlay.dot(found.light_foot_world, colors.plane, 3.0F);
+        measure(overlay, found.light_world, found.light_foot_world, "n·l + d", found.light_height, colors.plane);
+        measure(overlay, found.light_world, p, "|p − l|", found.light_to_point, colors.light);
+    }
+    overlay.dashed(p, foot, colors.point);
+    overlay.dot(foot, colors.plane, 3.0F);
+    measure(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
+}
+
+void mirror_overlay(Overlay& overlay, const MirrorDerivation& found) {
+    const widgets::Palette& colors = palette();
+    overlay.dashed(found.point_world, found.foot_world, colors.point);
+    overlay.dashed(found.foot_world, found.mirrored_world, colors.mirror);
+    overlay.dot(found.foot_world, colors.plane, 3.0F);
+    overlay.dot(found.mirrored_world, colors.mirror);
+    overlay.label(found.mirrored_world, is_large(overlay) ? "q′ = q − 2 k n" : "q′", colors.mirror);
+    measure(overlay, found.point_world, found.foot_world, "k", found.k, colors.plane);
+    overlay.label((found.foot_world + found.mirrored_world) * 0.5, "k", colors.mirror);
+}
+
+}  // namespace
+
+void draw_derivation_overlay(Overlay& overlay, const Params& params, const Derived& derived) {
+    const bool shadow = is_shown(params, Topic::shadow_derivation);
+    const bool mirror = is_shown(params, Topic::mirror_derivation);
+    if (!shadow && !mirror) return draw_followed(overlay, derived);
+    const glm::dvec3 point = derivation_point(derived);
+    if (shadow)
+        shadow_overlay(overlay, derived, derive_shadow(derived.unit_plane, derived.lights_world.front(), point));
+    if (mirror) mirror_overlay(overlay, derive_mirror(derived.unit_plane, point));
+    overlay.dot(point, palette().point, 5.0F);
+    overlay.label(point, shadow ? "p" : "q", palette().point);
+}
+
+}  // namespace viewing

@@ -1,0 +1,232 @@
+// From the inside out: words of code in colour, code broken into rows, a line with its number, a function.
+#include "ui/planes/lecture_code.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "frame/planes/lecture_code.h"
+#include "ui/parts/controls.h"
+#include "ui/parts/links.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+using widgets::Links;
+using widgets::Role;
+
+/// How code is written where there is so much room.
+struct Writing {
+    ImFont* font;
+    int columns;         ///< characters in a row
+    bool names_array;    ///< "shadowMat[4] = …" or "[4] = …"
+    const char* before;  ///< the number
+};
+
+/// One function, ready to be shown.
+struct Function {
+    const char *title, *signature, *array;
+    char letter;  ///< of the matrix
+    CodeLines lines;
+    MatrixCells cells;
+    std::span<const widgets::LetterRole> roles;
+};
+
+Role role_of(std::string_view word) {
+    if (word.starts_with("lightpos[")) return Role::light;
+    if (word.starts_with("plane[")) return Role::plane;
+    return Role::none;
+}
+
+void draw_code(ImDrawList* draw, ImVec2 at, std::string_view code) {
+    while (!code.empty()) {
+        const std::size_t blank = code.find(' ');
+        std::string_view word = code.substr(0, blank);
+        code.remove_prefix(std::min(code.size(), word.size() + 1));
+        const char* end = word.data() + word.size();
+        draw->AddText(at, palette().of(role_of(word)), word.data(), end);
+        at.x += ImGui::CalcTextSize(word.data(), end).x + ImGui::CalcTextSize(" ").x;
+    }
+}
+
+/// Broken at blanks; further rows are indented.
+std::vector<std::string> rows_of(std::string_view code, std::size_t columns) {
+    std::vector<std::string> rows;
+    std::string row;
+    while (!code.empty()) {
+        const std::string_view word = code.substr(0, code.find(' '));
+        code.remove_prefix(std::min(code.size(), word.size() + 1));
+        if (!row.empty() && row.size() + 1 + word.size() > columns) {
+            rows.push_back(row);
+            row = "   ";
+        }
+        row += (row.empty() ? "" : " ") + std::string(word);
+    }
+    rows.push_back(row);
+    return rows;
+}
+
+/// A line of code with its number at the right end, as one item.
+void code_item(const Writing& writing, const std::string& code, const std::string& number) {
+    std::vector<std::string> rows = rows_of(code, static_cast<std::size_t>(writing.columns));
+    const std::string note = number.empty() ? "" : writing.before + number;
+    const std::size_t room = static_cast<std::size_t>(writing.columns);
+    if (!note.empty() && rows.back().size() + 1 + length_of(note) > room) rows.emplace_back();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, row_height = ImGui::GetTextLineHeight() + px(1.0F);
+    ImGui::Dummy({width, row_height * static_cast<float>(rows.size())});
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        draw_code(draw, {at.x, at.y + row_height * static_cast<float>(row)}, rows[row]);
+    if (note.empty()) return;
+    const float digit = ImGui::CalcTextSize("0").x, number_width = digit * static_cast<float>(length_of(number));
+    const float y = at.y + row_height * static_cast<float>(rows.size() - 1), x = at.x + width - number_width;
+    draw->AddText({x - digit * static_cast<float>(std::strlen(writing.before)), y}, palette().quiet, writing.before);
+    draw->AddText({x, y}, palette().text, number.c_str());
+}
+
+/// Lights the item and its entry when either is hovered.
+void follow_entry(Links own, Links links) {
+    const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+    if (widgets::FollowEntry(own, links))
+        ImGui::GetWindowDrawList()->AddRectFilled({min.x - px(3.0F), min.y}, {max.x + px(3.0F), max.y},
+                                                  with_alpha(palette().accent, 61), px(3.0F));
+}
+
+std::string code_of(const Function& function, const CodeLine& line, bool names_array) {
+    return std::string(names_array ? function.array : "") + "[" + std::to_string(line.index) +
+           "] = " + line.expression + ";";
+}
+
+std::string place_of(const Function& function, const CodeLine& line) {
+    return std::string("Row ") + std::to_string(line.row + 1) + ", column " + std::to_string(line.column + 1) + " of " +
+           function.letter + ": OpenGL reads the array column by column.";
+}
+
+void draw_line(const Function& function, const CodeLine& line, const Writing& writing) {
+    const widgets::MatrixCell& cell = function.cells[static_cast<std::size_t>(4 * line.row + line.column)];
+    code_item(writing, code_of(function, line, writing.names_array), widgets::NumberText(line.value, 3));
+    follow_entry(cell.own, cell.links);
+    const std::string name = std::string(function.array) + "[" + std::to_string(line.index) + "]";
+    widgets::Record(name.c_str());
+    widgets::Tooltip(name.c_str(), place_of(function, line).c_str(), cell.symbol, "", function.roles);
+}
+
+/// The largest writing in which no line has to be broken; the last one breaks them.
+Writing writing_for(const Function& function, float width) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    Writing writings[] = {{fonts.number, 0, true, "// = "},
+                          {fonts.small_number, 0, true, "// = "},
+                          {fonts.small_number, 0, true, ""},
+                          {fonts.small_number, 0, false, ""}};
+    for (Writing& writing : writings) {
+        ImGui::PushFont(writing.font);
+        writing.columns = std::max(1, static_cast<int>(width / ImGui::CalcTextSize("0").x));
+        ImGui::PopFont();
+        std::size_t longest = 0;
+        for (const CodeLine& line : function.lines)
+            longest = std::max(longest, code_of(function, line, writing.names_array).size() + 1 +
+                                            length_of(writing.before + widgets::NumberText(line.value, 3)));
+        if (longest <= static_cast<std::size_t>(writing.columns)) return writing;
+    }
+    return writings[std::size(writings) - 1];
+}
+
+void title(const Function& function) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    ImGui::TextUnformatted(function.title);
+    ImGui::PopFont();
+}
+
+/// The lines; `dot`: the shadow's line before them.
+void draw_lines(const Function& function, std::optional<double> dot) {
+    const Writing writing = writing_for(function, ImGui::GetContentRegionAvail().x);
+    ImGui::PushFont(writing.font);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
+    code_item(writing, function.signature, "");
+    if (dot) {
+        code_item(writing,
+                  "dot = plane[0] * lightpos[0] + plane[1] * lightpos[1] + plane[2] * lightpos[2] + plane[3] * "
+                  "lightpos[3];",
+                  widgets::NumberText(*dot, 3));
+        follow_entry(0, link::all_light | link::all_plane);
+        widgets::Record("dot");
+    }
+    for (const CodeLine& line : function.lines) draw_line(function, line, writing);
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::Dummy({0.0F, px(4.0F)});
+}
+
+void shadow_function(const Params& params, const Derived& derived) {
+    const glm::dvec4& light = derived.lights_world.front();
+    const Function function{"ShadowMatrix",
+                            "void ShadowMatrix(GLfloat shadowMat[16], GLfloat plane[4], GLfloat lightpos[4])",
+                            "shadowMat",
+                            'S',
+                            shadow_code(derived.unit_plane, light),
+                            shadow_cells(),
+                            shadow_roles()};
+    title(function);
+    widgets::Note("Filled by columns. The plane has a unit normal.");
+    if (params.overrides.shadow_from_world) widgets::Trouble("S is entered by hand and not what this code fills.");
+    draw_lines(function, derived.facts.plane_dot_light);
+}
+
+/// The switch that fills R as the slide does, and what GL makes of either, in one sentence.
+void order_switch(Params& params, double d) {
+    control(params, "reflection.printed_by_rows", {.label = "R as printed on the slide"});
+    if (!params.reflection.printed_by_rows)
+        widgets::Note(
+            "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is put right.");
+    else if (d == 0.0)
+        widgets::Note(
+            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: right only here, where d = 0, since the rest "
+            "of R is symmetric.");
+    else
+        widgets::Trouble(
+            "The slide fills rows, but OpenGL reads columns and gets Rᵀ: with d ≠ 0 the translation (−2ad, −2bd, −2cd) "
+            "lands in the bottom row, and w is no longer 1.");
+}
+
+void mirror_function(const Params& params, const Derived& derived) {
+    const bool printed = params.reflection.printed_by_rows;
+    const Function function{"ReflectionMatrix",
+                            "void ReflectionMatrix(GLfloat reflectionMat[16], GLfloat plane[4])",
+                            "reflectionMat",
+                            'R',
+                            mirror_code(derived.unit_plane, printed),
+                            mirror_cells(printed),
+                            mirror_roles()};
+    title(function);
+    widgets::Note(printed ? "Filled by rows." : "Filled by columns.");
+    if (params.overrides.mirror_from_world) widgets::Trouble("R is entered by hand and not what this code fills.");
+    draw_lines(function, std::nullopt);
+}
+
+}  // namespace
+
+void draw_lecture_code(Session& session, const Derived& derived, const Rect& rect) {
+    const widgets::Group group("code");
+    ImGui::SetCursorScreenPos(rect.min);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
+    ImGui::BeginChild("lecture code", {rect.width(), rect.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    order_switch(session.params, derived.unit_plane.w);
+    const bool side_by_side = rect.width() >= px(840.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(10.0F), 0.0F});
+    if (ImGui::BeginTable("functions", side_by_side ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) {
+        ImGui::TableNextColumn();
+        shadow_function(session.params, derived);
+        ImGui::TableNextColumn();
+        mirror_function(session.params, derived);
+        ImGui::EndTable();
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace viewing

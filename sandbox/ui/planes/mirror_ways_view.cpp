@@ -1,0 +1,130 @@
+#include "ui/planes/mirror_ways_view.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+
+namespace viewing {
+namespace {
+
+constexpr float gap = 6.0F, margin = 6.0F;
+
+const char* explanation_of(MirrorWay way) {
+    switch (way) {
+        case MirrorWay::clip_distance:
+            return "The mirrored scene is cut at the mirror, vertex by vertex, with gl_ClipDistance. The other "
+                   "pictures "
+                   "are compared with this one.";
+        case MirrorWay::none:
+            return "Nothing is cut: what lies behind the mirror, or crosses it, stands in front of the image.";
+        case MirrorWay::oblique:
+            return "The near plane is the mirror itself: nothing else is needed, but depth is measured from that plane "
+                   "on, and the far plane tilts with it.";
+        case MirrorWay::camera:
+            break;
+    }
+    return "The camera is mirrored in place of the scene and its picture flipped left and right: the same picture.";
+}
+
+std::string percent(std::int64_t part, std::int64_t whole) {
+    return widgets::NumberText(whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0, 2) +
+           " %";
+}
+
+/// With three decimals, whatever the size: depths are from 0 to 1.
+std::string depth_text(double depth) {
+    char text[16];
+    std::snprintf(text, sizeof text, "%.3f", depth);
+    return text;
+}
+
+std::string difference_of(MirrorWay way, const MirrorWayReport& report) {
+    if (report.image_pixels == 0 && report.different == 0) return "no image";
+    if (way == MirrorWay::clip_distance) return "the reference";
+    return report.different == 0 ? "none differ" : percent(report.different, report.compared) + " differ";
+}
+
+/// Empty where the image leaves no depth.
+std::string depths_of(const MirrorWayReport& report) {
+    if (report.image_pixels == 0) return "";
+    return "depth " + depth_text(report.first_depth) + "…" + depth_text(report.last_depth);
+}
+
+bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
+    Params params;
+    params.reflection = reflection;
+    return mirrored_in(params, way).reflection == reflection;
+}
+
+/// Its name above and its numbers below, as far as they leave something of the picture; the tooltip has them all.
+void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<const std::string> numbers) {
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    float room = 0.6F * place.height();
+    const auto fits = [&](const char* text, const ImFont* font) {
+        const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text).x;
+        return width + px(2.0F * margin) <= place.width() && font->FontSize <= room;
+    };
+    const auto write = [&](const char* text, ImFont* font, float top) {
+        widgets::HaloText(draw, {place.min.x + px(margin), top}, palette().text, text, font);
+        room -= font->FontSize;
+    };
+    ImFont* const head = fits(name, fonts.text) ? fonts.text : fonts.note;
+    if (fits(name, head)) write(name, head, place.min.y + px(0.5F * margin));
+    ImFont* const small = place.height() < px(200.0F) ? fonts.small_number : fonts.number;
+    const auto fitting = static_cast<float>(
+        std::min<std::size_t>(numbers.size(), static_cast<std::size_t>(std::max(room, 0.0F) / small->FontSize)));
+    float top = place.max.y - px(0.5F * margin) - fitting * small->FontSize;
+    for (const std::string& number : numbers) {
+        if (!fits(number.c_str(), small)) break;
+        write(number.c_str(), small, top);
+        top += small->FontSize;
+    }
+}
+
+void way_picture(Session& session, const Rect& place, MirrorWay way, const MirrorWaysShown& shown) {
+    const auto index = static_cast<std::size_t>(way);
+    picture_item(name_of(way), place, shown.pictures[index]);
+    if (ImGui::IsItemClicked()) session.params = mirrored_in(session.params, way);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    if (is_chosen(session.params.reflection, way))
+        draw->AddRect(place.min, place.max, palette().mirror, 0.0F, 0, px(2.0F));
+    std::string told = explanation_of(way);
+    const DepthParams& depth = session.params.depth;
+    if (way == MirrorWay::oblique && depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex)
+        told += " Here each vertex writes its own z, the logarithm, and nothing is left of that near plane.";
+    std::vector<std::string> numbers;
+    if (shown.ways) {
+        const MirrorWayReport& report = shown.ways->reports[index];
+        numbers = {difference_of(way, report), depths_of(report)};
+        for (const std::string& number : numbers) told += "\n" + number;
+    }
+    widgets::Tooltip(name_of(way), told.c_str());
+    captions(draw, place, name_of(way), numbers);
+}
+
+}  // namespace
+
+void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysShown& shown) {
+    if (!session.params.reflection.enabled) {
+        ImGui::SetCursorScreenPos(rect.min);
+        widgets::Note("Reflection is off: there is no image to compare.");
+        return;
+    }
+    // Two by two, each with the shape of the camera's picture.
+    const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
+    const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
+    const float width = std::min(0.5F * (rect.width() - px(gap)), 0.5F * (rect.height() - px(gap)) * aspect);
+    const ImVec2 size(std::max(width, 1.0F), std::max(width / aspect, 1.0F));
+    for (std::size_t index = 0; index < mirror_way_count; ++index) {
+        const ImVec2 min(rect.min.x + static_cast<float>(index % 2) * (size.x + px(gap)),
+                         rect.min.y + static_cast<float>(index / 2) * (size.y + px(gap)));
+        way_picture(session, {min, {min.x + size.x, min.y + size.y}}, static_cast<MirrorWay>(index), shown);
+    }
+}
+
+}  // namespace viewing

@@ -1,0 +1,158 @@
+#include "ui/planes/passes_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "widgets/diagrams.h"
+
+namespace viewing {
+namespace {
+
+constexpr const char* buffer_names[] = {"colour", "depth", "stencil"};
+constexpr const char* whole_frame = "The frame of this hidden-surface method is drawn whole: it stops after no pass.";
+
+/// A part of the place, since pictures are sized before there is a frame to ask for its scale.
+float gap_in(const Rect& rect) {
+    return std::round(0.02F * std::min(rect.width(), rect.height()));
+}
+
+/// The pictures stand beside the list, one below the other; else below it, side by side.
+bool is_wide(const Rect& rect) {
+    return rect.width() >= 1.4F * rect.height();
+}
+
+/// The list with its steps, and the pictures of the buffers.
+struct Places {
+    Rect list;
+    std::array<Rect, 3> pictures;
+};
+
+Places places_in(const Rect& rect, double aspect) {
+    const glm::ivec2 picture_px = pass_picture_size(rect, aspect);
+    const ImVec2 size(static_cast<float>(picture_px.x), static_cast<float>(picture_px.y));
+    const float gap = gap_in(rect);
+    const bool wide = is_wide(rect);
+    const ImVec2 first = wide ? ImVec2(rect.max.x - size.x, rect.min.y) : ImVec2(rect.min.x, rect.max.y - size.y);
+    const ImVec2 step = wide ? ImVec2(0.0F, size.y + gap) : ImVec2(size.x + gap, 0.0F);
+    Places places;
+    places.list = {rect.min, wide ? ImVec2(first.x - gap, rect.max.y) : ImVec2(rect.max.x, first.y - gap)};
+    for (std::size_t buffer = 0; buffer < places.pictures.size(); ++buffer) {
+        const auto number = static_cast<float>(buffer);
+        const ImVec2 min(first.x + number * step.x, first.y + number * step.y);
+        places.pictures[buffer] = {min, {min.x + size.x, min.y + size.y}};
+    }
+    return places;
+}
+
+/// Passes as steps from 1 on; a frame that stops nowhere is at its last one. True when they were stepped. In a narrow
+/// place the bar is lower, as its buttons are the less wide then; where that is not enough, clicks on passes remain.
+bool steps(Session& session, int count, StepPlayer& player) {
+    constexpr float whole_bar = 256.0F, low_bar = 215.0F;
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (room < px(low_bar)) return false;
+    player.drawn = true;
+    int& pass = session.params.view.pass;
+    int step = pass < 0 ? -1 : pass + 1;
+    const int before = step;
+    const bool is_narrow = room < px(whole_bar);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {ImGui::GetStyle().FramePadding.x, is_narrow ? 0.0F : ImGui::GetStyle().FramePadding.y});
+    widgets::StepBar("passes", step, count, player.playing, player.steps_per_s, ImGui::GetIO().DeltaTime,
+                     player.carry_steps);
+    ImGui::PopStyleVar();
+    if (count < 2) player.playing = false;  // the first pass is the end already
+    if (step == before) return false;
+    const int reached = std::max(step, 1);
+    pass = step < 0 || reached >= count ? -1 : reached - 1;
+    return true;
+}
+
+/// The hidden-surface methods' frames are drawn whole.
+bool can_stop(const Session& session) {
+    return is_drawn_by_gl_alone(session.params.visibility.method);
+}
+
+void call_lines(const std::vector<std::string>& calls) {
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    ImGui::Indent(px(12.0F));
+    for (const std::string& call : calls) ImGui::TextWrapped("%s", call.c_str());
+    ImGui::Unindent(px(12.0F));
+    ImGui::PopFont();
+}
+
+/// One pass: its headline stops the frame after it, or lets it go on.
+void entry(Session& session, const FramePlan& plan, int number) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const Pass& pass = plan.passes[static_cast<std::size_t>(number)];
+    int& stop = session.params.view.pass;
+    const bool is_last = number + 1 == static_cast<int>(plan.passes.size());
+    const bool goes_on = is_last || stop == number;
+    const bool is_drawn = plan.limit.pass < 0 || number <= plan.limit.pass;
+    ImGui::PushID(number);
+    if (!is_drawn) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
+    ImGui::PushFont(context.fonts.heading);
+    const std::string title = std::to_string(number + 1) + "  " + pass.name;
+    const bool stops = can_stop(session);
+    const ImGuiSelectableFlags flags = stops ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
+    if (ImGui::Selectable(title.c_str(), stops && stop == number, flags)) stop = goes_on ? -1 : number;
+    widgets::Record(title.c_str());
+    ImGui::PopFont();
+    widgets::Tooltip(pass.name.c_str(), !stops    ? whole_frame
+                                        : goes_on ? "Click to draw the whole frame."
+                                                  : "Click to stop the frame after this pass.");
+    widgets::Note(pass.reason.c_str());
+    const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
+    call_lines(gl_calls(pass, before));
+    if (!is_drawn) ImGui::PopStyleVar();
+    ImGui::Dummy({0.0F, px(4.0F)});
+    ImGui::PopID();
+}
+
+/// In what remains of the window. `follows`: scrolls to where the frame stops.
+void list(Session& session, const FramePlan& plan, bool follows) {
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
+    ImGui::BeginChild("list", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    call_lines(clear_calls(plan));
+    for (int number = 0; number < static_cast<int>(plan.passes.size()); ++number) {
+        const bool is_stop = number == session.params.view.pass;
+        if (is_stop && (follows || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(0.1F);
+        entry(session, plan, number);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+glm::ivec2 pass_picture_size(const Rect& rect, double aspect) {
+    // Three in a row or a column, and never more than half of the way across.
+    const double gap = gap_in(rect);
+    const double height = is_wide(rect) ? std::min((rect.height() - 2.0 * gap) / 3.0, 0.5 * rect.width() / aspect)
+                                        : std::min((rect.width() - 2.0 * gap) / 3.0 / aspect, 0.5 * rect.height());
+    return glm::max(glm::ivec2(static_cast<int>(height * aspect), static_cast<int>(height)), 1);
+}
+
+void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect, const PassPictures& pictures,
+                      double aspect, StepPlayer& player) {
+    const Places places = places_in(rect, aspect);
+    for (std::size_t buffer = 0; buffer < pictures.size(); ++buffer) {
+        const Rect& place = places.pictures[buffer];
+        picture_item(buffer_names[buffer], place, pictures[buffer]);
+        widgets::HaloText(ImGui::GetWindowDrawList(), {place.min.x + px(6.0F), place.min.y + px(3.0F)}, palette().text,
+                          buffer_names[buffer]);
+    }
+    ImGui::SetCursorScreenPos(rect.min);
+    const ImVec2 room(std::max(places.list.width(), 1.0F), std::max(places.list.height(), 1.0F));
+    ImGui::BeginChild("passes", room, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    bool is_stepped = false;
+    if (can_stop(session))
+        is_stepped = steps(session, static_cast<int>(plan.passes.size()), player);
+    else
+        widgets::Note(whole_frame);
+    list(session, plan, is_stepped);
+    ImGui::EndChild();
+}
+
+}  // namespace viewing

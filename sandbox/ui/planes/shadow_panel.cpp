@@ -1,0 +1,213 @@
+#include "ui/planes/shadow_panel.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/parts/controls.h"
+#include "ui/parts/links.h"
+#include "ui/parts/panel_parts.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::size_t most_lights = 4, most_planes = 8;  ///< the first one included
+constexpr float second = 142.0F;                         ///< column
+
+/// Removes one of a list when its button is pressed. Returns whether it did.
+template <typename T>
+bool remove_button(std::vector<T>& list, std::size_t index, const std::string& name) {
+    if (!widgets::SmallButton(("remove " + name).c_str())) return false;
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
+    return true;
+}
+
+/// Where no light is yet: the first one's place on other sides of the y axis.
+LightParams another_light(const Params& params) {
+    const glm::dvec4& first = params.light.position;
+    const glm::dvec4 places[] = {{-first.x, first.y, first.z, first.w},
+                                 {first.x, first.y, -first.z, first.w},
+                                 {-first.x, first.y, -first.z, first.w}};
+    for (const glm::dvec4& place : places)
+        if (place != first && std::ranges::find(params.lights, place, &LightParams::position) == params.lights.end())
+            return {place};
+    return {first + glm::dvec4(2.0 * static_cast<double>(params.lights.size() + 1), 0.0, 0.0, 0.0)};
+}
+
+void further_lights(Params& params) {
+    for (std::size_t index = 0; index < params.lights.size(); ++index) {
+        const std::string name = "light " + std::to_string(index + 2);
+        widgets::Light(name.c_str(), params.lights[index].position, default_params().light.position);
+        explain(field("lights"), name);
+        if (remove_button(params.lights, index, name)) return;
+    }
+    const bool has_room = params.lights.size() + 1 < most_lights;
+    if (widgets::SmallButton("add a light", has_room, "Four lights are as many as the stencil has bits for."))
+        params.lights.push_back(another_light(params));
+    if (has_room) explain(field("lights"), "Add a light");
+}
+
+/// The walls of a room about the scene, one after the other.
+PlaneParams another_plane(const Params& params) {
+    static constexpr glm::dvec4 walls[] = {{0, 0, 1, 3},  {1, 0, 0, 3},   {-1, 0, 0, 3}, {0, 0, -1, 3},
+                                           {0, -1, 0, 6}, {0, 0, 1, 3.5}, {1, 0, 0, 3.5}};
+    for (const glm::dvec4& wall : walls)
+        if (wall != params.plane.equation &&
+            std::ranges::find(params.planes, wall, &PlaneParams::equation) == params.planes.end())
+            return {.equation = wall};
+    return {.equation = walls[0]};
+}
+
+/// A plane's equation, size and flags; `label` stands behind the equation.
+void plane_controls(PlaneParams& plane, const char* label, std::span<const widgets::Links> links) {
+    static const PlaneParams defaults;
+    widgets::PlaneEquation(label, plane.equation, defaults.equation, links);
+    explain(field("plane.equation"), "plane");
+    const Field& extent = field("plane.extent");
+    const widgets::NumberStyle style{.min = 0.5,
+                                     .max = 50.0,
+                                     .step = extent.step,
+                                     .logarithmic = extent.logarithmic,
+                                     .default_value = defaults.extent};
+    widgets::Slider("extent", plane.extent, style);
+    explain(extent, "extent");
+    widgets::Toggle("Receiver", plane.receives_shadow, defaults.receives_shadow);
+    explain(field("plane.receives_shadow"), "Receiver");
+    beside(second);
+    widgets::Toggle("Mirrors", plane.mirrors, defaults.mirrors);
+    explain(field("plane.mirrors"), "Mirrors");
+    beside(second + 76.0F);
+    widgets::Toggle("Gloss", plane.gloss, defaults.gloss);
+    explain(field("plane.gloss"), "Gloss");
+}
+
+void further_planes(Params& params) {
+    for (std::size_t index = 0; index < params.planes.size(); ++index) {
+        const std::string name = "plane " + std::to_string(index + 2);
+        if (!details(("Plane " + std::to_string(index + 2)).c_str())) continue;
+        const widgets::Group group(name.c_str());
+        plane_controls(params.planes[index], "equation", {});
+        if (remove_button(params.planes, index, name)) return;
+    }
+    const bool has_room = params.planes.size() + 1 < most_planes;
+    if (widgets::SmallButton("add a plane", has_room, "Eight planes are as many as there may be."))
+        params.planes.push_back(another_plane(params));
+    if (has_room) explain(field("planes"), "Add a plane");
+}
+
+void shadow_style(Params& params) {
+    static constexpr const char* styles[] = {"Blend", "Missing light"};
+    control(params, "shadow.style", {.segments = true, .names = styles, .label = "##style"});
+    if (params.shadow.style == ShadowStyle::missing_light) {
+        widgets::Note("Ambient light first, then the light only where the stencil is clear: no colour, no offset.");
+        return;
+    }
+    control(params, "shadow.color");
+    static constexpr const char* offsets[] = {"none", "glPolygonOffset", "lift", "no depth test"};
+    control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = "offset"});
+    if (params.shadow.offset == ShadowOffset::polygon_offset) {
+        control(params, "shadow.offset_factor", {.label = "factor"});
+        control(params, "shadow.offset_units", {.label = "units"});
+    } else if (params.shadow.offset == ShadowOffset::lift) {
+        control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
+    }
+    control(params, "shadow.write_depth", {.label = "Write depth"});
+}
+
+void shadow_switches(Params& params) {
+    control(params, "shadow.clip_at_light", {.label = "Clip at light"});
+    beside(second);
+    control(params, "shadow.own_stencil", {.label = "Own stencil"});
+    static constexpr const char* signs[] = {"sign(P·L)", "none", "forced"};
+    control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = "sign of S"});
+}
+
+void mirror_switches(Params& params) {
+    static constexpr const char* things[] = {"Mirror the scene", "the camera"};
+    control(params, "reflection.mirrored", {.segments = true, .names = things, .label = "##mirrored"});
+    struct Row {
+        const char *left, *left_label, *right, *right_label;
+    };
+    static constexpr Row rows[] = {
+        {"reflection.side_of_eye", "Side of the eye", "reflection.shadows", "Shadows inside"},
+        {"reflection.after_objects", "Mirror last", "reflection.printed_by_rows", "R as printed"},
+    };
+    for (const Row& row : rows) {
+        control(params, row.left, {.label = row.left_label});
+        beside(second);
+        control(params, row.right, {.label = row.right_label});
+    }
+    control(params, "reflection.mask_writes_depth", {.label = "Mask writes depth"});
+    if (params.reflection.mirrored == MirroredThing::camera)
+        control(params, "reflection.same_projection", {.label = "Same projection"});
+}
+
+}  // namespace
+
+void draw_light_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Light  l")) return;
+    const widgets::Group group("light");
+    Params& params = session.params;
+    widgets::Light("position", params.light.position, default_params().light.position, link::light);
+    explain(field("light.position"), "light");
+    control(params, "animation.light_orbit", {.label = "Orbit"});
+    beside(74.0F);
+    control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = "speed"});
+    further_lights(params);
+    tell_problems(derived, "light");
+}
+
+void draw_plane_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Plane  n·p + d = 0")) return;
+    const widgets::Group group("plane");
+    plane_controls(session.params.plane, "equation", link::plane);
+    const glm::dvec4& unit = derived.unit_plane;
+    if (glm::length(unit - session.params.plane.equation) > 5e-4) {
+        const std::string note = "unit normal: (" + widgets::NumberText(unit.x, 3) + ", " +
+                                 widgets::NumberText(unit.y, 3) + ", " + widgets::NumberText(unit.z, 3) + ", " +
+                                 widgets::NumberText(unit.w, 3) + ")";
+        widgets::Note(note.c_str());
+    }
+    further_planes(session.params);
+    tell_problems(derived, "plane");
+}
+
+void draw_shadow_and_reflection_section(Session& session, const Derived& derived) {
+    if (!widgets::Section("Shadow and reflection")) return;
+    Params& params = session.params;
+    struct Row {
+        const char *shadow, *shadow_label, *reflection, *reflection_label;
+    };
+    static constexpr Row rows[] = {
+        {"shadow.enabled", "Shadow", "reflection.enabled", "Reflection"},
+        {"shadow.stencil_once", "Stencil once", "reflection.stencil", "Clip to mirror"},
+        {"shadow.clip_to_receiver", "Clip to patch", "reflection.flip_winding", "Flip winding"},
+        {"shadow.clip_casters", "Clip casters", "reflection.reflect_light", "Mirror light"},
+    };
+    for (const Row& row : rows) {
+        {
+            const widgets::Group group("shadow");
+            control(params, row.shadow, {.label = row.shadow_label});
+        }
+        beside(second);
+        const widgets::Group group("reflection");
+        control(params, row.reflection, {.label = row.reflection_label});
+    }
+    {
+        const widgets::Group group("shadow");
+        if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
+        if (details("Shadow: style and offset")) shadow_style(params);
+        if (details("Shadow: clip at light, sign, stencil")) shadow_switches(params);
+        tell_problems(derived, "shadow");
+    }
+    const widgets::Group group("reflection");
+    control(params, "reflection.reflectance", {.slider = true});
+    control(params, "reflection.bounces", {.slider = true});
+    static constexpr const char* clips[] = {"no clipping", "clip distance", "oblique near plane"};
+    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = "clip at the plane"});
+    if (details("Mirror: how it is drawn")) mirror_switches(params);
+    if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
+        widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
+    tell_problems(derived, "reflection");
+}
+
+}  // namespace viewing

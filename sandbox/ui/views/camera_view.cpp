@@ -1,0 +1,275 @@
+// The camera's view: what it shows, its handles, looking around and picking.
+#include <algorithm>
+#include <cmath>
+
+#include "frame/depth/depth_colors.h"
+#include "state/fields.h"
+#include "state/json.h"
+#include "ui/depth/depth_views.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "ui/planes/derivation_views.h"
+#include "ui/views/views.h"
+
+namespace viewing {
+namespace {
+
+/// What the picture shows, and what belongs to that.
+void view_choices(Params& params, const Rect& rect) {
+    static constexpr const char* shows[] = {"colour",   "depth",      "stencil",  "facing",
+                                            "overdraw", "difference", "fighting", "w of S"};
+    static constexpr const char* show_explanations[] = {
+        "The picture as it is meant to be seen.",
+        "The depth buffer: black is near, white is far, tinted was never written.",
+        "The stencil buffer: which patch was marked, how deep in mirrors, and which light's shadow was counted on it.",
+        "Which side of each polygon is seen: front faces and back faces in two colours.",
+        "How often each pixel was drawn.",
+        "Where the method and the one it is compared with see different polygons: red.",
+        "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight.",
+        "The w that S gives each point of the objects: it is positive between the light and the plane, and behind it."};
+    int index = static_cast<int>(params.view.shows);
+    const float second = px(130.0F);  // room for the choice that follows
+    if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
+        params.view.shows = static_cast<Shows>(index);
+    if (params.view.shows == Shows::depth) {
+        ImGui::SameLine(0.0F, px(16.0F));
+        depth_choices(params, rect.max.x);
+    } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F)) {  // else it is in the Look menu alone
+        static constexpr const char* samples[] = {"MSAA off", "MSAA 4×"};
+        static constexpr const char* explanations[] = {"One sample for each pixel: edges show their steps.",
+                                                       "Four samples for each pixel: smooth edges."};
+        ImGui::SameLine(0.0F, px(16.0F));
+        int four = params.view.samples == 4 ? 1 : 0;
+        if (words("##samples", four, samples, explanations, 1, rect.max.x)) params.view.samples = four == 1 ? 4 : 0;
+    }
+}
+
+/// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
+void stencil_legend(const Overlay& overlay, const Params& params) {
+    const std::size_t planes = params.planes.size() + 1, lights = params.lights.size() + 1;
+    const std::string patches = planes > 1 ? "1–" + std::to_string(planes) + ": the planes" : "1: the patch";
+    std::string missing = "+16";
+    for (std::size_t light = 1; light < lights; ++light) missing += ", " + std::to_string(16 << light);
+    missing += lights > 1 ? ": a light is missing" : ": the light is missing";
+    const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
+                                   {stencil_colors[1], patches.c_str()},
+                                   {stencil_colors[2], missing.c_str()},
+                                   {stencil_colors[3], "16 and more: beside the patch"}};
+    draw_legend(overlay.draw(), overlay.rect(), std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
+}
+
+void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
+    if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
+        const std::string differ = grouped_number(hidden.answer->different_pixels) + " pixels differ, away from edges";
+        const LegendEntry entries[] = {{difference_color, differ.c_str()}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    }
+    if (params.view.shows == Shows::facing) {
+        const LegendEntry entries[] = {{front_color, "front faces"}, {back_color, "back faces (striped)"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::stencil) {
+        stencil_legend(overlay, params);
+    } else if (params.view.shows == Shows::shadow_w) {
+        const LegendEntry entries[] = {{caster_colors[0], "w > 0: projected"},
+                                       {caster_colors[1], "w > 0 behind the plane"},
+                                       {caster_colors[2], "w ≤ 0: clipped away"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::overdraw) {
+        const LegendEntry entries[] = {{overdraw_colors[0], "0"},
+                                       {overdraw_colors[1], "1"},
+                                       {overdraw_colors[2], "2"},
+                                       {overdraw_colors[3], "3"},
+                                       {overdraw_colors[4], "4"},
+                                       {overdraw_colors[6], "6"},
+                                       {overdraw_colors[8], "8 or more times drawn"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::fighting) {
+        const LegendEntry entries[] = {{heat_colors[0], "gap ÷ safe gap: 0"},
+                                       {heat_colors[1], "½"},
+                                       {heat_colors[3], "1"},
+                                       {heat_colors[4], "2"},
+                                       {heat_colors[5], "4 and more"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    } else if (params.view.shows == Shows::depth) {
+        const Color unwritten = ground_of(params.ui.theme).unwritten;
+        const DepthColors colors = params.view.depth_colors;
+        const glm::dvec2 range =
+            params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.projection.far));
+        const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
+        const LegendEntry entries[] = {
+            {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, "never written"}};
+        draw_legend(overlay.draw(), overlay.rect(), entries);
+    }
+}
+
+/// The vertex of the front-most object under a place on screen that is nearest to it there.
+std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
+    const Ray ray = overlay.ray_at(place);
+    std::optional<Follow> found;
+    double nearest = 1e300;
+    for (const SceneObject& object : scene.objects) {
+        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
+        const Ray ray_model{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1.0)),
+                            glm::dvec3(model_from_world * glm::dvec4(ray.direction, 0.0))};
+        const std::optional<MeshHit> hit = intersect_mesh(ray_model, *object.mesh);
+        if (!hit || hit->t >= nearest) continue;
+        nearest = hit->t;
+        float nearest_px = 1e30F;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = object.mesh->indices[3 * hit->triangle + corner];
+            const glm::dvec3 world(object.world_from_model * glm::dvec4(object.mesh->positions[vertex], 1.0));
+            const std::optional<ImVec2> there = overlay.project(world);
+            if (!there) continue;
+            const float distance = std::hypot(there->x - place.x, there->y - place.y);
+            if (distance >= nearest_px) continue;
+            nearest_px = distance;
+            found = Follow{object.description.name, static_cast<int>(vertex)};
+        }
+    }
+    return found;
+}
+
+/// The first switch that breaks the picture.
+const Problem* broken_by(const Derived& derived) {
+    const auto found = std::ranges::find(derived.problems, true, &Problem::breaks_picture);
+    return found == derived.problems.end() ? nullptr : &*found;
+}
+
+/// Why it is broken, over the picture, and a button that mends it. Drawn before the picture takes the mouse.
+void tell_why(Session& session, const Problem& problem, const Rect& rect) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
+    const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
+    if (width < px(160.0F)) return;
+    const bool has_button = !problem.mended_by.empty();
+    const float button = has_button ? ImGui::CalcTextSize("mend").x + px(24.0F) : 0.0F;
+    const char* sentence = problem.sentence.c_str();
+    const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
+    const ImVec2 size(text.x + button, text.y);
+    const ImVec2 at(rect.min.x + 2.0F * margin, rect.min.y + 1.5F * margin);
+    const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled({at.x - margin, at.y - px(5.0F)}, {at.x + size.x + margin, at.y + size.y + px(5.0F)}, plate,
+                        px(4.0F));
+    draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
+    if (!has_button) return;
+    ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
+    const std::string setting(problem.mended_by);
+    if (widgets::SmallButton("mend"))
+        if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
+            session.params = *mended;
+    widgets::Tooltip("Mend it", ("Sets " + setting + ". Ctrl+Z breaks it again.").c_str());
+}
+
+/// A click on the pinned pixel lets it go.
+void pin(Params& params, glm::ivec2 pixel) {
+    if (params.view.pixel == pixel)
+        params.view.pixel.reset();
+    else
+        params.view.pixel = pixel;
+}
+
+/// A ring around the pinned pixel, as large as it takes to be seen.
+void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
+    const Rect& rect = overlay.rect();
+    const ImVec2 at(rect.min.x + static_cast<float>(pixel.x) + 0.5F, rect.min.y + static_cast<float>(pixel.y) + 0.5F);
+    if (!rect.contains(at)) return;
+    overlay.draw()->AddCircle(at, px(7.0F), palette().ground, 0, px(4.0F));
+    overlay.draw()->AddCircle(at, px(7.0F), palette().point, 0, px(2.0F));
+}
+
+/// Pressing takes a handle or begins to look; dragging moves it; a click that stayed in place picks a vertex.
+void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
+                  const FrameInput& input, MotionInput& motion) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = ImGui::IsItemHovered();
+    const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
+    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.dragged_px = 0.0F;
+        if (hovered != Handle::none)
+            state.grip = take(overlay, handle_places(derived), hovered, session.params, io.MousePos);
+        else
+            state.looking = true;
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
+        const bool is_drag = state.dragged_px > px(3.0F);
+        if (is_drag && state.grip.handle != Handle::none)
+            drag(session.params, overlay, state.grip, io.MousePos, input.is_down(Key::shift));
+        else if (is_drag && state.looking)
+            motion.look_deg -= glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * static_cast<double>(degrees_per_px);
+    }
+    if (ImGui::IsItemActive() &&
+        (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
+        motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) / static_cast<double>(overlay.rect().height()) *
+                      derived.facts.target_distance;
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+        if (state.looking && state.dragged_px <= px(3.0F)) {
+            PolygonLink& link = state.laboratory.next_link;
+            link.selected_fragment = state.laboratory.link.hovered_fragment;
+            link.selected_node = state.laboratory.tree_index.node_of(link.selected_fragment);
+            if (state.hovered_pixel &&
+                (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
+                pin(session.params, *state.hovered_pixel);
+            else if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos))
+                session.params.follow = follow;
+        }
+        state.grip = {};
+        state.looking = false;
+    }
+    if (over && io.MouseWheel != 0.0F) {
+        if (session.params.camera.navigation == Navigation::orbit) {
+            motion.zoom *= std::pow(0.88, io.MouseWheel);
+        } else {
+            session.scale_speed(std::pow(1.2, io.MouseWheel));
+            session.message = {"speed " + widgets::NumberText(session.speed(), 2) + " units/s", false};
+        }
+    }
+}
+
+}  // namespace
+
+void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
+                      const Pictures& pictures) {
+    if (layout.beside.empty()) return;
+    const widgets::Group group("beside");
+    draw_beside_half(session, derived, layout.beside, pictures.beside);
+    if (ImGui::IsItemHovered()) state.hovered = ViewName::camera;
+}
+
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                      const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
+    if (rect.empty()) return;
+    const widgets::Group group("view");
+    view_header(rect, rect.width() < px(300.0F) ? "" : "Camera view");
+    Params& params = session.params;
+    view_choices(params, rect);
+
+    const BesideParams& beside = params.view.beside;
+    const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
+    draw_picture(rect, pictures.camera);
+    if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside);
+    if (const Problem* problem = broken_by(derived)) tell_why(session, *problem, rect);
+    picture_item("camera view", rect, nullptr);
+    const bool over = ImGui::IsItemHovered();
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (over) state.hovered = ViewName::camera;
+    state.hovered_pixel.reset();
+    if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
+
+    Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
+    const HandlePlaces places = handle_places(derived);
+    Handle hovered = state.grip.handle;
+    if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);
+    if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    camera_mouse(state, session, derived, overlay, hovered, input, motion);
+    camera_legend(overlay, params, pictures.hidden);
+    if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
+    draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
+    if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
+    if (!state.handles) return;
+    draw_handles(overlay, places, derived, hovered);
+    draw_derivation_overlay(overlay, params, derived);
+}
+
+}  // namespace viewing

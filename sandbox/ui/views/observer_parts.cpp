@@ -1,0 +1,96 @@
+#include "ui/views/observer_parts.h"
+
+#include <algorithm>
+
+#include "geometry/plane.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::size_t most_objects = 8, most_rays = 12;  ///< so that the rays can still be told apart
+
+}  // namespace
+
+const std::vector<OutlineVertex>& LightRays::of(const Session& session, const Derived& derived) {
+    const glm::dvec4& light = derived.lights_world.front();
+    if (scene_version_ == session.scene_version() && plane_ == derived.unit_plane && light_ == light) return found_;
+    scene_version_ = session.scene_version();
+    plane_ = derived.unit_plane;
+    light_ = light;
+    found_.clear();
+    std::size_t count = 0;
+    for (const SceneObject& object : session.scene().objects) {
+        const std::vector<OutlineVertex> rays = thinned(shadow_outline(object, plane_, light_), most_rays);
+        found_.insert(found_.end(), rays.begin(), rays.end());
+        count += rays.empty() ? 0 : 1;
+        if (count == most_objects) break;
+    }
+    return found_;
+}
+
+void draw_light_rays(Overlay& overlay, const std::vector<OutlineVertex>& rays, const glm::dvec4& light_world) {
+    const ImU32 faint = with_alpha(palette().light, 120);
+    const bool parallel = is_parallel_light(light_world);
+    constexpr double way_before = 3.0;  ///< of a parallel ray, shown before it meets the vertex
+    for (const OutlineVertex& ray : rays) {
+        const glm::dvec3 from = parallel ? ray.vertex_world + glm::normalize(glm::dvec3(light_world)) * way_before
+                                         : glm::dvec3(light_world) / light_world.w;
+        overlay.line(from, ray.shadow_world, faint, 1.0F);
+    }
+}
+
+void draw_patches(Overlay& overlay, const Derived& derived) {
+    for (const DerivedPlane& plane : derived.planes) {
+        const std::array<glm::dvec3, 4> corners = plane.patch.corners();
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            overlay.line(corners[corner], corners[(corner + 1) % 4], palette().plane, 1.5F);
+    }
+}
+
+void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived) {
+    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
+        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
+        overlay.line(corners[corner], corners[corner + 4], palette().camera, 1.5F);
+    }
+    const ImU32 faint = with_alpha(palette().camera, 28);
+    overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
+    overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
+    const glm::dvec3 eye(derived.world_from_view[3]);
+    if (params.projection.type == ProjectionType::perspective)
+        for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
+    overlay.dot(eye, palette().camera, 5.0F);
+    overlay.label(eye, "camera", palette().camera);
+    overlay.label((corners[0] + corners[1]) * 0.5, "near", palette().camera);
+    overlay.label((corners[4] + corners[5]) * 0.5, "far", palette().camera);
+}
+
+void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
+    // Of the plane itself: R may be broken by hand or by rows.
+    const glm::dmat4 mirror_from_world = mirror_matrix(derived.unit_plane);
+    const auto mirrored = [&](const glm::dvec3& point) {
+        return glm::dvec3(mirror_from_world * glm::dvec4(point, 1.0));
+    };
+    std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
+    std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
+    const glm::dvec3 eye = mirrored(glm::dvec3(derived.world_from_view[3]));
+    const bool perspective = params.projection.type == ProjectionType::perspective;
+    const ImU32 thin = with_alpha(palette().mirror, 170);
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        overlay.line(corners[corner], corners[(corner + 1) % 4], thin, 1.0F);
+        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], thin, 1.0F);
+        overlay.line(perspective ? eye : corners[corner], corners[corner + 4], thin, 1.0F);
+    }
+    overlay.dot(eye, palette().mirror, 5.0F);
+    overlay.label(eye, "mirrored eye", palette().mirror);
+}
+
+void label_image_space(Overlay& overlay, const Derived& derived) {
+    const double behind = derived.eye_side < 0.0 ? 1.0 : -1.0;
+    const glm::dvec3 normal(derived.unit_plane);
+    overlay.label(derived.patch.center + behind * 0.4 * derived.patch.extent * normal, "image space", palette().mirror);
+}
+
+}  // namespace viewing

@@ -1,0 +1,93 @@
+// The observer, who sees the camera from outside; and the lecture's second reading: the camera stays, the world moves.
+#include <algorithm>
+#include <cmath>
+
+#include "state/fields.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "ui/planes/derivation_views.h"
+#include "ui/views/observer_parts.h"
+#include "ui/views/views.h"
+
+namespace viewing {
+namespace {
+
+/// x, y and z from the world's origin, one unit long.
+void world_axes(Overlay& overlay) {
+    static constexpr const char* names[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 tip(0.0);
+        tip[axis] = 1.0;
+        overlay.arrow(glm::dvec3(0.0), tip, palette().quiet, 1.5F);
+        overlay.label(tip, names[axis], palette().quiet);
+    }
+}
+
+void observer_mouse(ViewState& state, Session& session) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ObserverParams& observer = session.params.observer;
+    if (ImGui::IsItemActive() && state.grip.handle == Handle::none) {
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+            const double degrees_per_px = 0.4 / widgets::CurrentContext().scale;
+            observer.yaw -= io.MouseDelta.x * degrees_per_px;
+            observer.pitch = std::clamp(observer.pitch - io.MouseDelta.y * degrees_per_px, -89.0, 89.0);
+        } else {
+            const glm::dmat4 turned = rotation_from_angles({observer.yaw, observer.pitch, 0.0});
+            const double step = observer.distance * 0.002 / widgets::CurrentContext().scale;
+            observer.target +=
+                glm::dvec3(turned[0]) * (-io.MouseDelta.x * step) + glm::dvec3(turned[1]) * (io.MouseDelta.y * step);
+        }
+    }
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0.0F) observer.distance *= std::pow(0.88, io.MouseWheel);
+    clamp_to_ranges(session.params);
+}
+
+}  // namespace
+
+void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                        ImTextureID picture, const HiddenStatus& hidden) {
+    const widgets::Group group("observer");
+    picture_item("observer view", rect, picture);
+    const bool over = ImGui::IsItemHovered();
+
+    const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
+    Overlay overlay(ImGui::GetWindowDrawList(), rect, observer.clip_from_world);
+    const HandlePlaces places = handle_places(derived);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    Handle hovered = state.grip.handle;
+    if (hovered == Handle::none && over) hovered = handle_at(overlay, places, mouse);
+    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && hovered != Handle::none)
+        state.grip = take(overlay, places, hovered, session.params, mouse);
+    if (ImGui::IsItemActive() && state.grip.handle != Handle::none)
+        drag(session.params, overlay, state.grip, mouse, ImGui::GetIO().KeyShift);
+    observer_mouse(state, session);
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
+
+    draw_patches(overlay, derived);
+    draw_frustum(overlay, session.params, derived);
+    const ObserverParams& shows = session.params.observer;
+    if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.lights_world.front());
+    if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
+    if (shows.image_space) label_image_space(overlay, derived);
+    draw_laboratory_observer(state.laboratory, hidden, overlay);
+    draw_handles(overlay, places, derived, hovered);
+    draw_derivation_overlay(overlay, session.params, derived);
+}
+
+void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
+                            ImTextureID picture) {
+    picture_item("lower view", rect, picture);
+    observer_mouse(state, session);
+    const ObserverView view = derive_moving_world(session.params.observer, derived, {rect.size_px()});
+    Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
+    world_axes(overlay);
+    draw_patches(overlay, derived);
+    draw_frustum(overlay, session.params, derived);
+    const glm::dvec3 light = lamp_place(derived.lights_world.front(), derived);
+    overlay.dot(light, palette().light, 6.0F);
+    overlay.label(light, "l", palette().light);
+    widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,
+                      "the camera stays, the world moves by V = C⁻¹: the same picture");
+}
+
+}  // namespace viewing

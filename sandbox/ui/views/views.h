@@ -1,0 +1,73 @@
+// The pictures with what is drawn over them and what the mouse does in them.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "frame/depth/depth_data.h"
+#include "session/session.h"
+#include "ui/depth/cell_view.h"
+#include "ui/hidden/laboratory.h"
+#include "ui/parts/handles.h"
+#include "ui/planes/mirror_ways_view.h"
+#include "ui/planes/passes_view.h"
+#include "ui/views/observer_parts.h"
+#include "ui/window/input.h"
+#include "ui/window/topics.h"
+
+namespace viewing {
+
+/// Finished pictures to show, null while there is none, and what was found for them.
+struct Pictures {
+    ImTextureID camera = nullptr, beside = nullptr;
+    std::array<ImTextureID, 2> lower{};  ///< of each Slot
+    PassPictures passes{};
+    MirrorWaysShown mirror_ways;
+    HiddenStatus hidden;
+    DepthData depth;
+};
+
+/// What the mouse is doing in the views; kept between frames.
+struct ViewState {
+    bool handles = true;
+    Grip grip;
+    bool looking = false;                     ///< dragging to turn the camera
+    float dragged_px = 0.0F;                  ///< since the press: a click that did not move picks a vertex
+    std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, top left origin
+    std::optional<glm::ivec2> told_pixel;     ///< the last one of these, while the pointer is elsewhere
+    ViewName hovered = ViewName::none;
+    LaboratoryState laboratory;
+    StepPlayer call_player;  ///< of the draw calls
+    StepPlayer pass_player;  ///< of the passes
+    glm::ivec2 cells{0};     ///< columns and rows that the cell view had room for
+    LightRays light_rays;    ///< of the observer
+};
+
+/// Whether something goes on by itself, step by step.
+inline bool is_playing(const ViewState& state) {
+    return state.laboratory.playing || state.call_player.playing || state.pass_player.playing;
+}
+
+/// The camera's picture; adds what the mouse did to the motion input.
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                      const Pictures& pictures, const FrameInput& input, MotionInput& motion);
+
+/// The second picture of the camera's view, whose divider edits its share.
+void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
+                      const Pictures& pictures);
+
+/// One of the two views below; `plan` is the camera's frame.
+void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
+                     const Rect& rect, const Pictures& pictures);
+
+/// The observer's picture with what is drawn over it; its headline stands already.
+void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
+                        ImTextureID picture, const HiddenStatus& hidden);
+
+/// The world as it moves before a camera that stays where it is.
+void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
+                            ImTextureID picture);
+
+}  // namespace viewing

@@ -1,0 +1,15 @@
+// The fixed areas of the window and what their owners share.
+#pragma once
+
+#include "session/session.h"
+#include "ui/window/layout.h"
+
+namespace viewing {
+
+/// A window without chrome that fills a rectangle.
+bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
+
+/// Takes the state that the clipboard holds; says why when it holds none.
+void paste(Session& session);
+
+}  // namespace viewing

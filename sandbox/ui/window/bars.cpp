@@ -1,0 +1,220 @@
+// The bar above with its menus, and the thin one below.
+#include <algorithm>
+#include <utility>
+
+#include "state/fields.h"
+#include "ui/parts/controls.h"
+#include "ui/parts/look.h"
+#include "ui/window/areas.h"
+#include "ui/window/workbench.h"
+
+namespace viewing {
+namespace {
+
+std::string scene_title(const SceneSource& source, const std::vector<NamedFile>& scenes) {
+    const auto* name = std::get_if<std::string>(&source);
+    if (!name) return "own scene";
+    for (const NamedFile& scene : scenes)
+        if (scene.name == *name) return scene.title;
+    return std::filesystem::path(*name).filename().string();
+}
+
+/// A combo over named files; returns the one that was chosen.
+/// Groups in the order of the lecture, and what belongs to none of them before.
+std::vector<const NamedFile*> by_group(const std::vector<NamedFile>& files) {
+    static constexpr std::string_view groups[] = {"Camera", "Hidden surfaces", "Depth buffer",     "Depth fighting",
+                                                  "Shadow", "Mirror",          "Planes and lights"};
+    const auto place = [](const NamedFile* file) {
+        return file->group.empty() ? -1 : std::ranges::find(groups, file->group) - std::begin(groups);
+    };
+    std::vector<const NamedFile*> sorted;
+    for (const NamedFile& file : files) sorted.push_back(&file);
+    std::ranges::stable_sort(sorted, {}, place);
+    return sorted;
+}
+
+const NamedFile* choose(const char* id, const char* shown, const std::vector<NamedFile>& files, float width) {
+    const NamedFile* chosen = nullptr;
+    if (!widgets::BeginChoice(id, shown, width)) return nullptr;
+    std::string group;
+    for (const NamedFile* file_in_group : by_group(files)) {
+        const NamedFile& file = *file_in_group;
+        if (!file.group.empty() && file.group != group) {
+            group = file.group;
+            ImGui::Dummy({0.0F, px(3.0F)});
+            ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+            ImGui::TextDisabled("%s", group.c_str());
+            ImGui::PopFont();
+        }
+        if (ImGui::Selectable(file.title.c_str(), file.title == shown)) chosen = &file;
+        widgets::Record(file.name.c_str());
+        widgets::Tooltip(file.title.c_str(), file.about.c_str());
+    }
+    widgets::EndChoice();
+    return chosen;
+}
+
+/// A button with a popup that hangs from it, inside the window whatever its width, and closes on Escape.
+bool begin_menu(const char* button, const char* popup, const char* explanation) {
+    if (widgets::Button(button)) ImGui::OpenPopup(popup);
+    widgets::Tooltip(button, explanation);
+    const ImVec2 corner = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({corner.x, corner.y + px(4.0F)}, ImGuiCond_Always, {1.0F, 0.0F});
+    if (!ImGui::BeginPopup(popup)) return false;
+    widgets::ClosePopupOnEscape();
+    return true;
+}
+
+}  // namespace
+
+static constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                                 ImGuiWindowFlags_NoSavedSettings |
+                                                 ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
+    ImGui::SetNextWindowPos(rect.min);
+    ImGui::SetNextWindowSize({rect.width(), rect.height()});
+    return ImGui::Begin(name, nullptr, fixed_window | extra);
+}
+
+void paste(Session& session) {
+    const char* text = ImGui::GetClipboardText();
+    session.report(session.paste(text ? text : ""));
+}
+
+void Workbench::draw_file_menu(Session& session, Requests& requests) {
+    if (!begin_menu("File", "file menu", "Open and save states, meshes and pictures")) return;
+    const auto item = [](const char* label, const char* keys) {
+        const bool chosen = ImGui::MenuItem(label, keys);
+        widgets::Record(label);
+        return chosen;
+    };
+    bool open = false, save = false;
+    open = item("Open…", "Ctrl+O");
+    save = item("Save…", "Ctrl+S");
+    if (item("Copy state", "Ctrl+C")) ImGui::SetClipboardText(session.text().c_str());
+    if (item("Paste state", "Ctrl+V")) paste(session);
+    ImGui::Separator();
+    if (item("Snapshot", "F12")) requests.snapshot = true;
+    if (item("Reset all", "")) {
+        session.reset();
+        preset_ = nullptr;
+    }
+    ImGui::EndPopup();
+    if (open) file_dialog_.show(FileDialog::Purpose::open);
+    if (save) file_dialog_.show(FileDialog::Purpose::save);
+}
+
+void Workbench::draw_look_menu(Session& session, Requests& requests) {
+    if (!begin_menu("Look", "look menu", "Themes, scale, and what is folded away")) return;
+    Params& params = session.params;
+    static constexpr const char* themes[] = {"Dark", "Light", "Projector"};
+    control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"});
+    // The whole window changes with the scale, this slider too: it takes effect when it is let go.
+    Params scaled = params;
+    if (pending_scale_) scaled.ui.scale = *pending_scale_;
+    if (control(scaled, "ui.scale", {.slider = true, .width = 160.0F, .label = "scale", .min = 0.5, .max = 3.0}))
+        pending_scale_ = scaled.ui.scale;
+    if (pending_scale_ && !ImGui::IsAnyItemActive()) params.ui.scale = *std::exchange(pending_scale_, std::nullopt);
+    bool multisampled = params.view.samples == 4;
+    if (widgets::Toggle("Multisampling 4×", multisampled, true)) params.view.samples = multisampled ? 4 : 0;
+    explain(field("view.samples"));
+    ImGui::Separator();
+    bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
+    if (widgets::Toggle("Controls (F2)", panel, true)) arrangement.panel_folded = !panel;
+    if (widgets::Toggle("Matrices (F3)", matrices, true)) arrangement.matrices_folded = !matrices;
+    widgets::Toggle("Handles and labels (B)", views.handles, true);
+    if (widgets::Button("Full screen (F11)")) requests.toggle_full_screen = true;
+    ImGui::EndPopup();
+}
+
+void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& requests) {
+    const widgets::Group group("top");
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
+    begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    const bool narrow = layout.top_bar.width() < px(1000.0F);
+    if (!narrow) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushFont(widgets.fonts.heading);
+        ImGui::TextUnformatted("Viewing Sandbox");
+        ImGui::PopFont();
+        ImGui::SameLine(0.0F, px(22.0F));
+        ImGui::TextUnformatted("Scene");
+        ImGui::SameLine();
+    }
+    const std::string shown = scene_title(session.params.scene, scenes_);
+    if (const NamedFile* scene = choose("##scene", shown.c_str(), scenes_, px(narrow ? 150.0F : 170.0F)))
+        session.params.scene = scene->name;
+    explain(field("scene"));
+    ImGui::SameLine(0.0F, px(narrow ? 6.0F : 18.0F));
+    if (!narrow) {
+        ImGui::TextUnformatted("Preset");
+        ImGui::SameLine();
+    }
+    const bool is_preset = preset_ && preset_params_ == session.params;
+    const std::string preset_shown = preset_ ? preset_->title + (is_preset ? "" : " (changed)") : "choose…";
+    if (const NamedFile* preset = choose("##preset", preset_shown.c_str(), presets_, px(narrow ? 110.0F : 220.0F))) {
+        const Status opened = session.open(preset->name);
+        session.report(opened);
+        if (opened) {
+            session.message = {preset->about, false};
+            preset_ = preset;
+            preset_params_ = session.params;
+        }
+    }
+
+    // The buttons stand at the right end, in the widths they had in the last frame.
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    float width = -spacing;
+    for (const char* label : {"Undo", "Redo", "File", "Look", "?"})
+        width += ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
+    if (!layout.matrices_fit)
+        width += ImGui::CalcTextSize("Matrices").x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), layout.top_bar.width() - width - px(10.0F)));
+    if (!layout.matrices_fit) {
+        if (widgets::Button(arrangement.prefers_matrices ? "Controls" : "Matrices"))
+            arrangement.prefers_matrices = !arrangement.prefers_matrices;
+        ImGui::SameLine();
+    }
+    if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();
+    ImGui::SameLine();
+    if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();
+    ImGui::SameLine();
+    draw_file_menu(session, requests);
+    ImGui::SameLine();
+    draw_look_menu(session, requests);
+    ImGui::SameLine();
+    if (widgets::Button("?")) help_open_ = true;
+    widgets::Tooltip("Keys", "Every key and mouse gesture (F1)");
+    ImGui::End();
+}
+
+void Workbench::draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(4.0F)});
+    begin_area("status", layout.status_bar, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoInputs);
+    ImGui::PopStyleVar();
+    ImGui::PushFont(widgets.fonts.small_number);
+    ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
+    ImGui::TextUnformatted(status.frame_time.c_str());
+    ImGui::SameLine(px(84.0F));
+    ImGui::TextUnformatted(status.renderer.c_str());
+    // What fits, the most wanted first; the hint keeps its place.
+    const char* hint = "F1 keys";
+    const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
+    const auto append = [&](const std::string& text) {
+        if (text.empty() || ImGui::GetItemRectMax().x + ImGui::CalcTextSize(text.c_str()).x + px(34.0F) > hint_x)
+            return;
+        ImGui::SameLine(0.0F, px(18.0F));
+        ImGui::TextUnformatted(text.c_str());
+    };
+    if (!session.message.is_error) append(session.message.text);
+    for (const std::string& part : status.pixel) append(part);
+    ImGui::SameLine(hint_x);
+    ImGui::TextUnformatted(hint);
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    ImGui::End();
+}
+
+}  // namespace viewing

@@ -1,0 +1,40 @@
+// What opens over the window: choosing a file, the keys (F1).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "session/session.h"
+
+namespace viewing {
+
+/// A file to open or a name to save under; nothing is read or written before Enter or the button.
+class FileDialog {
+public:
+    enum class Purpose { open, save };
+    void show(Purpose purpose);
+    /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
+    void draw(Session& session);
+
+private:
+    void list_folder();
+    bool confirm(Session& session);
+
+    struct Entry {
+        std::string name;
+        bool is_folder = false;
+    };
+    Purpose purpose_ = Purpose::open;
+    bool requested_ = false;
+    std::filesystem::path folder_;
+    std::vector<Entry> entries_;
+    std::string name_;
+    std::string error_;
+    std::filesystem::path to_replace_;  ///< exists and was asked about: the next Save replaces it
+};
+
+/// The table of keys; `open` becomes false when it is closed.
+void draw_help(bool& open);
+
+}  // namespace viewing

@@ -1,0 +1,53 @@
+#include "ui/window/fonts.h"
+
+#include <cmath>
+
+#include "embedded/fonts.h"
+
+namespace viewing {
+namespace {
+
+// Latin with real signs; the rest of a formula's signs come from DejaVu Sans, merged below.
+constexpr ImWchar text_ranges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0x2032, 0x2033, 0x2070, 0x208E, 0x20AC,
+                                   0x20AC, 0x2190, 0x2193, 0x2212, 0x2212, 0x2260, 0x2265, 0};
+constexpr ImWchar sign_ranges[] = {0x0391, 0x03C9, 0x1D40, 0x1D47, 0x2070, 0x209C, 0x2190, 0x21FF, 0x2200,
+                                   0x22FF, 0x2308, 0x230B, 0x2318, 0x2318, 0x25A0, 0x25FF, 0x2600, 0x2604,
+                                   0x2713, 0x2717, 0x26A0, 0x26A0, 0x27F5, 0x27F7, 0};
+
+void add(const char* file, float size_px, const ImWchar* ranges, bool merge) {
+    const std::span<const std::byte> bytes = embedded_font(file);
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;  // ImGui only reads it
+    config.MergeMode = merge;
+    config.OversampleH = 2;
+    config.OversampleV = 1;
+    config.PixelSnapH = true;
+    ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(bytes.data()), static_cast<int>(bytes.size()),
+                                               size_px, &config, ranges);
+}
+
+ImFont* font(const char* file, float size_px) {
+    size_px = std::round(size_px);
+    add(file, size_px, text_ranges, false);
+    add("DejaVuSans.ttf", std::round(size_px * 0.95F), sign_ranges, true);
+    return ImGui::GetIO().Fonts->Fonts.back();
+}
+
+}  // namespace
+
+widgets::Fonts load_fonts(float scale) {
+    ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+    atlas.Clear();
+    atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
+    // Inter's and JetBrains Mono's em is larger than their letters: 14 design pixels of type want a 16 pixel font.
+    widgets::Fonts fonts;
+    fonts.text = font("Inter-Regular.otf", 16.0F * scale);
+    fonts.heading = font("Inter-SemiBold.otf", 16.0F * scale);
+    fonts.note = font("Inter-Regular.otf", 13.0F * scale);
+    fonts.number = font("JetBrainsMono-Regular.ttf", 16.0F * scale);
+    fonts.small_number = font("JetBrainsMono-Regular.ttf", 13.0F * scale);
+    ImGui::GetIO().FontDefault = fonts.text;
+    return fonts;
+}
+
+}  // namespace viewing

@@ -1,0 +1,84 @@
+#include "ui/window/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+Rect rounded(float left, float top, float right, float bottom) {
+    return {{std::round(left), std::round(top)},
+            {std::round(std::max(left, right)), std::round(std::max(top, bottom))}};
+}
+
+void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
+    if (!arrangement.halves) return;
+    layout.beside = layout.camera;
+    const float middle = (layout.camera.min.x + layout.camera.max.x) * 0.5F;
+    // Both of the same size, so that the same pixels lie at the same places.
+    const float width = std::floor((layout.camera.width() - std::max(gap, 2.0F)) * 0.5F);
+    layout.camera.max.x = layout.camera.min.x + width;
+    layout.beside.min.x = std::max(middle, layout.beside.max.x - width);
+    layout.beside.max.x = layout.beside.min.x + width;
+}
+
+}  // namespace
+
+Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
+    const auto px = [scale](float design) { return design * scale; };
+    const bool bare = arrangement.bare && arrangement.maximised != ViewName::none;
+    const float bar = bare ? 0.0F : px(40.0F), status = bare ? 0.0F : px(26.0F), gap = bare ? 0.0F : px(10.0F);
+    const float margin = bare ? 0.0F : px(4.0F);
+    const float least_view = px(420.0F);
+
+    Layout layout;
+    layout.header_height = bare ? 0.0F : px(26.0F);
+    layout.top_bar = rounded(0, 0, window_px.x, bar);
+    layout.status_bar = rounded(0, window_px.y - status, window_px.x, window_px.y);
+    const float top = bar + margin, bottom = window_px.y - status - margin;
+
+    bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
+    if (arrangement.maximised != ViewName::none) panel = matrices = false;
+    const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
+    layout.matrices_fit = panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
+    if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
+    if (panel && panel_width + px(240.0F) > window_px.x) panel = false;
+    if (matrices && matrices_width + px(240.0F) > window_px.x) matrices = false;
+
+    float left = gap, right = window_px.x - gap;
+    if (panel) {
+        layout.panel = rounded(0, top, panel_width, bottom);
+        left = panel_width + gap;
+    }
+    if (matrices) {
+        layout.matrices = rounded(window_px.x - matrices_width, top, window_px.x, bottom);
+        right = window_px.x - matrices_width - gap;
+    }
+
+    const Rect whole = rounded(left, top + layout.header_height, right, bottom);
+    switch (arrangement.maximised) {
+        case ViewName::camera:
+            layout.camera = whole;
+            divide_camera(layout, arrangement, gap);
+            return layout;
+        case ViewName::lower_left:
+            layout.lower_left = whole;
+            return layout;
+        case ViewName::lower_right:
+            layout.lower_right = whole;
+            return layout;
+        case ViewName::none:
+            break;
+    }
+    // The lower views give way first: at least 55 % of the height is the camera's.
+    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
+    const float split_y = bottom - lower;
+    layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
+    divide_camera(layout, arrangement, gap);
+    const float split_x = left + (right - left) * arrangement.lower_split;
+    layout.lower_left = rounded(left, split_y, split_x - gap * 0.5F, bottom);
+    layout.lower_right = rounded(split_x + gap * 0.5F, split_y, right, bottom);
+    return layout;
+}
+
+}  // namespace viewing

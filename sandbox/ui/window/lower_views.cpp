@@ -1,0 +1,108 @@
+// The two views below the camera's: each shows a topic, and its headline is the list of them.
+#include <algorithm>
+
+#include "ui/depth/depth_views.h"
+#include "ui/depth/fighting_view.h"
+#include "ui/depth/pixel_view.h"
+#include "ui/depth/precision_view.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+#include "ui/planes/derivation_views.h"
+#include "ui/planes/lecture_code.h"
+#include "ui/planes/mirror_ways_view.h"
+#include "ui/planes/passes_view.h"
+#include "ui/views/views.h"
+
+namespace viewing {
+namespace {
+
+/// The headline: which topic it is, as a list of all of them.
+void topic_choice(Params& params, Slot slot, const Rect& rect) {
+    view_header(rect, "");
+    const Topic shown = topic_of(params, slot);
+    int topic = static_cast<int>(shown);
+    if (widgets::Choice("##topic", topic, topic_names(), 0, std::min(px(190.0F), rect.width())))
+        choose_topic(params, slot, static_cast<Topic>(topic));
+    widgets::Tooltip(
+        "What this view shows",
+        "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
+        "stays; the depth buffer and what can be told of it: histogram, precision, codes, one pixel, a block of them, "
+        "depth fighting; shadow and mirror as the lecture derives and codes them, and four ways to mirror; the frame "
+        "as "
+        "GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
+    ImGui::SameLine(0.0F, px(12.0F));
+}
+
+/// What the light sees: the picture with its sentence.
+void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
+    picture_item("light view", rect, picture);
+    const char* whole = "what the light sees: each of its shadows is hidden behind its caster";
+    const char* brief = "its shadows are hidden";
+    if (derived.light_in_plane) {
+        whole = "the light lies in the plane and sees it edge-on: there is no shadow";
+        brief = "there is no shadow";
+    }
+    const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
+    widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().light,
+                      fits ? whole : brief);
+}
+
+}  // namespace
+
+void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
+                     const Rect& rect, const Pictures& pictures) {
+    if (rect.empty()) return;
+    const widgets::Group group(slot == Slot::left ? "left" : "lower");
+    topic_choice(session.params, slot, rect);
+    const Topic topic = topic_of(session.params, slot);
+    const ImTextureID picture = pictures.lower[static_cast<std::size_t>(slot)];
+    if (ImGui::IsMouseHoveringRect(rect.min, rect.max) && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
+        state.hovered = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
+    switch (topic) {
+        case Topic::automatic:
+            break;
+        case Topic::observer:
+            header_note("camera frustum, light, plane", rect.max.x);
+            return draw_observer_view(state, session, derived, rect, picture, pictures.hidden);
+        case Topic::depth:
+            return draw_depth_picture(session, derived, rect, picture);
+        case Topic::histogram:
+            return draw_histogram_view(session, derived, pictures.depth.depth_counts, rect);
+        case Topic::precision:
+            return draw_precision_view(session, derived, rect,
+                                       pictures.depth.pixel ? -pictures.depth.pixel->eye_z : 0.0);
+        case Topic::codes:
+            return draw_codes_view(session, derived, rect);
+        case Topic::pixel:
+            return draw_pixel_view(session, derived, pictures.depth, rect);
+        case Topic::cells:
+            state.cells = cell_block_size(rect);
+            return draw_cell_view(session, pictures.depth, plan, rect, state.call_player);
+        case Topic::fighting:
+            return draw_fighting_view(session, pictures.depth.fighting.get(), rect);
+        case Topic::moving_world:
+            return draw_moving_world_view(session, state, derived, rect, picture);
+        case Topic::passes:
+            return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
+        case Topic::tree:
+            return draw_tree_view(state.laboratory, session, pictures.hidden, rect);
+        case Topic::order:
+            return draw_order_view(state.laboratory, session, pictures.hidden, rect);
+        case Topic::growth:
+            return draw_growth_view(state.laboratory, session, rect);
+        case Topic::shadow_derivation:
+            return draw_shadow_derivation(session, derived, rect);
+        case Topic::mirror_derivation:
+            return draw_mirror_derivation(session, derived, rect);
+        case Topic::lecture_code:
+            return draw_lecture_code(session, derived, rect);
+        case Topic::mirror_ways:
+            return draw_mirror_ways_view(session, rect, pictures.mirror_ways);
+        case Topic::from_light:
+            return draw_light_view(derived, rect, picture);
+        default:
+            break;
+    }
+}
+
+}  // namespace viewing

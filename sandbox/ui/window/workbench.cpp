@@ -1,0 +1,192 @@
+#include "ui/window/workbench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ui/panel/panel.h"
+#include "ui/parts/look.h"
+#include "ui/window/areas.h"
+
+namespace viewing {
+namespace {
+
+/// Held keys as motion, in the camera's own directions.
+MotionInput motion_of(const FrameInput& input) {
+    const auto axis = [&](Key plus, Key minus) {
+        return (input.is_down(plus) ? 1.0 : 0.0) - (input.is_down(minus) ? 1.0 : 0.0);
+    };
+    MotionInput motion;
+    motion.move = {axis(Key::d, Key::a), axis(Key::r, Key::f), axis(Key::w, Key::s)};
+    motion.yaw = axis(Key::left, Key::right);
+    motion.pitch = axis(Key::up, Key::down);
+    motion.roll = axis(Key::q, Key::e);
+    motion.slow = input.is_down(Key::shift);
+    return motion;
+}
+
+}  // namespace
+
+Workbench::Workbench() : presets_(presets()), scenes_(scenes()) {}
+
+void Workbench::handle_keys(Session& session, const FrameInput& input, Requests& requests) {
+    // WantTextInput alone still says yes in the frame after the typing has ended.
+    const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+    const bool busy = typing || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    for (const auto& [key, ctrl, shift] : input.pressed) {
+        if (key == Key::f1) help_open_ = !help_open_;
+        if (key == Key::f2) arrangement.panel_folded = !arrangement.panel_folded;
+        if (key == Key::f3) arrangement.matrices_folded = !arrangement.matrices_folded;
+        if (key == Key::f11) requests.toggle_full_screen = true;
+        if (key == Key::f12) requests.snapshot = true;
+        if (busy) continue;  // a text field or a dialog has the keyboard
+        if (ctrl && key == Key::z) shift ? session.redo() : session.undo();
+        if (ctrl && key == Key::y) session.redo();
+        if (ctrl && key == Key::c) {
+            ImGui::SetClipboardText(session.text().c_str());
+            session.message = {"the whole state is in the clipboard", false};
+        }
+        if (ctrl && key == Key::v) paste(session);
+        if (ctrl && key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
+        if (ctrl && key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
+        if (ctrl) continue;
+        if (key == Key::m)
+            arrangement.maximised = arrangement.maximised != ViewName::none ? ViewName::none
+                                    : views.hovered != ViewName::none       ? views.hovered
+                                                                            : ViewName::camera;
+        if (key == Key::n)
+            session.params.camera.navigation =
+                static_cast<Navigation>((static_cast<int>(session.params.camera.navigation) + 1) % 3);
+        if (key == Key::b) views.handles = !views.handles;
+        if (key == Key::escape) {
+            if (arrangement.maximised != ViewName::none)
+                arrangement.maximised = ViewName::none;
+            else
+                session.params.follow.reset();
+        }
+    }
+    for (const std::filesystem::path& file : input.dropped_files) session.report(session.open(file.string()));
+}
+
+void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
+                             const HiddenStatus& hidden, const Layout& layout) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
+    if (!layout.panel.empty()) {
+        begin_area("panel", layout.panel, 0);
+        draw_panel(session, derived, views.laboratory, hidden);
+        ImGui::End();
+    }
+    if (!layout.matrices.empty()) {
+        begin_area("matrices", layout.matrices, 0);
+        draw_matrices(session, derived, before, matrix_choice_);
+        ImGui::End();
+    }
+    ImGui::PopStyleVar();
+}
+
+void Workbench::draw_views(Session& session, const Derived& derived, const FramePlan& plan, const Pictures& pictures,
+                           const Layout& layout, const FrameInput& input, MotionInput& motion) {
+    const Rect between{
+        {layout.panel.max.x, layout.top_bar.max.y},
+        {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, layout.status_bar.min.y}};
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+    begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
+    draw_camera_view(views, session, derived, layout.camera, pictures, input, motion);
+    draw_beside_view(views, session, derived, layout, pictures);
+    draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures);
+    draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures);
+    if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
+    ImGui::End();
+}
+
+void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
+    ImGui::SetCursorScreenPos({layout.lower_left.min.x, layout.camera.max.y});
+    const float length = layout.lower_right.max.x - layout.lower_left.min.x;
+    widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
+    if (!layout.panel.empty()) {
+        ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
+        widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
+    }
+    if (!layout.matrices.empty()) {
+        ImGui::SetCursorScreenPos({between.max.x - px(8.0F), between.min.y});
+        widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
+    }
+    // Between the lower two the arrangement keeps a share, so that it fits windows of any width.
+    const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets.scale;
+    float left = arrangement.lower_split * whole;
+    ImGui::SetCursorScreenPos({layout.lower_left.max.x + px(2.0F), layout.lower_left.min.y});
+    if (widgets::Splitter("lower split", true, left, 0.25F * whole, 0.75F * whole, layout.lower_left.height()))
+        arrangement.lower_split = left / whole;
+}
+
+void Workbench::draw_loading(Session& session, const Layout& layout) {
+    const std::optional<float> fraction = session.loading_fraction();
+    if (!fraction) return;
+    const ImVec2 size(px(360.0F), px(96.0F));
+    const Rect& over = layout.camera.empty() ? layout.status_bar : layout.camera;
+    ImGui::SetNextWindowPos({(over.min.x + over.max.x - size.x) * 0.5F, (over.min.y + over.max.y - size.y) * 0.5F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::Begin("loading", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::Text("Loading %s", session.loading_name().c_str());
+    ImGui::ProgressBar(*fraction, {-1.0F, 0.0F});
+    if (widgets::Button("Cancel")) session.cancel_loading();
+    ImGui::End();
+}
+
+void Workbench::draw_message(Session& session, const Layout& layout) {
+    if (!session.message.is_error) return;
+    const float width = std::min(px(560.0F), layout.status_bar.width() - px(20.0F));
+    ImGui::SetNextWindowPos({layout.status_bar.width() * 0.5F, layout.status_bar.min.y - px(8.0F)}, ImGuiCond_Always,
+                            {0.5F, 1.0F});
+    ImGui::SetNextWindowSize({width, 0.0F});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.palette.raised);
+    ImGui::Begin("message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize);
+    widgets::Trouble(session.message.text.c_str());
+    if (widgets::SmallButton("Dismiss")) session.message = {};
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
+                         const Pictures& pictures, const StatusLine& status, const FrameInput& input) {
+    widgets::NewFrame(widgets);
+    Requests requests;
+    handle_keys(session, input, requests);
+    const Layout now = layout(ImGui::GetIO().DisplaySize, session.params);
+
+    const bool keys_move =
+        !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
+    begin_laboratory_frame(views.laboratory, session);
+    keep_selection(views.laboratory, pictures.hidden);
+    if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
+    draw_columns(session, derived, before, pictures.hidden, now);
+    draw_views(session, derived, plan, pictures, now, input, motion);
+    if (!now.status_bar.empty()) draw_status_bar(session, now, status);
+    for (StepPlayer* player : {&views.call_player, &views.pass_player})
+        if (!std::exchange(player->drawn, false)) player->playing = false;
+    LaboratoryState& laboratory = views.laboratory;
+    end_laboratory_frame(laboratory, session);
+    take_growth_rows(laboratory);
+    laboratory.link = laboratory.next_link;
+    laboratory.next_link.hovered_fragment = laboratory.next_link.hovered_node = -1;
+    requests.cancel_hidden = std::exchange(laboratory.cancel_method, false);
+    requests.restart_hidden = std::exchange(laboratory.restart_method, false);
+    requests.view_picture = std::exchange(laboratory.wanted_picture, std::nullopt);
+    draw_loading(session, now);
+    draw_message(session, now);
+    file_dialog_.draw(session);
+    draw_help(help_open_);
+
+    // What begins now has not been going on while the window slept.
+    session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
+    if (!ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views)) session.rest();
+    return requests;
+}
+
+}  // namespace viewing

@@ -1,0 +1,125 @@
+// The numbers beside the window: the same as counted at once, whenever they come; nothing is begun while something is
+// held, and what belongs to an earlier state says so.
+#include "measure/fighting_counter.h"
+
+#include <thread>
+
+#include "gl/gl_test.h"
+#include "measure/fighting_measure.h"
+#include "state/presets.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 size_px(320, 180);
+constexpr bool may_wait = true, is_at_rest = true;
+
+class Counter : public testing::GlTest {
+protected:
+    std::shared_ptr<const FightingReport> update(bool waits, bool rests) {
+        return counter.update(renderer(), params, scene, version, size_px, waits, rests);
+    }
+    /// Frame after frame, as a window does it.
+    std::shared_ptr<const FightingReport> finish() {
+        auto report = update(!may_wait, is_at_rest);
+        for (int frame = 0; frame < 10000 && counter.wants_frames(); ++frame) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            report = update(!may_wait, is_at_rest);
+        }
+        return report;
+    }
+
+    Params params = load_state("depth-fighting")->params;
+    Scene scene = testing::scene_named("coplanar");
+    int version = 1;
+    FightingCounter counter;
+};
+
+TEST_F(Counter, GivesWhatIsCountedAndSearchedAtOnce) {
+    const auto report = update(may_wait, !is_at_rest);
+    ASSERT_TRUE(report);
+    EXPECT_FALSE(counter.wants_frames());
+    EXPECT_FALSE(report->counts_are_behind || report->gap_is_behind);
+    const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), size_px);
+    ASSERT_TRUE(counts);
+    ASSERT_EQ(report->rows.size(), counts->pairs.size());
+    for (std::size_t i = 0; i < counts->pairs.size(); ++i) {
+        EXPECT_EQ(report->counts.pairs[i].wrong, counts->pairs[i].wrong);
+        EXPECT_EQ(report->counts.pairs[i].pixels, counts->pairs[i].pixels);
+    }
+    EXPECT_EQ(report->rows[0].first, "back quad at 4");
+    const Derived derived = derive_for(params, scene, size_px);
+    const auto found = find_minimum_gap(renderer(), params, derived.facts.target_distance);
+    ASSERT_TRUE(found && report->minimum_gap);
+    EXPECT_EQ(report->minimum_gap->gap, found->gap);
+    EXPECT_EQ(report->minimum_gap->pictures, found->pictures);
+}
+
+TEST_F(Counter, ComesToTheSameFrameByFrame) {
+    const auto report = finish();
+    ASSERT_TRUE(report);
+    FightingCounter other;
+    const auto at_once = other.update(renderer(), params, scene, version, size_px, may_wait, is_at_rest);
+    EXPECT_EQ(report->counts.wrong_fraction(), at_once->counts.wrong_fraction());
+    EXPECT_EQ(report->minimum_gap->gap, at_once->minimum_gap->gap);
+    EXPECT_FALSE(report->counts_are_behind || report->gap_is_behind);
+}
+
+TEST_F(Counter, BeginsNothingWhileSomethingIsHeld) {
+    EXPECT_FALSE(update(!may_wait, !is_at_rest));
+    EXPECT_FALSE(counter.wants_frames());
+    const double before = finish()->counts.wrong_fraction();
+    params.projection.near = 0.5;
+    const auto held = update(!may_wait, !is_at_rest);
+    EXPECT_TRUE(held->counts_are_behind && held->gap_is_behind);
+    EXPECT_EQ(held->counts.wrong_fraction(), before);
+    EXPECT_FALSE(counter.wants_frames());
+    const auto after = finish();
+    EXPECT_FALSE(after->counts_are_behind || after->gap_is_behind);
+    EXPECT_EQ(after->counts.wrong_fraction(), 0.0);
+}
+
+TEST_F(Counter, IsNotBehindWhereWhatIsHeldComesBack) {
+    const auto go_away_and_come_back = [&] {
+        params.projection.near = 0.5;
+        const auto away = update(!may_wait, !is_at_rest);
+        EXPECT_TRUE(!away || (away->counts_are_behind && away->gap_is_behind));
+        params.projection.near = load_state("depth-fighting")->params.projection.near;
+        return update(!may_wait, !is_at_rest);
+    };
+    update(!may_wait, is_at_rest);
+    go_away_and_come_back();  // the count, or the search, still runs
+    EXPECT_TRUE(counter.wants_frames());
+    finish();
+    const auto back = go_away_and_come_back();
+    EXPECT_FALSE(counter.wants_frames());
+    EXPECT_FALSE(back->counts_are_behind || back->gap_is_behind);
+    EXPECT_GT(back->counts.wrong_fraction(), 0.1);
+}
+
+TEST_F(Counter, CountsAnewOnlyForWhatMatters) {
+    finish();
+    params.ui.theme = Theme::light;
+    params.view.shows = Shows::depth;
+    params.light.position.x += 1.0;
+    EXPECT_FALSE(update(!may_wait, !is_at_rest)->counts_are_behind);
+    params.depth.format = DepthFormat::d16;
+    EXPECT_TRUE(update(!may_wait, !is_at_rest)->counts_are_behind);
+}
+
+TEST_F(Counter, BelongsToTheSceneThatIsThere) {
+    finish();
+    scene = testing::scene_named("torus-and-boxes");
+    params.scene = std::string("torus-and-boxes");
+    ++version;
+    const auto held = update(!may_wait, !is_at_rest);
+    EXPECT_EQ(held->rows.size(), 6U) << "the old ones stay until there are others";
+    EXPECT_TRUE(held->counts_are_behind);
+    EXPECT_TRUE(update(!may_wait, is_at_rest)) << "while others are counted";
+    const auto report = finish();
+    EXPECT_TRUE(report->rows.empty());
+    EXPECT_EQ(report->counts.wrong_fraction(), 0.0);
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,240 @@
+// Depth fighting as it is counted in GL's pictures, against what the formulas say of it: the smallest gap that every
+// format and mapping tells apart, and each cure. VIEWING_LONG_TESTS=N searches N times as many.
+#include <cmath>
+#include <cstdlib>
+#include <map>
+
+#include "gl/gl_test.h"
+#include "measure/fighting_measure.h"
+#include "measure/minimum_gap.h"
+#include "state/presets.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 size_px(640, 360);
+
+/// How many codes lie between the near plane and a distance; many for a float.
+double codes_before(const Params& params, double z) {
+    const double n = params.projection.near, f = params.projection.far;
+    const DepthPrecision precision = precision_of(params.depth.format);
+    double depth = f / (f - n) - f * n / ((f - n) * z);
+    if (params.projection.type == ProjectionType::orthographic) depth = (z - n) / (f - n);
+    if (params.depth.mapping == DepthMapping::logarithmic) depth = std::log(z / n) / std::log(f / n);
+    return precision.is_float ? 1e6 : depth * (std::exp2(precision.bits) - 1.0);
+}
+
+class Fighting : public testing::GlTest {
+protected:
+    static MinimumGap search(const Params& params, double distance) {
+        const Result<MinimumGap> found = find_minimum_gap(renderer(), params, distance);
+        EXPECT_TRUE(found) << found.error();
+        return *found;
+    }
+
+    static FightingCounts count(const std::string& preset) {
+        const Result<LoadedState> state = load_state(preset);
+        EXPECT_TRUE(state) << state.error();
+        const Scene scene = testing::scene_named(std::get<std::string>(state->params.scene));
+        return count(state->params, scene);
+    }
+    static FightingCounts count(const Params& params, const Scene& scene) {
+        const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), size_px);
+        EXPECT_TRUE(counts) << counts.error();
+        return *counts;
+    }
+};
+
+Params random_depth(Random& random, DepthFormat format, DepthMapping mapping, bool orthographic) {
+    Params params;
+    params.depth.format = format;
+    params.depth.mapping = mapping;
+    params.depth.func = random.number(0, 1) < 0.5 ? CompareFunc::less : CompareFunc::lequal;
+    ProjectionParams& projection = params.projection;
+    projection.type = orthographic ? ProjectionType::orthographic : ProjectionType::perspective;
+    projection.fovy = random.number(15.0, 90.0);
+    projection.height = random.number(1.0, 30.0);
+    projection.near = std::exp(random.number(std::log(1e-3), std::log(5.0)));
+    projection.far = projection.near * std::exp(random.number(std::log(3.0), std::log(1e5)));
+    return params;
+}
+
+TEST_F(Fighting, BeginsWithinAFactorThreeOfWhatIsPredicted) {
+    Random random(seed);
+    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
+    const int trials = 6 * std::max(longer ? std::atoi(longer) : 1, 1);
+    for (int format = 0; format < 12; ++format) {
+        for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
+            double lowest = 1e9, highest = 0.0;
+            for (int trial = 0; trial < trials; ++trial) {
+                const Params params = random_depth(random, static_cast<DepthFormat>(format), mapping, trial % 3 == 2);
+                const double near = params.projection.near, far = params.projection.far;
+                double distance = near;
+                do {
+                    distance = near * std::pow(far / near, random.number(0.2, 0.98));
+                } while (codes_before(params, distance) < 2.5);  // else nothing is nearer by a whole code
+                const MinimumGap found = search(params, distance);
+                const std::string what = "seed " + std::to_string(seed) + " format " + std::to_string(format) +
+                                         " mapping " + std::to_string(static_cast<int>(mapping)) + " near " +
+                                         std::to_string(near) + " far " + std::to_string(far) + " z " +
+                                         std::to_string(distance);
+                ASSERT_TRUE(found.gap) << what << ": " << found.problem;
+                const double ratio = *found.gap / found.predicted.gap();
+                EXPECT_GE(ratio, 1.0 / 3.0) << what;
+                EXPECT_LE(ratio, 3.0) << what;
+                lowest = std::min(lowest, ratio);
+                highest = std::max(highest, ratio);
+            }
+            std::printf("format %d mapping %d: measured over predicted %.2f to %.2f\n", format,
+                        static_cast<int>(mapping), lowest, highest);
+        }
+    }
+}
+
+TEST_F(Fighting, IsPredictedByTheSizeOfTheGapInCodes) {
+    // With 16 bits rounding in arithmetic is small, so the share of ties is the share of wrong pixels.
+    const Scene scene = testing::scene_named("coplanar");
+    const Result<LoadedState> state = load_state("fighting-16-bit");
+    ASSERT_TRUE(state) << state.error();
+    for (const double near : {0.1, 0.25, 0.5, 1.0}) {
+        Params params = state->params;
+        params.projection.near = near;
+        const FightingCounts counts = count(params, scene);
+        ASSERT_EQ(counts.pairs.size(), 6U);
+        for (const CountedPair& counted : counts.pairs) {
+            const double z = 4.0 - counted.pair.center_world.z;  // from the camera, which looks along −z
+            // The gap in codes at the pair's distance: 0.01 over z² (f − n) / (f n (2¹⁶ − 1)).
+            const double gap_codes = counted.pair.gap() / (z * z * (200.0 - near) / (200.0 * near * 65535.0));
+            const double share = static_cast<double>(counted.wrong) / static_cast<double>(counted.pixels);
+            EXPECT_NEAR(share, std::max(1.0 - gap_codes, 0.0), 0.06) << "near " << near << " z " << z;
+        }
+    }
+}
+
+TEST_F(Fighting, NeedsNothingFromTheMethodThePlaneOrTheShadow) {
+    const Scene scene = testing::scene_named("coplanar");
+    Params params = load_state("depth-fighting")->params;
+    const FightingCounts alone = count(params, scene);
+    EXPECT_GT(alone.wrong_fraction(), 0.1);
+    params.visibility.method = VisibilityMethod::painter;
+    params.shadow.enabled = params.reflection.enabled = true;
+    params.view.shows = Shows::depth;
+    params.plane.extent = 100.0;
+    EXPECT_EQ(count(params, scene).wrong_fraction(), alone.wrong_fraction());
+}
+
+TEST_F(Fighting, IsCuredByARaisedNearPlaneMoreBitsReversedFloatsAndLogarithms) {
+    EXPECT_GT(count("depth-fighting").wrong_fraction(), 0.1);
+    EXPECT_GT(count("fighting-16-bit").wrong_fraction(), 0.3);
+    for (const char* const cure : {"coplanar", "fighting-near-raised", "fighting-reversed", "fighting-logarithmic"}) {
+        const FightingCounts counts = count(cure);
+        EXPECT_EQ(counts.wrong_fraction(), 0.0) << cure;
+        EXPECT_EQ(counts.wrong_elsewhere, 0) << cure;
+        for (const CountedPair& pair : counts.pairs) EXPECT_GT(pair.pixels, 1000) << cure;
+    }
+}
+
+TEST_F(Fighting, OfDecalsIsCuredByAnOffsetOfTheRightSizeAndSign) {
+    EXPECT_GT(count("fighting-decals").wrong_fraction(), 0.3);
+    EXPECT_EQ(count("fighting-decals").wrong_elsewhere, 0);
+    const FightingCounts right = count("fighting-offset");
+    ASSERT_EQ(right.pairs.size(), 4U);
+    EXPECT_EQ(right.wrong_fraction(), 0.0);
+    EXPECT_EQ(right.wrong_elsewhere, 0);
+    // Half a code: one in two is rounded away.
+    EXPECT_NEAR(count("fighting-offset-too-little").wrong_fraction(), 0.5, 0.06);
+    EXPECT_EQ(count("fighting-offset-too-little").wrong_elsewhere, 0);
+    const FightingCounts too_much = count("fighting-offset-too-much");
+    EXPECT_EQ(too_much.wrong_fraction(), 0.0);
+    EXPECT_GT(too_much.wrong_elsewhere, 300);
+    EXPECT_GT(count("fighting-offset-wrong-sign").wrong_fraction(), 0.99);
+}
+
+TEST_F(Fighting, OfDecalsIsCuredByTheStencilAndNotByEqualDepth) {
+    const FightingCounts equal = count("fighting-decals-equal"), stencil = count("fighting-decals-stencil");
+    ASSERT_EQ(equal.pairs.size(), 4U);
+    ASSERT_EQ(stencil.pairs.size(), 4U);
+    EXPECT_GT(equal.wrong_fraction(), 0.1);
+    EXPECT_LT(equal.wrong_fraction(), 0.9);
+    EXPECT_EQ(stencil.wrong_fraction(), 0.0);
+    EXPECT_EQ(equal.wrong_elsewhere + stencil.wrong_elsewhere, 0);
+    for (const CountedPair& pair : stencil.pairs) EXPECT_GT(pair.pixels, 1000);
+}
+
+TEST_F(Fighting, IsCountedInTheWholeFrameWhateverStepIsShown) {
+    const Scene scene = testing::scene_named("coplanar");
+    Params params = load_state("depth-fighting")->params;
+    const FightingCounts whole = count(params, scene);
+    params.view.call = 3;
+    params.view.triangle = 1;
+    params.view.shows = Shows::fighting;
+    EXPECT_EQ(count(params, scene).wrong_fraction(), whole.wrong_fraction());
+}
+
+TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
+    // Every cure and slip of the presets, with few bits so that rounding plays no part.
+    for (const char* const preset : {"fighting-decals", "fighting-decals-stencil", "fighting-offset-too-little",
+                                     "fighting-16-bit", "fighting-reversed", "fighting-logarithmic"}) {
+        const Result<LoadedState> state = load_state(preset);
+        ASSERT_TRUE(state) << state.error();
+        Params params = state->params;
+        params.depth.format = DepthFormat::d12;
+        const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
+        const glm::ivec2 large_px = 2 * size_px;  // so that the stripes are many pixels wide
+        const Derived derived = derive(params, scene, {large_px, renderer().capabilities().clip_control});
+        const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), large_px);
+        ASSERT_TRUE(counts) << counts.error();
+        for (const CountedPair& counted : counts->pairs) {
+            const auto predicted = predict_pair(counted.pair, params, derived).wrong_share;
+            ASSERT_TRUE(predicted) << preset;
+            EXPECT_NEAR(counted.wrong_fraction(), *predicted, 0.08) << preset << " z " << counted.pair.center_world.z;
+        }
+    }
+}
+
+TEST_F(Fighting, HasNoSmallestGapWhereDepthDoesNotDecide) {
+    for (const char* const setting :
+         {"depth.test=false", "depth.func=always", "depth.write=false", "depth.func=never"}) {
+        const MinimumGap found = search(testing::params_with({setting}), 5.0);
+        EXPECT_FALSE(found.gap) << setting;
+        EXPECT_FALSE(found.problem.empty()) << setting;
+    }
+    const Params params;
+    EXPECT_FALSE(search(params, params.projection.near).gap) << "nothing fits before the near plane";
+    EXPECT_FALSE(search(params, 0.0).gap);
+    EXPECT_TRUE(search(params, 1e9).gap) << "counts as at the far plane";
+    const Params reversed = testing::params_with({"depth.mapping=reversed", "depth.format=d32f"});
+    EXPECT_TRUE(search(reversed, 1e9).gap) << "where depth is 0";
+}
+
+TEST_F(Fighting, HasASmallestGapWhereACodeIsAsWideAsTheWayToTheEye) {
+    for (const char* const format : {"depth.format=d24", "depth.format=d32f"}) {
+        const MinimumGap found = search(testing::params_with({"projection.near=1e-6", format}), 21.5);
+        ASSERT_TRUE(found.gap) << format << ": " << found.problem;
+        EXPECT_GT(found.predicted.quantisation, 0.1 * found.distance) << format;
+        EXPECT_GT(*found.gap, found.predicted.gap() / 3.0) << format;
+        EXPECT_LT(*found.gap, found.predicted.gap() * 3.0) << format;
+    }
+}
+
+TEST_F(Fighting, HasTheSameSmallestGapHoweverDepthIsCleared) {
+    for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
+        const MinimumGap expected = search(testing::params_with({mapping}), 5.0);
+        ASSERT_TRUE(expected.gap);
+        for (const char* const slip :
+             {"depth.clear=false", "depth.write_while_clearing=false", "depth.reversed_clear=false"})
+            EXPECT_EQ(search(testing::params_with({mapping, slip}), 5.0).gap, expected.gap) << mapping << " " << slip;
+    }
+}
+
+TEST_F(Fighting, CanBeCancelled) {
+    WorkProgress progress;
+    progress.cancelled = true;
+    EXPECT_FALSE(find_minimum_gap(renderer(), Params{}, 5.0, &progress));
+    const Scene scene = testing::scene_named("coplanar");
+    EXPECT_FALSE(count_fighting(renderer(), Params{}, scene, near_coplanar_pairs(scene), size_px, &progress));
+}
+
+}  // namespace
+}  // namespace viewing
