@@ -23,7 +23,7 @@ ImTextureID texture_id(const View& view) {
 template <std::size_t count>
 std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views) {
     std::array<ImTextureID, count> ids{};
-    std::ranges::transform(views, ids.begin(), texture_id);
+    std::transform(views.begin(), views.end(), ids.begin(), texture_id);
     return ids;
 }
 

@@ -23,8 +23,8 @@ struct Entry {
 
 /// Bytes that begin a character: what takes room on the terminal.
 std::size_t shown_length(const std::string& text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+    return static_cast<std::size_t>(std::count_if(
+        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ void Options::flag(const char* names, bool& value, const char* help) {
 
 bool Options::parse(const Arguments& arguments) {
     // A wish for help comes before whatever else may be wrong.
-    const auto last = std::ranges::find(arguments, "--");
+    const auto last = std::find(arguments.begin(), arguments.end(), "--");
     const bool asks =
         std::find(arguments.begin(), last, "--help") != last || std::find(arguments.begin(), last, "-h") != last;
     if (asks) {

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 bool ends_in_obj(const std::string& file) {
     std::string ending = fs::path(file).extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending == ".obj";
 }
 
@@ -59,7 +60,7 @@ LoadedState StateArguments::load() const {
         loaded.params.scene = fs::absolute(mesh_.value_or(state_), error).string();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
     }
-    if (std::ranges::any_of(settings_, sets_scene)) {
+    if (std::any_of(settings_.begin(), settings_.end(), sets_scene)) {
         rebase_to_working_directory(loaded);
         loaded.scene_origin = "--set scene";
     }

@@ -45,12 +45,12 @@ int triangles_drawn(const DrawLimit& limit, int call, int triangles) {
 int call_count(const Pass& pass, const Scene& scene) {
     if (is_square(pass)) return 1;
     if (pass.subject != Subject::objects) return 0;
-    return static_cast<int>(std::ranges::count_if(
-        scene.objects, [&](const SceneObject& object) { return is_chosen(pass.chosen, object); }));
+    return static_cast<int>(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                          [&](const SceneObject& object) { return is_chosen(pass.chosen, object); }));
 }
 
 std::vector<DrawCall> draw_calls(const FramePlan& plan, const Scene& scene) {
-    if (!std::ranges::all_of(plan.passes, is_drawn_as_it_comes)) return {};
+    if (!std::all_of(plan.passes.begin(), plan.passes.end(), is_drawn_as_it_comes)) return {};
     std::vector<DrawCall> calls;
     for (std::size_t number = 0; number < plan.passes.size(); ++number) {
         const Pass& pass = plan.passes[number];

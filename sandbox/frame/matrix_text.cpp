@@ -94,7 +94,7 @@ std::string latex_text(std::string_view name, Entries entries) {
         if (letter == '_') escaped += '\\';
         escaped += letter;
     }
-    for (auto& line : entries) std::ranges::transform(line, line.begin(), with_power_of_ten);
+    for (auto& line : entries) std::transform(line.begin(), line.end(), line.begin(), with_power_of_ten);
     return "\\mathrm{" + escaped + "} =\n\\begin{bmatrix}\n    " + joined(entries, " & ", " \\\\\n    ") +
            "\n\\end{bmatrix}\n";
 }

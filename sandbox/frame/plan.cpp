@@ -38,7 +38,7 @@ CullParams with_flipped_winding(CullParams cull) {
 /// Of a patch seen in a mirror: whether it lies wholly behind that mirror.
 bool is_hidden(const Level& level, std::size_t plane) {
     const std::array<glm::dvec3, 4> corners = level.plane(plane).patch.corners();
-    return level.clip && std::ranges::all_of(corners, [&](const glm::dvec3& corner) {
+    return level.clip && std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
                return glm::dot(*level.clip, glm::dvec4(corner, 1.0)) <= 0.0;
            });
 }
@@ -251,7 +251,9 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     use_hidden_surfaces(made, params, derived, hidden);
     if (params.view.shows == Shows::overdraw) count_overdraw(made);
     // GL has no stencil beside 16 bits of depth; what stands in for it holds one value a pixel.
-    if (made.depth_format == DepthFormat::d16 && std::ranges::any_of(made.passes, depends_on_stencil)) made.samples = 0;
+    if (made.depth_format == DepthFormat::d16 &&
+        std::any_of(made.passes.begin(), made.passes.end(), depends_on_stencil))
+        made.samples = 0;
     return made;
 }
 

@@ -14,7 +14,7 @@ glm::ivec2 first_pixel_of(glm::ivec2 pixel, glm::ivec2 cells, glm::ivec2 size_px
 
 /// The fragment that the last triangle of a limited frame sends, among all of a pixel.
 std::optional<Fragment> latest_of(const std::vector<Fragment>& fragments, const DrawCall& call, int triangle) {
-    const auto found = std::ranges::find_if(fragments, [&](const Fragment& fragment) {
+    const auto found = std::find_if(fragments.begin(), fragments.end(), [&](const Fragment& fragment) {
         return fragment.pass == call.pass && std::max(fragment.object_index, -1) == call.object &&
                fragment.triangle == triangle;
     });

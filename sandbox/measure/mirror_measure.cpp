@@ -17,7 +17,8 @@ FramePlan plan_of(const Params& state, MirrorWay way, const Scene& scene, const 
 
 /// The frame until the first image is there and its mirror not yet; without a mirror it has no passes.
 FramePlan until_image(FramePlan frame) {
-    const auto first = std::ranges::find_if(frame.passes, &Pass::is_mirror_image);
+    const auto first =
+        std::find_if(frame.passes.begin(), frame.passes.end(), [](const Pass& pass) { return pass.is_mirror_image; });
     const auto after = std::find_if(first, frame.passes.end(), [](const Pass& pass) { return !pass.is_mirror_image; });
     frame.passes.erase(after, frame.passes.end());
     if (frame.passes.empty() || !frame.passes.back().is_mirror_image) {

@@ -29,8 +29,8 @@ std::string word_at(std::string_view text, std::size_t offset) {
         ++end;
     }
     std::string word(text.substr(begin, std::min(end - begin, longest)));
-    std::ranges::replace_if(
-        word, [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::replace_if(
+        word.begin(), word.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     return word;
 }
 
@@ -107,7 +107,7 @@ public:
         }
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
         const std::string_view before = text_.substr(0, offset);
-        const auto line = 1 + std::ranges::count(before, '\n');
+        const auto line = 1 + std::count(before.begin(), before.end(), '\n');
         const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
         throw SyntaxRefusal(here_.prefix + "line " + std::to_string(line) + ", column " +
                             std::to_string(offset - line_start + 1) +
@@ -190,7 +190,7 @@ void print(const Json& value, std::size_t level, std::string& out) {
     } else if (value.is_primitive() || value.empty()) {
         out += value.dump();
     } else if (value.is_array()) {
-        const bool one_line = std::ranges::all_of(value, is_plain);
+        const bool one_line = std::all_of(value.begin(), value.end(), is_plain);
         out += '[';
         for (std::size_t i = 0; i < value.size(); ++i) {
             out += i == 0 ? "" : one_line ? ", " : ",";

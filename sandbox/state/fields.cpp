@@ -891,7 +891,8 @@ std::span<const Field> fields() {
 }
 
 const Field* find_field(std::string_view path) {
-    const auto found = std::ranges::find(all_fields, path, &Field::path);
+    const auto found = std::find_if(std::begin(all_fields), std::end(all_fields),
+                                    [path](const Field& field) { return field.path == path; });
     return found == std::end(all_fields) ? nullptr : &*found;
 }
 

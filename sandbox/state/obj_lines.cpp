@@ -138,7 +138,7 @@ void ObjLines::take_line(std::string_view line) {
     while (!line.empty() && (line.back() == '\r' || is_space(line.back()))) {
         line.remove_suffix(1);
     }
-    if (std::ranges::find(line, '\0') != line.end()) {
+    if (std::find(line.begin(), line.end(), '\0') != line.end()) {
         refuse(line, "binary data");
         return;
     }
@@ -170,8 +170,8 @@ void ObjLines::take_line(std::string_view line) {
 void ObjLines::refuse(std::string_view line, const std::string& what) {
     constexpr std::size_t longest_shown = 60;
     std::string shown(line.substr(0, longest_shown));
-    std::ranges::replace_if(
-        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
+    std::replace_if(
+        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
     trouble_ = "line " + std::to_string(line_number_) + ": " + what + ": " + shown;
     stopped_ = true;
 }

@@ -48,7 +48,8 @@ std::vector<NamedFile> files_in(const char* folder) {
             files.push_back(named_file(entry->path()));
         }
     }
-    std::ranges::sort(files, {}, [](const NamedFile& file) { return std::tuple(file.name != opening, file.name); });
+    const auto key = [](const NamedFile& file) { return std::tuple(file.name != opening, file.name); };
+    std::sort(files.begin(), files.end(), [&](const NamedFile& a, const NamedFile& b) { return key(a) < key(b); });
     return files;
 }
 

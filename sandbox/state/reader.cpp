@@ -25,7 +25,7 @@ std::vector<std::string> known_paths() {
     std::vector<std::string> paths;
     for (const Field& field : fields()) {
         for (std::string_view path = field.path; !path.empty(); path = parent_of(path)) {
-            if (std::ranges::find(paths, path) == paths.end()) {
+            if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
                 paths.emplace_back(path);
             }
         }
@@ -189,7 +189,7 @@ void check_plane(const glm::dvec4& equation, const Where& where) {
 }  // namespace
 
 bool is_group(std::string_view path) {
-    return std::ranges::any_of(fields(), [path](const Field& field) {
+    return std::any_of(fields().begin(), fields().end(), [path](const Field& field) {
         return field.path.size() > path.size() && field.path.starts_with(path) && field.path[path.size()] == '.';
     });
 }
@@ -222,7 +222,9 @@ void refuse_unknown(const Where& where) {
     const auto distance = [&](const std::string& path) {
         return std::min(edit_distance(where.path, path), edit_distance(word, last_of(path)) + 1);
     };
-    const auto nearest = std::ranges::min_element(known, {}, distance);
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+        return distance(a) < distance(b);
+    });
     if (is_near(distance(*nearest), word.size())) {
         where.refuse("no such field; did you mean " + *nearest + "?");
     }

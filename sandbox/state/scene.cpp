@@ -66,14 +66,14 @@ Result<Described> described(const SceneSource& source, const fs::path& base, Loa
 
 bool is_obj_file(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return extension == ".obj";
 }
 
 const SceneObject* Scene::find(std::string_view name) const {
-    const auto found =
-        std::ranges::find_if(objects, [name](const SceneObject& object) { return object.description.name == name; });
+    const auto found = std::find_if(objects.begin(), objects.end(),
+                                    [name](const SceneObject& object) { return object.description.name == name; });
     return found == objects.end() ? nullptr : &*found;
 }
 

@@ -62,7 +62,7 @@ Json params_as_document(Params params) {
     Json document = Json::object();
     for (const Field& field : fields()) {
         std::string pointer = "/" + std::string(field.path);
-        std::ranges::replace(pointer, '.', '/');
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
         document[Json::json_pointer(pointer)] = field_as_json(field, params);
     }
     return document;

@@ -40,8 +40,8 @@ std::string one_line(std::string_view text) {
         --length;
     }
     std::string line(text.substr(0, length));
-    std::ranges::replace_if(
-        line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
     return line + (length < text.size() ? "…" : "");
 }
 
@@ -80,7 +80,9 @@ bool is_near(std::size_t distance, std::size_t word_length) {
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {
     const auto distance = [word](const std::string& candidate) { return edit_distance(word, candidate); };
-    const auto best = std::ranges::min_element(candidates, {}, distance);
+    const auto best =
+        std::min_element(candidates.begin(), candidates.end(),
+                         [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
     if (best == candidates.end() || !is_near(distance(*best), word.size())) {
         return std::nullopt;
     }

@@ -13,7 +13,8 @@ constexpr int mark_count = 252;
 }  // namespace
 
 bool has_decals(const Scene& scene) {
-    return std::ranges::any_of(scene.objects, [](const SceneObject& object) { return object.description.decal; });
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const SceneObject& object) { return object.description.decal; });
 }
 
 std::vector<int> decal_marks(const Scene& scene) {

@@ -43,7 +43,7 @@ public:
                 triangle(object, place, view, corners, world_from_model, offset);
             }
         }
-        std::ranges::sort(found.begin() + before, found.end(), {}, &Met::place);
+        std::sort(found.begin() + before, found.end(), [](const Met& a, const Met& b) { return a.place < b.place; });
     }
 
     void ordered(std::span<const OrderedVertex> vertices) {
@@ -154,8 +154,8 @@ bool clears_marks(const Pass& pass) {
 }
 
 bool is_cut_off(const Pass& pass, const glm::dvec3& point_scene) {
-    return std::ranges::any_of(
-        pass.clip_planes, [&](const ClipPlane& plane) { return glm::dot(plane, glm::dvec4(point_scene, 1.0)) < 0.0; });
+    return std::any_of(pass.clip_planes.begin(), pass.clip_planes.end(),
+                       [&](const ClipPlane& plane) { return glm::dot(plane, glm::dvec4(point_scene, 1.0)) < 0.0; });
 }
 
 /// A pass and what it sends to the pixel.

@@ -153,7 +153,8 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
     std::vector<const SeenThing*> things;
     for (const SeenThing& thing : seen)
         if (thing.nearest > 0.0) things.push_back(&thing);
-    std::ranges::stable_sort(things, {}, [](const SeenThing* thing) { return thing->nearest; });
+    std::stable_sort(things.begin(), things.end(),
+                     [](const SeenThing* a, const SeenThing* b) { return a->nearest < b->nearest; });
 
     struct Group {
         const SeenThing* first;
@@ -186,8 +187,11 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived,
                                       const std::vector<SeenThing>& seen) {
     if (params.projection.type == ProjectionType::orthographic || seen.empty()) return std::nullopt;
-    const SeenThing& nearest = *std::ranges::min_element(seen, {}, &SeenThing::nearest);
-    const double z = std::ranges::max_element(seen, {}, &SeenThing::farthest)->farthest;
+    const SeenThing& nearest = *std::min_element(
+        seen.begin(), seen.end(), [](const SeenThing& a, const SeenThing& b) { return a.nearest < b.nearest; });
+    const double z = std::max_element(seen.begin(), seen.end(), [](const SeenThing& a, const SeenThing& b) {
+                         return a.farthest < b.farthest;
+                     })->farthest;
     if (nearest.nearest < params.projection.near) return advice_where_cut(params, derived, nearest, z);
     const double near = rounded_down(margin * nearest.nearest);
     if (near <= params.projection.near || params.depth.mapping == DepthMapping::logarithmic) return std::nullopt;

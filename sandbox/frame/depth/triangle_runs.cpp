@@ -29,7 +29,7 @@ TriangleRuns runs_of(const Mesh& mesh) {
     std::vector<std::uint64_t> sorted(mesh.triangle_count());  // place on the curve, then number
     for (std::size_t i = 0; i < sorted.size(); ++i)
         sorted[i] = place_on_curve((corner(3 * i) + corner(3 * i + 1) + corner(3 * i + 2)) / 3.0, bounds) << 32U | i;
-    std::ranges::sort(sorted);
+    std::sort(sorted.begin(), sorted.end());
 
     TriangleRuns runs;
     runs.triangles.reserve(sorted.size());

@@ -80,8 +80,12 @@ void count_to_step(HiddenResult& result) {
         counters.splits = newell.counters.splits;
         if (result.step < 0) return;
         const std::span<const NewellStep> done(newell.steps.data(), static_cast<std::size_t>(result.step));
-        const auto count = [&](NewellAction action) { return std::ranges::count(done, action, &NewellStep::action); };
-        counters.comparisons = std::ranges::count_if(done, [](const NewellStep& step) { return step.q >= 0; });
+        const auto count = [&](NewellAction action) {
+            return std::count_if(done.begin(), done.end(),
+                                 [&](const NewellStep& step) { return step.action == action; });
+        };
+        counters.comparisons =
+            std::count_if(done.begin(), done.end(), [](const NewellStep& step) { return step.q >= 0; });
         counters.swaps = count(NewellAction::swaps);
         counters.splits = count(NewellAction::splits);
     } else if (result.tree) {
@@ -234,8 +238,8 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     auto polygons = std::make_shared<std::vector<Polygon>>(polygons_for(result));
     if (exact)
         std::erase_if(*polygons, [&](const Polygon& polygon) {
-            return std::ranges::any_of(surface_->curved,
-                                       [&](const CurvedShape& shape) { return shape.object == polygon.object; });
+            return std::any_of(surface_->curved.begin(), surface_->curved.end(),
+                               [&](const CurvedShape& shape) { return shape.object == polygon.object; });
         });
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size() + (exact ? surface_->curved.size() : 0));
@@ -270,10 +274,10 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     counters.rays = cast.counters.rays;
     counters.intersection_tests = cast.counters.box_tests + cast.counters.triangle_tests + cast.counters.curved_tests;
     counters.pixels_tested = counters.pixels_written = counters.pixels_covered =
-        std::ranges::count_if(cast.image.ids, [](int id) { return id != IdImage::background; });
+        std::count_if(cast.image.ids.begin(), cast.image.ids.end(), [](int id) { return id != IdImage::background; });
     result.written_per_pixel.resize(cast.image.ids.size());
-    std::ranges::transform(cast.image.ids, result.written_per_pixel.begin(),
-                           [](int id) { return id != IdImage::background ? 1U : 0U; });
+    std::transform(cast.image.ids.begin(), cast.image.ids.end(), result.written_per_pixel.begin(),
+                   [](int id) { return id != IdImage::background ? 1U : 0U; });
     result.image = std::move(cast.image);
     if (is_cancelled(progress)) {
         result.problem = "Ray casting was cancelled: the rest of the picture is empty.";
@@ -319,8 +323,9 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     auto result = std::make_shared<HiddenResult>();
     const bool is_pixel_method = request.visibility.method == VisibilityMethod::software_depth_buffer ||
                                  request.visibility.method == VisibilityMethod::ray_cast;
-    const auto same_order = std::ranges::find_if(
-        latest_, [&](const auto& kept) { return differ_in_step_alone(kept->request, request) && !is_pixel_method; });
+    const auto same_order = std::find_if(latest_.begin(), latest_.end(), [&](const auto& kept) {
+        return differ_in_step_alone(kept->request, request) && !is_pixel_method;
+    });
     if (same_order != latest_.end()) *result = **same_order;
     result->request = request;
     result->surface = surface_;

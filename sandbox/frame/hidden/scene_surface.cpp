@@ -62,7 +62,7 @@ SceneSurface surface_of(const Scene& scene) {
 int SceneSurface::object_of(int source) const {
     if (source < 0) return -1;
     if (const CurvedShape* shape = curved_of(source)) return shape->object;
-    const auto after = std::ranges::upper_bound(first_source, source);
+    const auto after = std::upper_bound(first_source.begin(), first_source.end(), source);
     return static_cast<int>(after - first_source.begin()) - 1;
 }
 

@@ -48,8 +48,8 @@ void say_clipping(Sayer& say, const Params& params, const std::vector<Mirror>& m
                    params.depth.mapping == DepthMapping::logarithmic,
                "the logarithm per vertex replaces the z that the oblique near plane clips by: nothing is clipped",
                "reflection.clip=clip_distance");
-    say.broken(!reflection.side_of_eye &&
-                   std::ranges::any_of(mirrors, [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
+    say.broken(!reflection.side_of_eye && std::any_of(mirrors.begin(), mirrors.end(),
+                                                      [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
                "the mirror is seen from behind, but what lies on the normal's side is mirrored: the eye sees the image "
                "of what is behind the mirror",
                "reflection.side_of_eye=true");
@@ -84,14 +84,14 @@ void say_masks(Sayer& say, const Params& params, const Derived& derived, const s
         return lands_inside(scene, seen_on_plane(mirror, derived), mirror.towards_eye(), mirror.plane.patch);
     };
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
-    say.broken(!reflection.stencil && std::ranges::any_of(mirrors, image_is_wider),
+    say.broken(!reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
                "R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge",
                "reflection.stencil=true");
     say.broken(reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
                "the mask leaves the mirror's own depth behind: the image lies beyond it, fails the test and is hidden",
                "reflection.mask_writes_depth=false");
     say.broken(reflection.after_objects && is_drawn_by_gl_alone(params.visibility.method) &&
-                   std::ranges::any_of(mirrors, is_covered),
+                   std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                "the mirror is painted last and without a depth test: it covers what stands in front of it",
                "reflection.after_objects=false");
 }
@@ -118,7 +118,7 @@ void say_images(Sayer& say, const Params& params, const Derived& derived, const 
     const auto is_moved = [&](const Mirror& mirror) {
         return mirror.distance_from_origin() > 1e-9 && !(by_hand && &mirror.plane == &derived.planes.front());
     };
-    say.broken(reflection.printed_by_rows && std::ranges::any_of(mirrors, is_moved),
+    say.broken(reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
                "R is filled by rows as printed, and OpenGL reads columns: Rᵀ has −2d n in its last row, where it bends "
                "w instead of moving the image",
                "reflection.printed_by_rows=false");
@@ -160,12 +160,14 @@ void say_bounces(Sayer& say, const Params& params, const Derived& derived, const
 void say_shadows_inside(Sayer& say, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
     if (params.reflection.shadows || !params.shadow.enabled) return;
     const auto shows_receiver = [&](const Mirror& mirror) {
-        return std::ranges::any_of(drawn_planes(params, derived), [&](const DerivedPlane& plane) {
+        const auto planes = drawn_planes(params, derived);
+        return std::any_of(planes.begin(), planes.end(), [&](const DerivedPlane& plane) {
             return &plane != &mirror.plane && plane.receives_shadow &&
-                   std::ranges::any_of(plane.shadows, [](const CastShadow& cast) { return !cast.light_in_plane; });
+                   std::any_of(plane.shadows.begin(), plane.shadows.end(),
+                               [](const CastShadow& cast) { return !cast.light_in_plane; });
         });
     };
-    say.broken(std::ranges::any_of(mirrors, shows_receiver),
+    say.broken(std::any_of(mirrors.begin(), mirrors.end(), shows_receiver),
                "the mirror image is drawn without shadows: inside the mirror the objects seem to float",
                "reflection.shadows=true");
 }

@@ -16,7 +16,7 @@ double smallest_in_bounds(const Bounds& bounds, const glm::dvec4& form) {
 
 template <typename Predicate>
 bool any_vertex(const SceneObject& object, Predicate is_so) {
-    return std::ranges::any_of(object.mesh->positions, [&](const glm::vec3& vertex) {
+    return std::any_of(object.mesh->positions.begin(), object.mesh->positions.end(), [&](const glm::vec3& vertex) {
         return is_so(object.world_from_model * glm::dvec4(vertex, 1.0));
     });
 }
@@ -46,7 +46,8 @@ bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dv
         return sent.w > 0.0 && glm::dot(side, point) >= -standing &&
                is_inside(patch, glm::dvec3(sent) / sent.w) == inside;
     };
-    return std::ranges::any_of(scene.objects, [&](const SceneObject& object) { return any_vertex(object, is_there); });
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const SceneObject& object) { return any_vertex(object, is_there); });
 }
 
 }  // namespace

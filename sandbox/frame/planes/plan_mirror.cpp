@@ -115,7 +115,8 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
 
 /// How often the scene's objects are drawn: once a world, and once for each shadow in it.
 int drawing_count(const Params& params, const Derived& derived, int images) {
-    const auto receivers = static_cast<int>(std::ranges::count(derived.planes, true, &DerivedPlane::receives_shadow));
+    const auto receivers = static_cast<int>(std::count_if(
+        derived.planes.begin(), derived.planes.end(), [](const DerivedPlane& plane) { return plane.receives_shadow; }));
     const int shadows = params.shadow.enabled ? receivers * static_cast<int>(derived.lights_world.size()) : 0;
     return (1 + images) * (1 + shadows);
 }
@@ -138,7 +139,8 @@ void fill_picture(Pass& pass, double clip_z, double eye_distance) {
 int reflection_depth(const Params& params, const Derived& derived) {
     if (!params.reflection.enabled) return 0;
     if (!is_drawn_by_gl_alone(params.visibility.method)) return std::min(params.reflection.bounces, 1);
-    const auto mirrors = static_cast<int>(std::ranges::count(derived.planes, true, &DerivedPlane::mirrors));
+    const auto mirrors = static_cast<int>(std::count_if(derived.planes.begin(), derived.planes.end(),
+                                                        [](const DerivedPlane& plane) { return plane.mirrors; }));
     // Each mirror that is met takes one more of the values that the stencil's low bits can tell apart.
     int depth = std::min(params.reflection.bounces, stencil_region_bits - static_cast<int>(derived.planes.size()));
     const auto is_too_much = [&] {

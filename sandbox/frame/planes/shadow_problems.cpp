@@ -63,7 +63,7 @@ bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const
 /// Where a caster is not between light and plane, and what the switches make of it.
 void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
     const bool vanishes = shadow.sign == ShadowSign::none &&
-                          std::ranges::any_of(thrown, [](const Thrown& one) { return one.side() < 0.0; });
+                          std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.side() < 0.0; });
     say.broken(vanishes,
                "S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every "
                "shadow",
@@ -120,7 +120,7 @@ void say_paint(Sayer& say, const ShadowParams& shadow, const std::vector<Thrown>
                "each face of each caster is blended where it falls, one over the other: without the stencil's count, "
                "shadow darkens shadow",
                "shadow.stencil_once=true");
-    const bool has_gloss = std::ranges::any_of(thrown, [](const Thrown& one) { return one.plane.gloss; });
+    const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
     say.broken(has_gloss && shadow.opacity > 0.0,
                "blending darkens the highlight, which should be missing: where the light does not arrive, it cannot "
                "gleam",
@@ -140,10 +140,11 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     Sayer say(problems, "shadow");
     say_casters(say, shadow, thrown, scene);
     if (shadow.style == ShadowStyle::blend) {
-        const bool beyond_edge = !shadow.clip_to_receiver && std::ranges::any_of(thrown, [&](const Thrown& one) {
-            return lands_beyond(scene, one.cast.sign * one.cast.shadow_from_world, one.towards_light(),
-                                one.plane.patch);
-        });
+        const bool beyond_edge =
+            !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
+                return lands_beyond(scene, one.cast.sign * one.cast.shadow_from_world, one.towards_light(),
+                                    one.plane.patch);
+            });
         say.broken(beyond_edge,
                    "S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the floor's "
                    "edge, in the air",

@@ -158,7 +158,8 @@ void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
     const Widths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
-    const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
+    const int shown =
+        static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     if (ImGui::BeginTable("pairs", shown, 0, {widths.sum(), 0.0F})) {
         for (std::size_t c = 0; c < widths.size(); ++c)
             if (widths[c] > 0.0F)

@@ -176,7 +176,8 @@ void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrec
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(cell_padding_y);
     const Widths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
-    const int shown = static_cast<int>(std::ranges::count_if(widths, [](float width) { return width > 0.0F; }));
+    const int shown =
+        static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     const bool scrolls = room.y >= 4.0F * row_height;
     const ImVec2 size(std::min(room.x, widths.sum() + ImGui::GetStyle().ScrollbarSize), scrolls ? room.y : 0.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});

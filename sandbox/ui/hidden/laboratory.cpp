@@ -48,7 +48,8 @@ void keep_selection(LaboratoryState& state, const HiddenStatus& hidden) {
     const int source = was_selected ? (*state.linked_fragments)[selected].source : -1;
     link = {};
     if (fragments && was_selected) {
-        const auto same = std::ranges::find(*fragments, source, &Polygon::source);
+        const auto same = std::find_if(fragments->begin(), fragments->end(),
+                                       [&](const Polygon& fragment) { return fragment.source == source; });
         if (same != fragments->end()) link.selected_fragment = static_cast<int>(same - fragments->begin());
     }
     state.next_link = link;

@@ -99,7 +99,9 @@ void numbers(Overlay& overlay, const HiddenResult& result) {
         const ImVec2 size =
             font ? font->CalcTextSizeA(font->FontSize, 1e30F, 0.0F, text.c_str()) : ImGui::CalcTextSize(text.c_str());
         const std::optional<NumberBox> box = number_box(overlay, result, *polygon, size);
-        if (!box || std::ranges::any_of(taken, [&](const NumberBox& other) { return box->overlaps(other); })) continue;
+        if (!box ||
+            std::any_of(taken.begin(), taken.end(), [&](const NumberBox& other) { return box->overlaps(other); }))
+            continue;
         taken.push_back(*box);
         widgets::HaloText(overlay.draw(), box->min, palette().text, text.c_str(), font);
     }

@@ -20,7 +20,8 @@ constexpr ImU32 with_alpha(ImU32 color, ImU32 alpha) {
 
 /// Characters of a text in UTF-8.
 inline std::size_t length_of(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
 inline const widgets::Palette& palette() {

@@ -28,7 +28,8 @@ LightParams another_light(const Params& params) {
                                  {first.x, first.y, -first.z, first.w},
                                  {-first.x, first.y, -first.z, first.w}};
     for (const glm::dvec4& place : places)
-        if (place != first && std::ranges::find(params.lights, place, &LightParams::position) == params.lights.end())
+        if (place != first && std::none_of(params.lights.begin(), params.lights.end(),
+                                           [&](const LightParams& light) { return light.position == place; }))
             return {place};
     return {first + glm::dvec4(2.0 * static_cast<double>(params.lights.size() + 1), 0.0, 0.0, 0.0)};
 }
@@ -52,7 +53,8 @@ PlaneParams another_plane(const Params& params) {
                                            {0, -1, 0, 6}, {0, 0, 1, 3.5}, {1, 0, 0, 3.5}};
     for (const glm::dvec4& wall : walls)
         if (wall != params.plane.equation &&
-            std::ranges::find(params.planes, wall, &PlaneParams::equation) == params.planes.end())
+            std::none_of(params.planes.begin(), params.planes.end(),
+                         [&](const PlaneParams& plane) { return plane.equation == wall; }))
             return {.equation = wall};
     return {.equation = walls[0]};
 }

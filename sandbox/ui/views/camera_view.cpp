@@ -131,7 +131,8 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
 
 /// The first switch that breaks the picture.
 const Problem* broken_by(const Derived& derived) {
-    const auto found = std::ranges::find(derived.problems, true, &Problem::breaks_picture);
+    const auto found = std::find_if(derived.problems.begin(), derived.problems.end(),
+                                    [](const Problem& problem) { return problem.breaks_picture; });
     return found == derived.problems.end() ? nullptr : &*found;
 }
 

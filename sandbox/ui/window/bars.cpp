@@ -25,11 +25,13 @@ std::vector<const NamedFile*> by_group(const std::vector<NamedFile>& files) {
     static constexpr std::string_view groups[] = {"Camera", "Hidden surfaces", "Depth buffer",     "Depth fighting",
                                                   "Shadow", "Mirror",          "Planes and lights"};
     const auto place = [](const NamedFile* file) {
-        return file->group.empty() ? -1 : std::ranges::find(groups, file->group) - std::begin(groups);
+        return file->group.empty() ? -1
+                                   : std::find(std::begin(groups), std::end(groups), file->group) - std::begin(groups);
     };
     std::vector<const NamedFile*> sorted;
     for (const NamedFile& file : files) sorted.push_back(&file);
-    std::ranges::stable_sort(sorted, {}, place);
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const NamedFile* a, const NamedFile* b) { return place(a) < place(b); });
     return sorted;
 }
 
