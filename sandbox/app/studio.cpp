@@ -276,6 +276,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
         before_ = derive(animated(session.before_latest_edit(), moment_), session.scene(), viewport);
         const HiddenPictures found = hidden_ ? hidden_->pictures : HiddenPictures{};
         plan_ = plan(params_, derived_, found);
+        problems_ = find_problems(params_, derived_, session.scene(), plan_);
         inspected_ = plan(probed(params_), derived_, found);
         report(draw_views(layout, surroundings.shows_time));
         drawn_ = wanted;
@@ -304,7 +305,8 @@ Requests Studio::frame(const Surroundings& surroundings) {
 
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    const Requests requests = workbench.draw(session, derived_, before_, plan_, pictures, status, surroundings.input);
+    const Requests requests =
+        workbench.draw(session, derived_, before_, plan_, problems_, pictures, status, surroundings.input);
     if (requests.cancel_hidden) hidden_worker_.cancel();
     if (requests.restart_hidden) {
         hidden_worker_.forget();

@@ -90,6 +90,7 @@ private:
     Params params_;  ///< the session's, as they are at the time: of all pictures
     Derived derived_, before_;
     FramePlan plan_;
+    std::vector<Problem> problems_;
     FramePlan inspected_;  ///< the same with its colours, to be read
 
     Theme theme_ = Theme::dark;

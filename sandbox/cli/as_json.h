@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/derive.h"
+#include "frame/problems.h"
 #include "state/document.h"
 
 namespace viewing {

@@ -53,7 +53,7 @@ Json planes_as_json(const Derived& derived) {
     return planes;
 }
 
-Json all_as_json(const Derived& derived) {
+Json all_as_json(const Derived& derived, const std::vector<Problem>& problems) {
     Json all{{"world_from_view", as_json(derived.world_from_view)},
              {"view_from_world", as_json(derived.view_from_world)},
              {"clip_from_view", as_json(derived.clip_from_view)},
@@ -63,12 +63,12 @@ Json all_as_json(const Derived& derived) {
              {"mirror_from_world", as_json(derived.mirror_from_world)},
              {"facts", facts_as_json(derived.facts)},
              {"planes", planes_as_json(derived)},
-             {"problems", as_json(derived.problems)}};
+             {"problems", as_json(problems)}};
     if (derived.followed) all["followed"] = followed_as_json(*derived.followed);
     return all;
 }
 
-std::string all_as_text(const Derived& derived, MatrixFormat format) {
+std::string all_as_text(const Derived& derived, const std::vector<Problem>& problems, MatrixFormat format) {
     const std::array named{std::pair("world_from_view", &derived.world_from_view),
                            std::pair("view_from_world", &derived.view_from_world),
                            std::pair("clip_from_view", &derived.clip_from_view),
@@ -80,7 +80,7 @@ std::string all_as_text(const Derived& derived, MatrixFormat format) {
         text += (name == named.front().first ? "" : "\n") + matrix_text(name, *matrix, format);
     if (format != MatrixFormat::text) return text;
     text += "\nshadow_sign = " + std::string(derived.shadow_sign < 0.0 ? "-1" : "1") + "\n";
-    for (const Problem& problem : derived.problems) text += problem.sentence + "\n";
+    for (const Problem& problem : problems) text += problem.sentence + "\n";
     return text;
 }
 
@@ -100,8 +100,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), format_names);
     const Viewport viewport{size_option(options, size)};
     const LoadedState state = state_arguments.load();
-    const Derived derived = derive(state.params, scene_of(state), viewport);
-    print(chosen == 0 ? print_document(all_as_json(derived)) + "\n" : all_as_text(derived, formats[chosen - 1]));
+    const Scene scene = scene_of(state);
+    const Derived derived = derive(state.params, scene, viewport);
+    const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
+    print(chosen == 0 ? print_document(all_as_json(derived, problems)) + "\n"
+                      : all_as_text(derived, problems, formats[chosen - 1]));
     return ExitStatus::done;
 }
 

@@ -143,7 +143,8 @@ int samples_of(const Wish& wish, const Params& params) {
 }
 
 Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, const Drawn& drawn,
-                    const Derived& derived, const std::optional<CompareReport>& compared, ExitStatus status) {
+                    const std::vector<Problem>& problems, const std::optional<CompareReport>& compared,
+                    ExitStatus status) {
     return {{"status", static_cast<int>(status)},
             {"meaning", meaning(status)},
             {"output", typed.output ? Json(*typed.output) : Json()},
@@ -155,7 +156,7 @@ Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, 
             {"renderer", drawn.renderer},
             {"gl_version", drawn.gl_version},
             {"blank", is_blank(drawn.image)},
-            {"problems", as_json(derived.problems)},
+            {"problems", as_json(problems)},
             {"reference", typed.compare ? Json(*typed.compare) : Json()},
             {"compare", compared ? Json::parse(as_json(*compared)) : Json()}};
 }
@@ -204,10 +205,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing
                               : compared && !compared->equal ? ExitStatus::different
                                                              : ExitStatus::done;
-    if (typed.json)
+    if (typed.json) {
+        const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
         write_output(
             *typed.json,
-            print_document(report_as_json(typed, wish, state.params, drawn, derived, compared, status)) + "\n");
+            print_document(report_as_json(typed, wish, state.params, drawn, problems, compared, status)) + "\n");
+    }
     tell(typed, compared);
     return status;
 }

@@ -7,7 +7,6 @@
 
 #include "frame/depth/decals.h"
 #include "frame/matrix_facts.h"
-#include "frame/problems.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 
@@ -149,7 +148,6 @@ Derived derive(const Params& params, const Scene& scene, const Viewport& viewpor
     derived.followed = derive_followed(derived, params, scene);
     if (params.depth.decals == DecalMethod::stencil) derived.object_marks = decal_marks(scene);
     if (params.view.shows == Shows::fighting) derived.heat = heat_map(params, derived, scene);
-    derived.problems = find_problems(params, derived, scene);
     return derived;
 }
 

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "frame/depth/heat_map.h"
@@ -42,14 +40,6 @@ struct Facts {
     double view_residual = 0.0;         ///< of V C − I
     double depth_step_at_target = 0.0;  ///< resolvable_depth_step() at the camera's target
     double target_distance = 0.0;       ///< eye distance of the target, at least near
-};
-
-/// A sentence for a person, and the group of fields where its cause lies ("light", "plane", …): it is shown there.
-struct Problem {
-    std::string sentence;
-    std::string_view group;
-    bool breaks_picture = false;      ///< by a switch: said over the picture, too
-    std::string_view mended_by = "";  ///< the setting that puts the switch right, as on the command line; "" if none
 };
 
 /// The shadow that one light throws on one plane.
@@ -98,7 +88,6 @@ struct Derived {
     std::vector<int> object_marks;  ///< of decals by stencil: decal_marks(); empty otherwise
     std::optional<HeatMap> heat;    ///< where the picture shows depth fighting
     Facts facts;
-    std::vector<Problem> problems;
 };
 
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport);

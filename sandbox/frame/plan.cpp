@@ -202,14 +202,21 @@ void add_world(std::vector<Pass>& passes, Level level) {
         passes.push_back(objects_pass(level));
         level.is_fresh = false;
     }
-    // The hidden-surface methods know of one plane.
-    const std::size_t planes = gl_alone ? level.derived.planes.size() : 1;
+    const std::size_t planes = drawn_planes(level.params, level.derived).size();
     for (std::size_t plane = 0; plane < planes; ++plane) {
         if (level.mirror == plane || is_hidden(level, plane)) continue;
         add_plane(passes, level, plane);
         level.is_fresh = false;
     }
     if (!objects_first) passes.push_back(objects_pass(level));
+}
+
+bool shows_effects(const Params& params) {
+    return params.visibility.step < 0 && params.view.shows != Shows::fighting && params.view.shows != Shows::overdraw;
+}
+
+std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived) {
+    return std::span(derived.planes).first(is_drawn_by_gl_alone(params.visibility.method) ? derived.planes.size() : 1);
 }
 
 void add_scene_passes(std::vector<Pass>& passes, const Params& params, const Derived& derived, const Eye& eye) {
@@ -240,6 +247,7 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
 
     add_scene_passes(made.passes, params, derived,
                      {derived.clip_from_view, derived.view_from_world, derived.eye_world});
+    made.reflection_depth = reflection_depth(params, derived);
     draw_decals_apart(made.passes, params);
     if (const std::optional<Shading> shading = shading_of(params.view.shows)) {
         const bool in_mirrors = *shading != Shading::caster_w;  // images cast nothing

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,7 @@ struct FramePlan {
     std::optional<HeatMap> heat;                 ///< for Shading::heat
     glm::dvec4 caster_w{0.0, 0.0, 0.0, 1.0};     ///< · p is the w of its projected point: for Shading::caster_w
     glm::dvec4 caster_side{0.0, 0.0, 0.0, 1.0};  ///< · p is positive on the light's side of the plane
+    int reflection_depth = 0;                    ///< reflection_depth() of what it shows
     std::vector<Pass> passes;
 
     /// Or its depths stay those of the frame before.
@@ -132,6 +134,12 @@ struct FramePlan {
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
 };
+
+/// Whether pictures with shadows and mirror images are asked for: not while a method is gone through step by step.
+bool shows_effects(const Params& params);
+
+/// Those that a frame draws: hidden-surface methods other than GL's own know of the first one alone.
+std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
 /// How many mirrors a line of sight may meet one after another where so many planes are there: fewer than asked for
 /// where the stencil cannot count them, and where they would be more than 64 images or 256 drawings of the scene.

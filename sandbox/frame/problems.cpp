@@ -111,13 +111,14 @@ void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
 
 }  // namespace
 
-std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene) {
+std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
+                                   const FramePlan& frame) {
     std::vector<Problem> problems;
     find_slips(problems, params.slips);
     find_light_problems(problems, params, derived);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
-    find_mirror_problems(problems, params, derived, scene);
+    find_mirror_problems(problems, params, derived, scene, frame.reflection_depth);
     find_overrides(problems, params, derived);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)

@@ -3,17 +3,8 @@
 #include <cmath>
 
 #include "frame/depth/depth_precision.h"
-#include "frame/hidden/hidden_drawing.h"
 
 namespace viewing {
-
-bool shows_effects(const Params& params) {
-    return params.visibility.step < 0 && params.view.shows != Shows::fighting && params.view.shows != Shows::overdraw;
-}
-
-std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived) {
-    return std::span(derived.planes).first(is_drawn_by_gl_alone(params.visibility.method) ? derived.planes.size() : 1);
-}
 
 double eye_side_of(const DerivedPlane& plane, const Derived& derived) {
     return glm::dot(plane.unit_plane, derived.eye_world);

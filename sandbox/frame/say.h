@@ -1,7 +1,6 @@
-// How problems are said, and which planes they can be about. Part of problems.h.
+// How problems are said. Part of problems.h.
 #pragma once
 
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,12 +27,6 @@ private:
     std::vector<Problem>& problems_;
     std::string_view group_;
 };
-
-/// Whether pictures with shadows and mirror images are asked for: not while a method is gone through step by step.
-bool shows_effects(const Params& params);
-
-/// Those that the frame draws: hidden-surface methods other than GL's own know of the first one alone.
-std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived);
 
 /// P·eye: positive before the plane.
 double eye_side_of(const DerivedPlane& plane, const Derived& derived);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "frame/plan.h"
+#include "frame/problems.h"
 #include "ui/window/fonts.h"
 #include "ui/window/workbench.h"
 
@@ -57,6 +57,7 @@ public:
         derived_ = derive(params, scene, camera);
         before_ = derive(session_.before_latest_edit(), scene, camera);
         plan_ = plan(params, derived_);
+        problems_ = find_problems(params, derived_, scene, plan_);
         observed_ = plan_observer(params, derived_, derive_observer(params.observer, {layout.lower_left.size_px()}));
         Params depth = params;
         depth.view.shows = Shows::depth;
@@ -65,7 +66,7 @@ public:
 
     void draw() {
         ImGui::NewFrame();
-        workbench_.draw(session_, derived_, before_, plan_, {}, {"OpenGL 3.3 core", "–", {}}, {});
+        workbench_.draw(session_, derived_, before_, plan_, problems_, {}, {"OpenGL 3.3 core", "–", {}}, {});
         ImGui::Render();
     }
 
@@ -74,6 +75,7 @@ private:
     Workbench workbench_;
     Derived derived_, before_;
     FramePlan plan_, observed_, depth_;
+    std::vector<Problem> problems_;
 };
 
 }  // namespace viewing::bench

@@ -72,6 +72,10 @@ protected:
         return derive(params, scene, {size_px, renderer().capabilities().clip_control});
     }
 
+    static std::vector<Problem> problems_of(const Params& params, const Scene& scene, glm::ivec2 size_px) {
+        return testing::problems_of(params, scene, {size_px, renderer().capabilities().clip_control});
+    }
+
     static Image draw(const FramePlan& frame, const Scene& scene, glm::ivec2 size_px, Renderer& with, View& view) {
         const Status drawn = with.draw(frame, scene, size_px, view);
         EXPECT_TRUE(drawn) << drawn.error();

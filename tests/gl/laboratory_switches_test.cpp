@@ -114,9 +114,9 @@ TEST_F(Switches, AreToldWhereTheyBreakThePicture) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const Artefact& artefact : artefacts()) {
         std::vector<std::string> settings = artefact.state;
-        const std::vector<Problem> without = derive_for(params_with(settings), scene, size_px).problems;
+        const std::vector<Problem> without = problems_of(params_with(settings), scene, size_px);
         settings.emplace_back(artefact.broken);
-        const std::vector<Problem> with = derive_for(params_with(settings), scene, size_px).problems;
+        const std::vector<Problem> with = problems_of(params_with(settings), scene, size_px);
         EXPECT_TRUE(std::ranges::any_of(with, [&](const Problem& told) {
             return told.breaks_picture &&
                    std::ranges::find(without, told.sentence, &Problem::sentence) == without.end();

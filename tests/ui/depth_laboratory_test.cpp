@@ -40,7 +40,7 @@ TEST_F(DepthLaboratory, ASwitchThatBreaksThePictureSaysWhy) {
     const auto sentences = [&] {
         desk.settle();
         std::vector<std::string> all;
-        for (const Problem& problem : desk.derived.problems) all.push_back(problem.sentence);
+        for (const Problem& problem : desk.problems) all.push_back(problem.sentence);
         return all;
     };
     EXPECT_EQ(sentences(), std::vector<std::string>{});

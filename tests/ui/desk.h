@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/problems.h"
 #include "state/fields.h"
 #include "state/json.h"
 #include "ui/window/fonts.h"
@@ -58,6 +58,7 @@ public:
     FrameInput input;
     Derived derived;
     FramePlan frame_plan;
+    std::vector<Problem> problems;
     std::string clipboard;
     std::vector<AreaFacts> areas;
     widgets::test::Harness ui{workbench.widgets, [this] { draw(); }};
@@ -231,11 +232,12 @@ private:
         derived = derive(session.params, session.scene(), viewport);
         const Derived before = derive(session.before_latest_edit(), session.scene(), viewport);
         frame_plan = plan(session.params, derived);
+        problems = find_problems(session.params, derived, session.scene(), frame_plan);
         input.dt_s = ImGui::GetIO().DeltaTime;
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
-        requests =
-            workbench.draw(session, derived, before, frame_plan, pictures, {"OpenGL 3.3 core · none", "–", {}}, input);
+        requests = workbench.draw(session, derived, before, frame_plan, problems, pictures,
+                                  {"OpenGL 3.3 core · none", "–", {}}, input);
         input.pressed.clear();
         input.dropped_files.clear();
         measure_areas();

@@ -448,7 +448,7 @@ TEST_F(PanelTest, ABrokenSwitchIsToldWhereItIs) {
 TEST_F(PanelTest, ALightInThePlaneIsToldWhereItsCauseIs) {
     ASSERT_FALSE(ui.has("light/trouble"));
     desk.enter("light/position/y", "0");
-    ASSERT_FALSE(desk.derived.problems.empty());
+    ASSERT_FALSE(desk.problems.empty());
     EXPECT_TRUE(ui.has("light/trouble"));
 }
 

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "frame/hidden/hidden_drawing.h"
-#include "frame/plan.h"
 #include "frame/planes/object_reach.h"
 #include "frame/say.h"
 
@@ -23,7 +22,6 @@ struct Mirror {
 
 std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
     std::vector<Mirror> mirrors;
-    if (reflection_depth(params, derived) < 1) return mirrors;
     for (const DerivedPlane& plane : drawn_planes(params, derived))
         if (const double side = eye_side_of(plane, derived); plane.mirrors && side != 0.0)
             mirrors.push_back({plane, side});
@@ -133,8 +131,7 @@ std::optional<int> mirrors_met(const Mirror& one, const Mirror& other) {
 }
 
 /// Mirrors that show each other.
-void say_bounces(Sayer& say, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
-    const int depth = reflection_depth(params, derived);
+void say_bounces(Sayer& say, const Params& params, const std::vector<Mirror>& mirrors, int depth) {
     bool is_endless = false;
     int most = 1;
     for (std::size_t one = 0; one < mirrors.size(); ++one)
@@ -175,14 +172,15 @@ void say_shadows_inside(Sayer& say, const Params& params, const Derived& derived
 }  // namespace
 
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene) {
+                          const Scene& scene, int reflection_depth) {
+    if (reflection_depth < 1 || !shows_effects(params)) return;
     const std::vector<Mirror> mirrors = drawn_mirrors(params, derived);
-    if (mirrors.empty() || !shows_effects(params)) return;
+    if (mirrors.empty()) return;
     Sayer say(problems, "reflection");
     say_clipping(say, params, mirrors, scene);
     say_masks(say, params, derived, mirrors, scene);
     say_images(say, params, derived, mirrors);
-    say_bounces(say, params, derived, mirrors);
+    say_bounces(say, params, mirrors, reflection_depth);
     say_shadows_inside(say, params, derived, mirrors);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "frame/plan.h"
 #include "frame/planes/object_reach.h"
 #include "frame/say.h"
 

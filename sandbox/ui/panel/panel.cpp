@@ -51,7 +51,7 @@ void slips(Params& params) {
     }
 }
 
-void camera_section(Session& session, const Derived& derived) {
+void camera_section(Session& session, const std::vector<Problem>& problems) {
     if (!widgets::Section("Camera")) return;
     const widgets::Group group("camera");
     Params& params = session.params;
@@ -75,11 +75,11 @@ void camera_section(Session& session, const Derived& derived) {
     if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = "target"});
 
     if (details("Famous slips")) slips(params);
-    tell_problems(derived, "camera");
-    tell_problems(derived, "follow");
+    tell_problems(problems, "camera");
+    tell_problems(problems, "follow");
 }
 
-void projection_section(Session& session, const Derived& derived) {
+void projection_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
     if (!widgets::Section("Projection")) return;
     const widgets::Group group("projection");
     Params& params = session.params;
@@ -107,10 +107,10 @@ void projection_section(Session& session, const Derived& derived) {
                      "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
                      "this fight.",
                      "Δz = z^2 (f - n)/(f n (2^b - 1))");
-    tell_problems(derived, "projection");
+    tell_problems(problems, "projection");
 }
 
-void hidden_surfaces_section(Session& session, const Derived& derived, LaboratoryState& laboratory,
+void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, LaboratoryState& laboratory,
                              const HiddenStatus& hidden) {
     if (!widgets::Section("Hidden surfaces")) return;
     const widgets::Group group("depth");
@@ -140,8 +140,8 @@ void hidden_surfaces_section(Session& session, const Derived& derived, Laborator
     if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_laboratory_panel(laboratory, session, hidden);
-    tell_problems(derived, "depth");
-    tell_problems(derived, "visibility");
+    tell_problems(problems, "depth");
+    tell_problems(problems, "visibility");
 }
 
 void observer_section(Session& session) {
@@ -159,15 +159,16 @@ void observer_section(Session& session) {
 
 }  // namespace
 
-void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden) {
+void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                LaboratoryState& laboratory, const HiddenStatus& hidden) {
     ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
-    camera_section(session, derived);
-    projection_section(session, derived);
-    hidden_surfaces_section(session, derived, laboratory, hidden);
+    camera_section(session, problems);
+    projection_section(session, derived, problems);
+    hidden_surfaces_section(session, problems, laboratory, hidden);
     draw_depth_section(session);
-    draw_light_section(session, derived);
-    draw_plane_section(session, derived);
-    draw_shadow_and_reflection_section(session, derived);
+    draw_light_section(session, problems);
+    draw_plane_section(session, derived, problems);
+    draw_shadow_and_reflection_section(session, problems);
     observer_section(session);
     ImGui::PopItemWidth();
 }

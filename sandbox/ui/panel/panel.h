@@ -1,13 +1,14 @@
 // The left column: every parameter that takes effect, in the lecture's order and words.
 #pragma once
 
-#include "frame/derive.h"
+#include "frame/problems.h"
 #include "session/session.h"
 #include "ui/hidden/laboratory.h"
 
 namespace viewing {
 
 /// Draws the sections into the current ImGui window and edits the session's parameters.
-void draw_panel(Session& session, const Derived& derived, LaboratoryState& laboratory, const HiddenStatus& hidden);
+void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                LaboratoryState& laboratory, const HiddenStatus& hidden);
 
 }  // namespace viewing

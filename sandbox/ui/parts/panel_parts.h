@@ -3,13 +3,13 @@
 
 #include <string_view>
 
-#include "frame/derive.h"
+#include "frame/problems.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
 
-inline void tell_problems(const Derived& derived, std::string_view group) {
-    for (const Problem& problem : derived.problems)
+inline void tell_problems(const std::vector<Problem>& problems, std::string_view group) {
+    for (const Problem& problem : problems)
         if (problem.group == group) widgets::Trouble(problem.sentence.c_str());
 }
 

@@ -145,7 +145,7 @@ void mirror_switches(Params& params) {
 
 }  // namespace
 
-void draw_light_section(Session& session, const Derived& derived) {
+void draw_light_section(Session& session, const std::vector<Problem>& problems) {
     if (!widgets::Section("Light  l")) return;
     const widgets::Group group("light");
     Params& params = session.params;
@@ -155,10 +155,10 @@ void draw_light_section(Session& session, const Derived& derived) {
     beside(74.0F);
     control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = "speed"});
     further_lights(params);
-    tell_problems(derived, "light");
+    tell_problems(problems, "light");
 }
 
-void draw_plane_section(Session& session, const Derived& derived) {
+void draw_plane_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
     if (!widgets::Section("Plane  n·p + d = 0")) return;
     const widgets::Group group("plane");
     plane_controls(session.params.plane, "equation", link::plane);
@@ -170,10 +170,10 @@ void draw_plane_section(Session& session, const Derived& derived) {
         widgets::Note(note.c_str());
     }
     further_planes(session.params);
-    tell_problems(derived, "plane");
+    tell_problems(problems, "plane");
 }
 
-void draw_shadow_and_reflection_section(Session& session, const Derived& derived) {
+void draw_shadow_and_reflection_section(Session& session, const std::vector<Problem>& problems) {
     if (!widgets::Section("Shadow and reflection")) return;
     Params& params = session.params;
     struct Row {
@@ -199,7 +199,7 @@ void draw_shadow_and_reflection_section(Session& session, const Derived& derived
         if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
         if (details("Shadow: style and offset")) shadow_style(params);
         if (details("Shadow: clip at light, sign, stencil")) shadow_switches(params);
-        tell_problems(derived, "shadow");
+        tell_problems(problems, "shadow");
     }
     const widgets::Group group("reflection");
     control(params, "reflection.reflectance", {.slider = true});
@@ -209,7 +209,7 @@ void draw_shadow_and_reflection_section(Session& session, const Derived& derived
     if (details("Mirror: how it is drawn")) mirror_switches(params);
     if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
         widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
-    tell_problems(derived, "reflection");
+    tell_problems(problems, "reflection");
 }
 
 }  // namespace viewing

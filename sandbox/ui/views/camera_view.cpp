@@ -130,10 +130,10 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
 }
 
 /// The first switch that breaks the picture.
-const Problem* broken_by(const Derived& derived) {
-    const auto found = std::find_if(derived.problems.begin(), derived.problems.end(),
-                                    [](const Problem& problem) { return problem.breaks_picture; });
-    return found == derived.problems.end() ? nullptr : &*found;
+const Problem* broken_by(const std::vector<Problem>& problems) {
+    const auto found =
+        std::find_if(problems.begin(), problems.end(), [](const Problem& problem) { return problem.breaks_picture; });
+    return found == problems.end() ? nullptr : &*found;
 }
 
 /// Why it is broken, over the picture, and a button that mends it. Drawn before the picture takes the mouse.
@@ -238,8 +238,8 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
     if (ImGui::IsItemHovered()) state.hovered = ViewName::camera;
 }
 
-void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                      const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                      const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
     const widgets::Group group("view");
     view_header(rect, rect.width() < px(300.0F) ? "" : "Camera view");
@@ -250,7 +250,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
     draw_picture(rect, pictures.camera);
     if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside);
-    if (const Problem* problem = broken_by(derived)) tell_why(session, *problem, rect);
+    if (const Problem* problem = broken_by(problems)) tell_why(session, *problem, rect);
     picture_item("camera view", rect, nullptr);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;

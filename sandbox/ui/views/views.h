@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frame/depth/depth_data.h"
+#include "frame/problems.h"
 #include "session/session.h"
 #include "ui/depth/cell_view.h"
 #include "ui/hidden/laboratory.h"
@@ -51,8 +52,8 @@ inline bool is_playing(const ViewState& state) {
 }
 
 /// The camera's picture; adds what the mouse did to the motion input.
-void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,
-                      const Pictures& pictures, const FrameInput& input, MotionInput& motion);
+void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                      const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
 /// The second picture of the camera's view, whose divider edits its share.
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,

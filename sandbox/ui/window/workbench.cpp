@@ -69,11 +69,11 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, Requests&
 }
 
 void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
-                             const HiddenStatus& hidden, const Layout& layout) {
+                             const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
     if (!layout.panel.empty()) {
         begin_area("panel", layout.panel, 0);
-        draw_panel(session, derived, views.laboratory, hidden);
+        draw_panel(session, derived, problems, views.laboratory, hidden);
         ImGui::End();
     }
     if (!layout.matrices.empty()) {
@@ -84,8 +84,9 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     ImGui::PopStyleVar();
 }
 
-void Workbench::draw_views(Session& session, const Derived& derived, const FramePlan& plan, const Pictures& pictures,
-                           const Layout& layout, const FrameInput& input, MotionInput& motion) {
+void Workbench::draw_views(Session& session, const Derived& derived, const FramePlan& plan,
+                           const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
+                           const FrameInput& input, MotionInput& motion) {
     const Rect between{
         {layout.panel.max.x, layout.top_bar.max.y},
         {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, layout.status_bar.min.y}};
@@ -93,7 +94,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
-    draw_camera_view(views, session, derived, layout.camera, pictures, input, motion);
+    draw_camera_view(views, session, derived, problems, layout.camera, pictures, input, motion);
     draw_beside_view(views, session, derived, layout, pictures);
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures);
@@ -153,7 +154,8 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 }
 
 Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
-                         const Pictures& pictures, const StatusLine& status, const FrameInput& input) {
+                         const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
+                         const FrameInput& input) {
     widgets::NewFrame(widgets);
     Requests requests;
     handle_keys(session, input, requests);
@@ -165,8 +167,8 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     begin_laboratory_frame(views.laboratory, session);
     keep_selection(views.laboratory, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
-    draw_columns(session, derived, before, pictures.hidden, now);
-    draw_views(session, derived, plan, pictures, now, input, motion);
+    draw_columns(session, derived, before, problems, pictures.hidden, now);
+    draw_views(session, derived, plan, problems, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
     for (StepPlayer* player : {&views.call_player, &views.pass_player})
         if (!std::exchange(player->drawn, false)) player->playing = false;

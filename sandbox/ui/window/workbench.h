@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/problems.h"
 #include "state/presets.h"
 #include "ui/matrices/matrices.h"
 #include "ui/views/views.h"
@@ -47,8 +47,10 @@ public:
     }
 
     /// Draws one ImGui frame's windows (between NewFrame and Render), edits the session and moves its camera.
+    /// `problems` are those of the plan.
     Requests draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
-                  const Pictures& pictures, const StatusLine& status, const FrameInput& input);
+                  const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
+                  const FrameInput& input);
 
 private:
     void handle_keys(Session& session, const FrameInput& input, Requests& requests);
@@ -56,10 +58,11 @@ private:
     void draw_file_menu(Session& session, Requests& requests);
     void draw_look_menu(Session& session, Requests& requests);
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
-    void draw_columns(Session& session, const Derived& derived, const Derived& before, const HiddenStatus& hidden,
-                      const Layout& layout);
-    void draw_views(Session& session, const Derived& derived, const FramePlan& plan, const Pictures& pictures,
-                    const Layout& layout, const FrameInput& input, MotionInput& motion);
+    void draw_columns(Session& session, const Derived& derived, const Derived& before,
+                      const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout);
+    void draw_views(Session& session, const Derived& derived, const FramePlan& plan,
+                    const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
+                    const FrameInput& input, MotionInput& motion);
     void draw_splitters(const Layout& layout, const Rect& between);
     void draw_loading(Session& session, const Layout& layout);
     void draw_message(Session& session, const Layout& layout);

@@ -4,13 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "frame/plan.h"
+#include "frame/problems.h"
 #include "geometry/shapes.h"
 #include "state/json.h"
 
@@ -45,6 +46,17 @@ inline Params params_with(const std::vector<std::string>& settings) {
     const Result<Params> params = apply_settings(Params{}, settings);
     EXPECT_TRUE(params) << params.error();
     return *params;
+}
+
+inline std::vector<Problem> problems_of(const Params& params, const Scene& scene, const Viewport& viewport = {}) {
+    const Derived derived = derive(params, scene, viewport);
+    return find_problems(params, derived, scene, plan(params, derived));
+}
+
+inline bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
+    return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+        return problem.group == group && problem.sentence.find(words) != std::string::npos;
+    });
 }
 
 inline std::string text_of(double value) {

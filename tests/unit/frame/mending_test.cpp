@@ -8,9 +8,9 @@
 namespace viewing {
 namespace {
 
-std::vector<Problem> problems_of(const Params& params, const Scene& scene) {
-    return derive(params, scene, Viewport{{480, 270}}).problems;
-}
+using testing::problems_of;
+
+const Viewport viewport{{480, 270}};
 
 TEST(Mending, TakesTheProblemOfEachPresetAway) {
     const std::vector<NamedFile> all = presets();
@@ -21,14 +21,14 @@ TEST(Mending, TakesTheProblemOfEachPresetAway) {
         ASSERT_TRUE(state) << state.error();
         const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
         ASSERT_TRUE(scene) << scene.error();
-        for (const Problem& problem : problems_of(state->params, *scene)) {
+        for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
             if (problem.mended_by.empty()) continue;
             SCOPED_TRACE(preset.name + ": " + problem.sentence);
             EXPECT_TRUE(problem.breaks_picture);
             const Result<Params> right =
                 apply_settings(state->params, std::vector<std::string>{std::string(problem.mended_by)});
             ASSERT_TRUE(right) << right.error();
-            EXPECT_FALSE(std::ranges::any_of(problems_of(*right, *scene), [&](const Problem& left) {
+            EXPECT_FALSE(std::ranges::any_of(problems_of(*right, *scene, viewport), [&](const Problem& left) {
                 return left.sentence == problem.sentence;
             })) << problem.mended_by;
             ++mended;

@@ -12,23 +12,18 @@ namespace {
 using testing::box_scene;
 using testing::object;
 using testing::params_with;
+using testing::says;
 using testing::scene_of;
 using Settings = std::vector<std::string>;
 
 std::vector<Problem> problems_of(const Settings& settings, const Scene& scene) {
-    return derive(params_with(settings), scene, {}).problems;
+    return testing::problems_of(params_with(settings), scene);
 }
 
 std::string all_of(const std::vector<Problem>& problems) {
     std::string text;
     for (const Problem& problem : problems) text += std::string(problem.group) + ": " + problem.sentence + "\n";
     return text;
-}
-
-bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
-    return std::ranges::any_of(problems, [&](const Problem& problem) {
-        return problem.group == group && problem.sentence.find(words) != std::string::npos;
-    });
 }
 
 /// A box on the floor in front of the eye, one that crosses the floor, and one that is higher than the light.
