@@ -48,11 +48,11 @@ void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t
     const int region = level.region_of(plane);
     Pass clear = patch_mask(level, plane, "Clear lights", "forgets which light is missing on this patch");
     clear.depth.test = false;
-    clear.stencil = {true, CompareFunc::equal, region, StencilOp::zero, stencil_region_bits, stencil_light_bits};
+    clear.stencil = forgets_lights(region);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
     Pass back = patch_mask(level, plane, "Leave the patch", "counts the stencil down to what the mirror has");
     back.depth.test = false;
-    back.stencil = {true, CompareFunc::equal, region, StencilOp::decrement, stencil_region_bits};
+    back.stencil = leaves(region);
     passes.push_back(back);
 }
 
@@ -146,11 +146,12 @@ Pass Level::pass(const char* name, const char* reason, Subject subject) const {
     made.light_strength = 1.0 / static_cast<double>(lights_world.size());
     made.sky_world = sky_world;
     const bool gl_test = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
-    made.depth = {gl_test, func_for(params.depth.func, params.depth.mapping), params.depth.write};
+    made.depth = {
+        .test = gl_test, .func = func_for(params.depth.func, params.depth.mapping), .write = params.depth.write};
     if (subject == Subject::objects)
         made.cull = flips_winding && params.reflection.flip_winding ? with_flipped_winding(params.cull) : params.cull;
     if (clip) made.clip_planes = {*clip};
-    if (region != 0) made.stencil = {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
+    made.stencil = stencil_of_level(*this);
     return made;
 }
 
@@ -180,18 +181,12 @@ Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::s
         if (level.plane(plane).shadows[light].reaches(level.eye_side(plane)))
             pass.lights_world.push_back(level.lights_world[light]);
     pass.shading = pass.lights_world.empty() ? Shading::unlit : Shading::lit;
-    const int region = level.region_of(plane);
     if (blends) {
         pass.blend = Blend::alpha;
         pass.color.a = 1.0 - reflection.reflectance;
         if (reflection.stencil) pass.depth.func = CompareFunc::always;  // the mask has decided already
     }
-    if (blends && reflection.stencil)
-        pass.stencil = {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
-    else if (level.is_real())
-        pass.stencil = {true, CompareFunc::always, region, StencilOp::replace};
-    else if (!level.casting_lights(plane).empty())
-        pass.stencil = {true, CompareFunc::equal, level.region, StencilOp::increment, stencil_region_bits};
+    pass.stencil = stencil_of_surface(level, plane, blends);
     return pass;
 }
 

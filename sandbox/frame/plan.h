@@ -9,6 +9,7 @@
 
 #include "frame/derive.h"
 #include "frame/hidden/hidden_drawing.h"
+#include "frame/pass_states.h"
 
 namespace viewing {
 
@@ -34,28 +35,6 @@ enum class Shading {
 
 /// Which of the scene's objects a pass draws.
 enum class Chosen { all, bases, decals };
-
-enum class StencilOp { keep, replace, increment, decrement, invert, zero };
-
-/// The stencil's low four bits tell which patch, or how deep in mirrors; the high ones which light is missing.
-inline constexpr int stencil_region_bits = 0x0F, stencil_light_bits = 0xF0;
-
-struct StencilState {
-    bool test = false;
-    CompareFunc func = CompareFunc::always;
-    int reference = 0;
-    StencilOp on_pass = StencilOp::keep;  ///< where stencil and depth test pass; elsewhere the value is kept
-    int read_bits = 0xFF;                 ///< that are compared: the second mask of glStencilFunc
-    int write_bits = 0xFF;                ///< that on_pass may change: glStencilMask
-    bool operator==(const StencilState&) const = default;
-};
-
-struct DepthState {
-    bool test = true;
-    CompareFunc func = CompareFunc::less;
-    bool write = true;
-    bool operator==(const DepthState&) const = default;
-};
 
 enum class Blend { none, alpha, add };
 
@@ -90,6 +69,8 @@ struct Pass {
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< w = 0: parallel lines of sight, from this direction
     glm::dvec3 sky_world{0.0, 1.0, 0.0};       ///< where ambient light is strongest
     glm::dvec4 color{0.0, 0.0, 0.0, 1.0};      ///< flat: the colour; patch: its alpha is in w
+
+    bool operator==(const Pass&) const = default;
 };
 
 /// Where a frame that is watched as it is drawn stops: the calls of frame/draw_calls.h.
@@ -133,6 +114,9 @@ struct FramePlan {
     /// The logarithm is taken at the corners of a triangle, and what GL interpolates between them is no logarithm.
     bool has_logarithm_per_vertex() const { return logarithm_per_vertex && depth_mapping == DepthMapping::logarithmic; }
     int mark_of(std::size_t object) const { return object < object_marks.size() ? object_marks[object] : 0; }
+
+    /// In every member; pictures of hidden surfaces are equal if they are the same ones.
+    bool operator==(const FramePlan&) const = default;
 };
 
 /// Whether pictures with shadows and mirror images are asked for: not while a method is gone through step by step.

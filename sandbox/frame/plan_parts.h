@@ -53,6 +53,18 @@ Pass objects_pass(const Level& level);
 /// The stencil's bit of a light.
 int light_bit(const Params& params, std::size_t light);
 
+/// Inside its mirror; anywhere in the real world.
+StencilState stencil_of_level(const Level& level);
+
+/// Marks a patch as a mirror or receiver.
+StencilState stencil_of_mask(const Level& level, std::size_t plane);
+
+/// Of the patch itself: inside its mask where it blends over a mirror image, else it is its own mask.
+StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blends);
+
+/// Of a shadow that is painted over the patch: once a pixel and on the patch alone, unless a switch says otherwise.
+StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_t light);
+
 /// Marks a patch in the stencil, without colour or depth.
 Pass patch_mask(const Level& level, std::size_t plane, const char* name, const char* reason);
 

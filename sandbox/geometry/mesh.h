@@ -29,6 +29,7 @@ struct Bounds {
     }
     glm::dvec3 center() const { return (min + max) * 0.5; }
     glm::dvec3 size() const { return max - min; }
+    bool operator==(const Bounds&) const = default;
 };
 
 /// The bounds of all vertices; empty for a mesh without any.

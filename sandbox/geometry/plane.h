@@ -48,6 +48,7 @@ struct PlanePatch {
     glm::dvec3 v;       ///< unit; u × v = −normal
     glm::dvec3 normal;  ///< unit, largest component positive
     double extent;
+    bool operator==(const PlanePatch&) const = default;
 
     std::array<glm::dvec3, 4> corners() const;  ///< counter-clockwise about u × v
     glm::dmat4 world_from_patch() const;        ///< sends (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal

@@ -14,6 +14,7 @@ struct Lens {
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;
     double far = 40.0;
+    bool operator==(const Lens&) const = default;
 };
 
 /// P for a clip range of −1 … 1 (near → −1, far → +1). `aspect` = width / height.

@@ -54,7 +54,7 @@ void set_mask(const SurfaceProgram& program, const StencilState& stencil, int re
 void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram& program, const Fullscreen& fullscreen,
                   const gl::Capabilities& capabilities) {
     Pass fill;
-    fill.depth = {false, CompareFunc::always, false};
+    fill.depth = without_depth;
     fill.cull.enabled = false;
     fill.blend = pass.blend;
     apply_state(fill, capabilities);

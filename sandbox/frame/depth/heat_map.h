@@ -18,6 +18,7 @@ struct Params;
 struct FlatGap {
     double gap = 0.0;             ///< world units, along the normal
     glm::dvec3 normal_view{0.0};  ///< unit, of either side
+    bool operator==(const FlatGap&) const = default;
 };
 
 struct HeatMap {
@@ -35,6 +36,8 @@ struct HeatMap {
 
     /// Between the entries the onset goes by its logarithm. Outside near and far it is that of the nearest end.
     double onset_at(double distance) const;
+
+    bool operator==(const HeatMap&) const = default;
 };
 
 HeatMap heat_map(const Params& params, const Derived& derived, const Scene& scene);

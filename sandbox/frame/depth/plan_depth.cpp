@@ -35,8 +35,8 @@ Pass without_marks(const Pass& objects) {
     pass.name = "Clear marks";
     pass.reason = "clears the stencil of the planes' marks, which must not be taken for those of objects";
     pass.color_write = false;
-    pass.depth = {false, CompareFunc::always, false};
-    pass.stencil = {true, CompareFunc::always, 0, StencilOp::zero};
+    pass.depth = without_depth;
+    pass.stencil = wipes_marks();
     return pass;
 }
 
@@ -60,11 +60,11 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     if (method == DecalMethod::equal) {
         decals.depth.func = CompareFunc::equal;
     } else {
-        objects.marks_objects = decals.marks_objects = true;
-        objects.stencil = {true, CompareFunc::always, 0, StencilOp::replace};
+        objects.marks_objects = decals.marks_objects = true;  // in place of 0 below
+        objects.stencil = marks(0);
         decals.reason = "draws decals where the stencil says that what they lie on is seen: no depth decides";
         decals.depth.test = false;
-        decals.stencil = {true, CompareFunc::equal, 0, StencilOp::keep};
+        decals.stencil = exactly(0);
     }
     const bool has_marks = std::any_of(passes.begin(), found, [](const Pass& pass) {
         return pass.stencil.test && pass.stencil.on_pass != StencilOp::keep;

@@ -57,6 +57,7 @@ struct HiddenPictures {
     std::shared_ptr<const HiddenDrawing> camera, mirrored;
     std::shared_ptr<const DifferenceDrawing> difference;
     Bounds bounds_world;  ///< of the scene
+    bool operator==(const HiddenPictures&) const = default;
 };
 
 /// The linear value of an sRGB colour.

@@ -32,7 +32,7 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     passes.back().clip_planes = {towards_eye};
     // A mirror lets its image through, and must not let through what stands behind it: there the mask keeps it out.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
-    if (has_mask) beyond.stencil = {true, CompareFunc::notequal, passes.front().stencil.reference, StencilOp::keep};
+    if (has_mask) beyond.stencil = outside(passes.front().stencil.reference);
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
 }
 
@@ -44,7 +44,7 @@ Pass difference_pass(const char* reason) {
     pass.reason = reason;
     pass.subject = Subject::difference;
     pass.shading = Shading::flat;
-    pass.depth = {false, CompareFunc::always, false};
+    pass.depth = without_depth;
     pass.blend = Blend::alpha;
     return pass;
 }

@@ -109,7 +109,7 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     pass.is_mirror_image = true;
     pass.color = color_of(background, 1.0);
     pass.depth.func = CompareFunc::always;
-    pass.stencil = {true, CompareFunc::equal, level.region_of(plane), StencilOp::keep, stencil_region_bits};
+    pass.stencil = inside(level.region_of(plane));
     return pass;
 }
 
@@ -156,10 +156,7 @@ Pass patch_mask(const Level& level, std::size_t plane, const char* name, const c
     pass.shading = Shading::flat;
     pass.color_write = false;
     pass.depth.write = false;
-    const int region = level.region_of(plane);
-    pass.stencil = level.is_real() ? StencilState{true, CompareFunc::always, region, StencilOp::replace}
-                                   : StencilState{true, CompareFunc::equal, level.region, StencilOp::increment,
-                                                  stencil_region_bits};
+    pass.stencil = stencil_of_mask(level, plane);
     return pass;
 }
 

@@ -65,21 +65,6 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const
     return pass;
 }
 
-/// Each pixel of the region is counted once for each light.
-StencilState counts_once(int region, int bit) {
-    return {true, CompareFunc::equal, region, StencilOp::invert, stencil_region_bits | bit, bit};
-}
-
-StencilState stencil_of(const Level& level, std::size_t plane, int bit) {
-    const ShadowParams& shadow = level.params.shadow;
-    const int region = level.region_of(plane);
-    const bool clips = shadow.clip_to_receiver || !level.is_real();  // never out of the mirror that shows it
-    if (clips && shadow.stencil_once) return counts_once(region, bit);
-    if (clips) return {true, CompareFunc::equal, region, StencilOp::keep, stencil_region_bits};
-    if (shadow.stencil_once) return {true, CompareFunc::equal, 0, StencilOp::invert, bit, bit};
-    return {};
-}
-
 std::string name_without(const Level& level, std::span<const std::size_t> missing) {
     if (missing.empty()) return "Patch in the light";
     if (level.derived.lights_world.size() == 1) return "Patch in shadow";
@@ -89,11 +74,6 @@ std::string name_without(const Level& level, std::span<const std::size_t> missin
 }
 
 }  // namespace
-
-int light_bit(const Params& params, std::size_t light) {
-    constexpr int first = stencil_region_bits + 1;
-    return params.shadow.own_stencil ? first << light : first;
-}
 
 void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     const ShadowParams& shadow = level.params.shadow;
@@ -107,7 +87,7 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
         pass.color = color_of(shadow.color, opacity);
         pass.blend = Blend::alpha;
         pass.depth.write = shadow.write_depth && level.params.depth.write;
-        pass.stencil = stencil_of(level, plane, light_bit(level.params, light));
+        pass.stencil = stencil_of_shadow(level, plane, light);
         set_offset(pass, level, plane);
         passes.push_back(pass);
     }
@@ -144,7 +124,7 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
         patch.reason = missing.empty()   ? "where the stencil is clear, the light arrives"
                        : shining.empty() ? "where the stencil counts a caster, only ambient light arrives"
                                          : "where the stencil counts these lights as missing, the others arrive";
-        patch.stencil = {true, CompareFunc::equal, reference, StencilOp::keep};
+        patch.stencil = exactly(reference);
         passes.push_back(patch);
     }
 }

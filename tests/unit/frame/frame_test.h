@@ -1,11 +1,11 @@
-// What the tests of derive and plan share: scenes without files, states from settings, and a frame plan written out as
-// text, field by field, so that two plans can be compared by what is in them.
+// What the tests of derive and plan share: scenes without files, states from settings, and the members in
+// which two frame plans differ, none left out.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -59,97 +59,107 @@ inline bool says(const std::vector<Problem>& problems, std::string_view group, c
     });
 }
 
-inline std::string text_of(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.17g", value + 0.0);  // + 0: a negative zero is a zero
-    return text;
+/// Some members of a pass or of a plan under a name.
+template <typename Whole>
+struct Member {
+    std::string name;
+    std::function<bool(const Whole&, const Whole&)> is_same;
+    std::function<void(Whole&, const Whole&)> take;  ///< the first one's from the second one
+};
+
+template <typename Whole, typename... Type>
+Member<Whole> member(std::string name, Type Whole::*... members) {
+    return {std::move(name), [=](const Whole& a, const Whole& b) { return ((a.*members == b.*members) && ...); },
+            [=](Whole& to, const Whole& from) { ((to.*members = from.*members), ...); }};
 }
 
-template <typename Vector>
-std::string text_of_vector(const Vector& vector) {
-    std::string text;
-    for (int i = 0; i < Vector::length(); ++i) text += text_of(vector[i]) + " ";
-    return text;
-}
-
-inline std::string text_of_matrix(const glm::dmat4& matrix) {
-    std::string text;
-    for (int column = 0; column < 4; ++column) text += text_of_vector(matrix[column]) + "| ";
-    return text;
-}
-
-/// "Shadow.stencil" → its value, for every field of every pass, and "frame.…" for what the frame itself holds.
-inline std::map<std::string, std::string> fields_of(const FramePlan& plan) {
-    std::map<std::string, std::string> fields;
-    const auto color = [](const Color& c) {
-        return std::to_string(c.r) + " " + std::to_string(c.g) + " " + std::to_string(c.b);
+/// All members of a pass but its name.
+inline const std::vector<Member<Pass>>& pass_members() {
+    static const std::vector<Member<Pass>> members = {
+        member("reason", &Pass::reason),
+        member("subject", &Pass::subject),
+        member("plane", &Pass::plane),
+        member("light", &Pass::light),
+        member("chosen", &Pass::chosen),
+        member("marks_objects", &Pass::marks_objects),
+        member("shading", &Pass::shading),
+        member("matrices", &Pass::matrices),
+        member("world_from_scene", &Pass::world_from_scene),
+        member("clip_from_world", &Pass::clip_from_world),
+        member("view_from_world", &Pass::view_from_world),
+        member("is_mirror_image", &Pass::is_mirror_image),
+        member("clip_planes", &Pass::clip_planes),
+        member("depth", &Pass::depth),
+        member("stencil", &Pass::stencil),
+        member("cull", &Pass::cull),
+        member("blend", &Pass::blend),
+        member("color_write", &Pass::color_write),
+        member("offset", &Pass::offset),
+        member("forces_sign", &Pass::forces_sign),
+        member("has_gloss", &Pass::has_gloss),
+        member("lights_world", &Pass::lights_world),
+        member("light_strength", &Pass::light_strength),
+        member("eye_world", &Pass::eye_world),
+        member("sky_world", &Pass::sky_world),
+        member("color", &Pass::color),
     };
-    const auto offset = [](const DepthOffset& o) { return text_of(o.factor) + " " + text_of(o.units); };
-    std::string names;
-    for (const Pass& pass : plan.passes) names += (names.empty() ? "" : ", ") + pass.name;
-    fields["frame.passes"] = names;
-    fields["frame.background"] = color(plan.background);
-    fields["frame.patch_colors"] =
-        color(plan.patch_light) + " " + color(plan.patch_dark) + " " + color(plan.patch_line);
-    fields["frame.clear_depth"] = std::to_string(plan.clear_depth) + " " + text_of(plan.clear_depth_value);
-    fields["frame.depth_format"] = std::to_string(static_cast<int>(plan.depth_format));
-    fields["frame.depth_mapping"] = std::to_string(static_cast<int>(plan.depth_mapping));
-    fields["frame.lens"] = std::to_string(plan.lens.orthographic) + " " + text_of(plan.lens.fovy_deg) + " " +
-                           text_of(plan.lens.height) + " " + text_of(plan.lens.near) + " " + text_of(plan.lens.far);
-    fields["frame.clip_zero_to_one"] = std::to_string(plan.clip_zero_to_one);
-    fields["frame.shows"] = std::to_string(static_cast<int>(plan.shows));
-    fields["frame.mask_on_while_clearing"] = std::to_string(plan.mask_on_while_clearing);
-    fields["frame.logarithm_per_vertex"] = std::to_string(plan.logarithm_per_vertex);
-    fields["frame.depth_colors"] = std::to_string(static_cast<int>(plan.depth_colors));
-    fields["frame.limit"] = std::to_string(plan.limit.call) + " " + std::to_string(plan.limit.triangles) + " " +
-                            std::to_string(plan.limit.pass);
-    fields["frame.shown_range"] = text_of(plan.shown_range.x) + " " + text_of(plan.shown_range.y);
-    fields["frame.depth_scale"] = std::to_string(static_cast<int>(plan.depth_scale));
-    fields["frame.samples"] = std::to_string(plan.samples);
-    for (const PlanePatch& patch : plan.patches)
-        fields["frame.patches"] += text_of_matrix(patch.world_from_patch()) + text_of(patch.extent);
-    fields["frame.decal_offset"] = offset(plan.decal_offset);
-    for (const Pass& pass : plan.passes) {
-        const std::string of = pass.name + ".";
-        fields[of + "subject"] = std::to_string(static_cast<int>(pass.subject));
-        fields[of + "shading"] = std::to_string(static_cast<int>(pass.shading));
-        fields[of + "world_from_scene"] = text_of_matrix(pass.world_from_scene);
-        fields[of + "clip_from_world"] = text_of_matrix(pass.clip_from_world);
-        fields[of + "view_from_world"] = text_of_matrix(pass.view_from_world);
-        fields[of + "is_mirror_image"] = std::to_string(pass.is_mirror_image);
-        std::string planes;
-        for (const ClipPlane& plane : pass.clip_planes) planes += text_of_vector(plane) + "| ";
-        fields[of + "clip_planes"] = planes;
-        fields[of + "depth"] =
-            std::to_string(pass.depth.test) + " " + gl_name(pass.depth.func) + " " + std::to_string(pass.depth.write);
-        fields[of + "stencil"] = std::to_string(pass.stencil.test) + " " + gl_name(pass.stencil.func) + " " +
-                                 std::to_string(pass.stencil.reference) + " " +
-                                 std::to_string(static_cast<int>(pass.stencil.on_pass)) + " " +
-                                 std::to_string(pass.stencil.read_bits) + " " + std::to_string(pass.stencil.write_bits);
-        fields[of + "cull"] =
-            std::to_string(pass.cull.enabled) + " " + gl_name(pass.cull.face) + " " + gl_name(pass.cull.front_face);
-        fields[of + "blend"] = std::to_string(static_cast<int>(pass.blend));
-        fields[of + "color_write"] = std::to_string(pass.color_write);
-        fields[of + "offset"] = pass.offset ? offset(*pass.offset) : "none";
-        for (const glm::dvec4& light : pass.lights_world) fields[of + "lights_world"] += text_of_vector(light);
-        fields[of + "light_strength"] = text_of(pass.light_strength);
-        fields[of + "forces_sign"] = std::to_string(pass.forces_sign);
-        fields[of + "has_gloss"] = std::to_string(pass.has_gloss);
-        fields[of + "eye_world"] = text_of_vector(pass.eye_world);
-        fields[of + "sky_world"] = text_of_vector(pass.sky_world);
-        fields[of + "color"] = text_of_vector(pass.color);
-    }
-    return fields;
+    return members;
 }
 
-/// The keys of fields_of() whose values are not the same in both, or that only one of them has.
+/// All members of a plan but its passes.
+inline const std::vector<Member<FramePlan>>& plan_members() {
+    static const std::vector<Member<FramePlan>> members = {
+        member("background", &FramePlan::background),
+        member("unwritten", &FramePlan::unwritten),
+        member("patch_colors", &FramePlan::patch_light, &FramePlan::patch_dark, &FramePlan::patch_line),
+        member("clear_depth", &FramePlan::clear_depth, &FramePlan::clear_depth_value),
+        member("mask_on_while_clearing", &FramePlan::mask_on_while_clearing),
+        member("depth_format", &FramePlan::depth_format),
+        member("depth_mapping", &FramePlan::depth_mapping),
+        member("logarithm_per_vertex", &FramePlan::logarithm_per_vertex),
+        member("lens", &FramePlan::lens),
+        member("clip_zero_to_one", &FramePlan::clip_zero_to_one),
+        member("shows", &FramePlan::shows),
+        member("depth_scale", &FramePlan::depth_scale),
+        member("depth_colors", &FramePlan::depth_colors),
+        member("shown_range", &FramePlan::shown_range),
+        member("samples", &FramePlan::samples),
+        member("patches", &FramePlan::patches),
+        member("hidden", &FramePlan::hidden),
+        member("decal_offset", &FramePlan::decal_offset),
+        member("object_marks", &FramePlan::object_marks),
+        member("limit", &FramePlan::limit),
+        member("heat", &FramePlan::heat),
+        member("caster_w", &FramePlan::caster_w),
+        member("caster_side", &FramePlan::caster_side),
+    };
+    return members;
+}
+
+/// What of `a` has to be taken from `b` to make the whole of it equal to `b`: "frame.samples", "Shadow.stencil", or
+/// "frame.passes" where they are not the same ones by name.
 inline std::set<std::string> differences(const FramePlan& a, const FramePlan& b) {
-    const std::map<std::string, std::string> in_a = fields_of(a), in_b = fields_of(b);
     std::set<std::string> differing;
-    for (const auto& [key, value] : in_a)
-        if (const auto found = in_b.find(key); found == in_b.end() || found->second != value) differing.insert(key);
-    for (const auto& [key, value] : in_b)
-        if (!in_a.contains(key)) differing.insert(key);
+    FramePlan changed = a;
+    for (const Member<FramePlan>& each : plan_members()) {
+        if (each.is_same(a, b)) continue;
+        differing.insert("frame." + each.name);
+        each.take(changed, b);
+    }
+    const auto has_same_name = [](const Pass& x, const Pass& y) { return x.name == y.name; };
+    if (!std::equal(a.passes.begin(), a.passes.end(), b.passes.begin(), b.passes.end(), has_same_name)) {
+        differing.insert("frame.passes");
+        changed.passes = b.passes;
+    }
+    for (std::size_t index = 0; index < changed.passes.size(); ++index) {
+        Pass& pass = changed.passes[index];
+        for (const Member<Pass>& each : pass_members()) {
+            if (each.is_same(pass, b.passes[index])) continue;
+            differing.insert(pass.name + "." + each.name);
+            each.take(pass, b.passes[index]);
+        }
+    }
+    EXPECT_TRUE(changed == b) << "a member of Pass or FramePlan is missing in the lists of frame_test.h";
     return differing;
 }
 

@@ -14,7 +14,6 @@ namespace {
 
 using testing::box_scene;
 using testing::differences;
-using testing::fields_of;
 using testing::params_with;
 
 FramePlan plan_of(const Params& params, bool clip_control = true) {
@@ -202,7 +201,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"shadow.lift=3"}, {}},
         {{"shadow.clip_at_light=false"}, {"Shadow.clip_planes"}},
         {{"shadow.sign=none"}, {}},
-        {{"shadow.sign=none", "plane.equation=[0,-1,0,0]"}, {"Shadow.world_from_scene"}},
+        {{"shadow.sign=none", "plane.equation=[0,-1,0,0]"}, {"Shadow.world_from_scene", "frame.caster_w"}},
         {{"shadow.sign=forced"}, {}},
         {{"shadow.sign=forced", "shadow.clip_at_light=false"}, {"Shadow.forces_sign", "Shadow.clip_planes"}},
         {{"shadow.write_depth=true"}, {"Shadow.depth"}},
@@ -211,10 +210,11 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"reflection.bounces=5", "reflection.shadows=false", "reflection.same_projection=false"}, {}},
         {{"reflection.mirrored=camera"},
          {"Mirror image.clip_from_world", "Mirror image.view_from_world", "Mirror image.world_from_scene",
-          "Mirror image.eye_world", "Mirror image.lights_world", "Mirror image.sky_world"}},
+          "Mirror image.eye_world", "Mirror image.lights_world", "Mirror image.sky_world", "Mirror image.matrices"}},
         {{"reflection.mask_writes_depth=true"}, {"Mirror mask.depth"}},
         {{"reflection.side_of_eye=false"}, {}},
-        {{"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"}, {"Mirror image.clip_planes"}},
+        {{"reflection.side_of_eye=false", "plane.equation=[0,-1,0,0]"},
+         {"Mirror image.clip_planes", "Shadow.matrices"}},
         {{"animation.light_orbit=true"}, {}},
         {{"view.pass=2"}, {"frame.limit"}},
         {{"view.shows=shadow_w"}, {"frame.shows", "Objects.shading"}},
@@ -228,8 +228,8 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"view.shows=facing"}, {"frame.shows", "Mirror image.shading", "Objects.shading"}},
         {{"view.depth_scale=window"}, {"frame.depth_scale"}},
         {{"view.samples=0"}, {"frame.samples"}},
-        {{"ui.theme=light"}, {"frame.background", "frame.patch_colors"}},
-        {{"ui.theme=projector"}, {"frame.background", "frame.patch_colors"}},
+        {{"ui.theme=light"}, {"frame.background", "frame.patch_colors", "frame.unwritten"}},
+        {{"ui.theme=projector"}, {"frame.background", "frame.patch_colors", "frame.unwritten"}},
         {{"plane.extent=2"}, {"frame.patches"}},
         {{"camera.target=[1,1,1]"}, {}},
         {{"camera.navigation=walk"}, {}},
@@ -243,6 +243,84 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         for (const std::string& setting : each.settings) what += setting + " ";
         EXPECT_EQ(differences(opening, plan_with(each.settings)), each.changed) << what;
     }
+}
+
+/// Nothing in it is as a pass is made.
+Pass other_pass() {
+    return {.name = "Other",
+            .reason = "is other",
+            .subject = Subject::patch,
+            .plane = 1,
+            .light = 1,
+            .chosen = Chosen::decals,
+            .marks_objects = true,
+            .shading = Shading::heat,
+            .matrices = "I",
+            .world_from_scene = glm::dmat4(2.0),
+            .clip_from_world = glm::dmat4(2.0),
+            .view_from_world = glm::dmat4(2.0),
+            .is_mirror_image = true,
+            .clip_planes = {glm::dvec4(1.0)},
+            .depth = {.test = false},
+            .stencil = {.write_bits = 1},
+            .cull = {.enabled = true},
+            .blend = Blend::add,
+            .color_write = false,
+            .offset = DepthOffset{},
+            .forces_sign = true,
+            .has_gloss = true,
+            .lights_world = {},
+            .light_strength = 0.5,
+            .eye_world = glm::dvec4(1.0),
+            .sky_world = glm::dvec3(1.0),
+            .color = glm::dvec4(1.0)};
+}
+
+/// Nothing in it but the passes is as a plan is made.
+FramePlan other_plan() {
+    FramePlan other;
+    other.background = other.unwritten = other.patch_light = other.patch_dark = other.patch_line = Color{1, 2, 3};
+    other.clear_depth = other.mask_on_while_clearing = false;
+    other.clear_depth_value = 0.0;
+    other.depth_format = DepthFormat::d16;
+    other.depth_mapping = DepthMapping::reversed;
+    other.logarithm_per_vertex = other.clip_zero_to_one = true;
+    other.lens.far = 41.0;
+    other.shows = Shows::depth;
+    other.depth_scale = DepthScale::window;
+    other.depth_colors = DepthColors::bands;
+    other.shown_range = {1.0, 2.0};
+    other.samples = 4;
+    other.patches.resize(1);
+    other.hidden.bounds_world.add(glm::dvec3(0.0));
+    other.decal_offset = {1.0, 1.0};
+    other.object_marks = {3};
+    other.limit.pass = 0;
+    other.heat = HeatMap{};
+    other.caster_w = other.caster_side = glm::dvec4(1.0);
+    return other;
+}
+
+TEST(PlanSwitches, AreSeenInEveryMemberOfPassAndPlan) {
+    FramePlan made, other = other_plan();
+    made.passes.resize(1);
+    made.passes.front().name = "Other";
+    other.passes = made.passes;
+    for (const testing::Member<FramePlan>& member : testing::plan_members()) {
+        FramePlan changed = made;
+        member.take(changed, other);
+        EXPECT_FALSE(changed == made) << member.name;
+        EXPECT_EQ(differences(made, changed), std::set<std::string>{"frame." + member.name});
+    }
+    other.passes = {other_pass()};
+    for (const testing::Member<Pass>& member : testing::pass_members()) {
+        FramePlan changed = made;
+        member.take(changed.passes.front(), other.passes.front());
+        EXPECT_FALSE(changed == made) << member.name;
+        EXPECT_EQ(differences(made, changed), std::set<std::string>{"Other." + member.name});
+    }
+    EXPECT_EQ(differences(made, other).size(), testing::plan_members().size() + testing::pass_members().size())
+        << "and nothing is left that is the same";
 }
 
 TEST(PlanSwitches, StencilOfTheShadow) {
@@ -396,6 +474,15 @@ TEST(PlanMirror, DepthIsWhatTheStencilAndTheCountOfImagesAllow) {
     EXPECT_EQ(depth({two, "reflection.bounces=5", "visibility.method=painter"}), 1);
 }
 
+/// What is uploaded as (−S) for one sign of the plane is S for the other, and the names of products say which.
+FramePlan without_told_sign(FramePlan frame) {
+    const std::string told = "(−S)";
+    for (Pass& pass : frame.passes)
+        if (const std::size_t at = pass.matrices.find(told); at != std::string::npos)
+            pass.matrices.replace(at, told.size(), "S");
+    return frame;
+}
+
 TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
     Random random(seed);
     for (int trial = 0; trial < 60; ++trial) {
@@ -409,11 +496,12 @@ TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
         params.shadow.offset = static_cast<ShadowOffset>(trial % 4);
         params.shadow.style = trial % 5 == 0 ? ShadowStyle::missing_light : ShadowStyle::blend;
         params.reflection.clip = static_cast<MirrorClip>(trial % 3);
-        const FramePlan frame = plan_of(params);
+        const FramePlan frame = without_told_sign(plan_of(params));
         for (const double factor : {-1.0, 2.0, -0.5}) {
             Params same = params;
             same.plane.equation *= factor;
-            EXPECT_EQ(differences(frame, plan_of(same)), std::set<std::string>{}) << "times " << factor;
+            EXPECT_EQ(differences(frame, without_told_sign(plan_of(same))), std::set<std::string>{})
+                << "times " << factor;
         }
     }
 }
