@@ -57,6 +57,10 @@ void Record(const char* label) {
     inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
+std::string LabelText(const char* label) {
+    return std::string(tr_part(inner::ShownPart(label))) + "###" + label;
+}
+
 namespace inner {
 
 std::string_view ShownPart(const char* label) {

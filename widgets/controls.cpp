@@ -66,7 +66,7 @@ void ShowItems(const char* label, int& index, std::span<const char* const> names
     for (std::size_t i = 0; i < names.size(); ++i) {
         const int item = static_cast<int>(i);
         ImGui::PushID(item);
-        if (ImGui::Selectable(names[i], item == index)) index = item;
+        if (ImGui::Selectable(LabelText(names[i]).c_str(), item == index)) index = item;
         ImGui::PopID();
         Record(names[i]);
     }
@@ -107,7 +107,7 @@ bool BeginChoice(const char* label, const char* preview, float width) {
     const ImVec2 max(min.x + width, min.y + ImGui::GetFrameHeight());
     inner::RecordRect(label, min, max, preview);
     const float text_room = width - ImGui::GetStyle().FramePadding.x * 2.0F - inner::Px(arrow_room);
-    const std::string shown = Shortened(preview, text_room + 1.0F);
+    const std::string shown = Shortened(tr(preview), text_room + 1.0F);
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(width);
     const bool open =
@@ -296,7 +296,7 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 
 bool Button(const char* label, bool enabled, const char* why_disabled) {
     ImGui::BeginDisabled(!enabled);
-    const bool clicked = ImGui::Button(label);
+    const bool clicked = ImGui::Button(LabelText(label).c_str());
     Record(label);
     ImGui::EndDisabled();
     if (!enabled) Tooltip("", why_disabled);

@@ -14,7 +14,7 @@ std::string Figures(double value) {
     if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
     if (exponent >= -4 && exponent < 6) return NumberText(value, std::max(2 - exponent, 0));
     const std::string mantissa = NumberText(value / std::pow(10.0, exponent), 2);
-    return mantissa + "·10" + (exponent < 0 ? "⁻" : "") + RaisedText(std::abs(exponent));
+    return mantissa + "·10" + viewing::raised_text(exponent);
 }
 
 double ValueAtPixel(const LogScale& scale, double pixel) {

@@ -144,7 +144,8 @@ glm::dvec2 UseRange(const Plot& plot, const glm::dvec2& range, inner::DragLinesU
 }
 
 std::string Counted(std::uint64_t count, const HistogramStyle& style) {
-    return std::to_string(count) + " " + style.counted;
+    return say("{count} {things}", "count"_a = viewing::grouped_number(static_cast<std::int64_t>(count)),
+               "things"_a = tr(style.counted));
 }
 
 void DrawReadout(ImDrawList* draw, const inner::Box& area, const Plot& plot, ImVec2 pointer,
@@ -159,7 +160,8 @@ void DrawReadout(ImDrawList* draw, const inner::Box& area, const Plot& plot, ImV
     const double bar = (plot.high - plot.low) / static_cast<double>(counts.size());
     const auto index = std::min(static_cast<std::size_t>((plot.Value(pointer.x) - plot.low) / bar), counts.size() - 1);
     const double begin = plot.low + static_cast<double>(index) * bar;
-    const std::string lines[] = {inner::Figures(begin) + " to " + inner::Figures(begin + bar)};
+    const std::string lines[] = {
+        say("{first} to {last}", "first"_a = inner::Figures(begin), "last"_a = inner::Figures(begin + bar))};
     inner::DrawReadoutBox(draw, area, pointer, Counted(counts[index], style), lines);
 }
 
@@ -170,8 +172,9 @@ struct ButtonUse {
 /// The title at the left, the button at the right.
 ButtonUse TitleAndFit(ImDrawList* draw, ImVec2 min, ImVec2 max, bool has_counts, const HistogramStyle& style) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
-    const float button = ImGui::CalcTextSize("fit").x + Px(16), height = ImGui::GetFontSize() + Px(4);
-    const std::string title = std::string(style.title) + (style.logarithmic ? ", heights logarithmic" : "");
+    const float button = ImGui::CalcTextSize(tr("fit")).x + Px(16), height = ImGui::GetFontSize() + Px(4);
+    const std::string title =
+        style.logarithmic ? say("{title}, heights logarithmic", "title"_a = tr(style.title)) : tr(style.title);
     const ImVec2 at(min.x + Px(6), std::floor(min.y + Px(4) + 0.5F * (height - face.size)));
     const ImVec4 clip(min.x, min.y, max.x - button - Px(10), max.y);
     draw->AddText(face.font, face.size, at, Shown(CurrentContext().palette.quiet), title.data(),

@@ -1,10 +1,22 @@
 // What the widgets share among themselves and nobody else needs: scaled lengths, fonts, colours, the recorder's
-// back door, numbers as characters, laid-out formulas. Read widgets.h first.
+// back door, laid-out formulas. Read widgets.h first.
 #pragma once
 
 #include <string_view>
 
+#include "text/catalogue.h"
 #include "widgets/widgets.h"
+
+namespace widgets {
+
+using viewing::marked;
+using viewing::say;
+using viewing::say_count;
+using viewing::tr;
+using viewing::tr_part;
+using viewing::operator""_a;
+
+}  // namespace widgets
 
 namespace widgets::inner {
 
@@ -79,22 +91,8 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
 void BeginTooltipWindow();
 void EndTooltipWindow();
 
-/// A number in characters, UTF-8, with a real minus.
-struct NumberChars {
-    char data[48];
-    int bytes = 0;
-    int columns = 0;  ///< characters
-
-    std::string_view view() const { return {data, static_cast<std::size_t>(bytes)}; }
-    void Append(std::string_view text);
-};
-/// What becomes of a magnitude too small for the decimals: 0.00, or 4.00·10⁻⁵ if it is no rounding noise.
-enum class Tiny { zero, exponent };
-NumberChars FormatNumber(double value, int decimals, Tiny tiny);
-/// The same with at most so many characters: fewer decimals, then without the unit, then 1.2·10⁵, then 1.2e5.
-NumberChars FitNumber(double value, int decimals, Tiny tiny, std::string_view unit, int columns);
-/// What a text field starts with: the shortest digits that read back to the same value, in signs that a keyboard has.
-std::string PlainText(double value);
+using viewing::NumberChars;
+using viewing::Tiny;
 
 /// A formula split into pieces of one size and colour, ready to be drawn anywhere.
 struct FormulaLayout {

@@ -64,7 +64,7 @@ std::string TickLabel(int digit, int decade) {
         std::snprintf(text, sizeof text, "%.*f", -decade, digit * std::pow(10.0, decade));
         return text;
     }
-    const std::string power = std::string("10") + (decade < 0 ? "⁻" : "") + RaisedText(std::abs(decade));
+    const std::string power = "10" + viewing::raised_text(decade);
     return digit == 1 ? power : std::to_string(digit) + "·" + power;
 }
 

@@ -42,7 +42,8 @@ Pointed PointedAt(const ChartPlot& plot, std::span<const ChartCurve> curves, ImV
 /// With three figures.
 std::string ReadoutText(const char* title, double value) {
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(value))), 0, 6);
-    return (*title ? std::string(title) + ": " : std::string()) + NumberText(value, decimals);
+    const std::string number = viewing::number_text(value, decimals);
+    return *title ? say("{name}: {value}", "name"_a = tr(title), "value"_a = number) : number;
 }
 
 /// A box beside the point, inside the chart.
@@ -69,7 +70,7 @@ void DrawReadout(ImDrawList* draw, const Box& area, const ChartCurve& curve, con
     face.Draw(draw, at, Shown(context.palette.text), x);
     at.y += face.size + gap;
     face.Draw(draw, at, Shown(context.palette.text), y);
-    inner::RecordRect("readout", min, max, std::string(curve.name) + "\n" + x + "\n" + y);
+    inner::RecordRect("readout", min, max, std::string(tr(curve.name)) + "\n" + x + "\n" + y);
 }
 
 /// The vertical line; returns what its label covers.

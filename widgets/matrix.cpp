@@ -13,10 +13,6 @@ using inner::Px;
 
 constexpr const char* cell_names[16] = {"r0c0", "r0c1", "r0c2", "r0c3", "r1c0", "r1c1", "r1c2", "r1c3",
                                         "r2c0", "r2c1", "r2c2", "r2c3", "r3c0", "r3c1", "r3c2", "r3c3"};
-constexpr const char* cell_titles[16] = {"row 1, column 1", "row 1, column 2", "row 1, column 3", "row 1, column 4",
-                                         "row 2, column 1", "row 2, column 2", "row 2, column 3", "row 2, column 4",
-                                         "row 3, column 1", "row 3, column 2", "row 3, column 3", "row 3, column 4",
-                                         "row 4, column 1", "row 4, column 2", "row 4, column 3", "row 4, column 4"};
 
 /// Entry `cell` = 4 · row + column of a GLM matrix.
 double& Entry(glm::dmat4& m, int cell) {
@@ -64,10 +60,10 @@ int FitDecimals(const glm::dmat4& value, int decimals, int columns) {
     for (int cell = 0; cell < 16; ++cell) {
         int digits = best;
         while (digits > fewest &&
-               inner::FormatNumber(Entry(value, cell), digits, inner::Tiny::zero).columns > columns) {
+               viewing::number_chars(Entry(value, cell), digits, inner::Tiny::zero).columns > columns) {
             --digits;
         }
-        const bool fits = inner::FormatNumber(Entry(value, cell), digits, inner::Tiny::zero).columns <= columns;
+        const bool fits = viewing::number_chars(Entry(value, cell), digits, inner::Tiny::zero).columns <= columns;
         if (fits) best = digits;
     }
     return best;
@@ -133,7 +129,8 @@ void DrawSymbol(ImDrawList* draw, ImVec2 min, const Measures& measures, const Ma
 /// The number, right-aligned so that the decimal points stand below each other.
 void DrawNumber(ImDrawList* draw, ImVec2 min, const Measures& measures, double value, const CellState& state, int cell,
                 ImVec2 max) {
-    const inner::NumberChars text = inner::FitNumber(value, measures.decimals, inner::Tiny::zero, {}, measures.columns);
+    const inner::NumberChars text =
+        viewing::fitted_number(value, measures.decimals, inner::Tiny::zero, {}, measures.columns);
     const Palette& palette = CurrentContext().palette;
     const ImU32 color = state.zero && !state.changed && !state.lit ? palette.quiet : palette.text;
     const float width = measures.number.Measure(text.view()).x;
@@ -169,7 +166,8 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     inner::BeginTooltipWindow();
     {
         const inner::FontScope font(context.fonts.heading);
-        ImGui::TextUnformatted(cell_titles[cell]);
+        const std::string title = say("row {row}, column {column}", "row"_a = cell / 4 + 1, "column"_a = cell % 4 + 1);
+        ImGui::TextUnformatted(title.c_str());
     }
     if (!style.overridden && !style.cells.empty() && *style.cells[static_cast<std::size_t>(cell)].symbol) {
         const inner::FormulaLayout layout(style.cells[static_cast<std::size_t>(cell)].symbol, style.roles,
@@ -179,11 +177,12 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     }
     {
         const inner::FontScope font(context.fonts.number);
-        const inner::NumberChars digits = inner::FormatNumber(Entry(value, cell), 9, inner::Tiny::exponent);
+        const inner::NumberChars digits = viewing::number_chars(Entry(value, cell), 9, inner::Tiny::exponent);
         ImGui::TextUnformatted(digits.data, digits.data + digits.bytes);
         ImGui::PushStyleColor(ImGuiCol_Text, context.palette.accent);
         // GLM indexes columns first.
-        ImGui::Text("GLM: m[%d][%d] (column, row)", cell % 4, cell / 4);
+        const std::string glm = say("GLM: m[{column}][{row}] (column, row)", "column"_a = cell % 4, "row"_a = cell / 4);
+        ImGui::TextUnformatted(glm.c_str());
         ImGui::PopStyleColor();
     }
     inner::EndTooltipWindow();

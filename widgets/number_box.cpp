@@ -36,7 +36,7 @@ void StartTyping(Editing& editing, ImGuiID id, double value) {
     editing.type_now = 0;
     editing.focused = false;
     editing.frames_waited = 0;
-    std::snprintf(editing.text, sizeof editing.text, "%s", PlainText(value).c_str());
+    std::snprintf(editing.text, sizeof editing.text, "%s", viewing::plain_number(value).c_str());
     std::copy(std::begin(editing.text), std::end(editing.text), std::begin(editing.text_before));
 }
 
@@ -174,16 +174,16 @@ int DecimalsInBox(double value, const NumberStyle& style, int columns) {
     const int wanted = style.integer ? 0 : style.decimals;
     const double widest = style.min < 0.0 ? -std::abs(value) : value;
     NumberChars unit;
-    unit.Append(style.unit);
+    unit.append(style.unit);
     for (int decimals = wanted; decimals >= std::min(wanted, 1); --decimals) {
-        if (FormatNumber(widest, decimals, TinyOf(style)).columns + unit.columns <= columns) return decimals;
+        if (viewing::number_chars(widest, decimals, TinyOf(style)).columns + unit.columns <= columns) return decimals;
     }
     return wanted;
 }
 
 NumberChars TextInBox(double value, const NumberStyle& style, float width, const Face& face) {
     const int columns = ColumnsOf(style, width, face);
-    return FitNumber(value, DecimalsInBox(value, style, columns), TinyOf(style), style.unit, columns);
+    return viewing::fitted_number(value, DecimalsInBox(value, style, columns), TinyOf(style), style.unit, columns);
 }
 
 /// The knob, a slim bar on its tinted track; the number is drawn over it.

@@ -115,14 +115,14 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
             draw->AddCircleFilled(inner::PlaceOf(plot, {z, *step}), Px(3.5F), Shown(color));
         }
     };
-    const auto line = [&](double z, const char* name, const inner::DragLineUse& line_use) {
+    const auto line = [&](double z, const char* name, const std::string& text, const inner::DragLineUse& line_use) {
         if (!IsDistance(z)) return;
         inner::DrawDragLine(draw, PlaceOf(plot, z), plot.min.y, plot.max.y, Shown(palette.camera), line_use);
-        names.push_back({PlaceOf(plot, z), name + (" " + inner::Figures(z)), palette.camera, name});
+        names.push_back({PlaceOf(plot, z), text, palette.camera, name});
     };
-    line(distances.near, "near", use.low);
-    line(distances.far, "far", use.high);
-    mark(style.cursor_z, palette.accent, "pixel", "pixel", 2.0F);
+    line(distances.near, "near", say("near {z}", "z"_a = inner::Figures(distances.near)), use.low);
+    line(distances.far, "far", say("far {z}", "z"_a = inner::Figures(distances.far)), use.high);
+    mark(style.cursor_z, palette.accent, tr("pixel"), "pixel", 2.0F);
     for (const DepthMark& object : style.marks) {
         mark(object.z, object.color ? object.color : palette.quiet, object.label, object.label, 1.25F);
     }

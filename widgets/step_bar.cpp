@@ -198,7 +198,7 @@ int UseTrack(int step, int count, float width, bool& type) {
 
 // ---- the number ------------------------------------------------------------------------------------
 
-void Word(const char* word, float width, bool to_right = false) {
+void Word(std::string_view word, float width, bool to_right = false) {
     const inner::Face face = inner::FaceOf(nullptr);
     const ImVec2 min = ImGui::GetCursorScreenPos();
     ImGui::Dummy(ImVec2(width, ImGui::GetFrameHeight()));
@@ -211,14 +211,14 @@ void Word(const char* word, float width, bool to_right = false) {
 /// "step 12 of 340" or "all 340 steps", with the number in a box to be typed in; the words keep their places.
 struct StepText {
     float word, box, rest;
-    char of[32];
+    std::string of;
 
     explicit StepText(int count) {
         const inner::Face face = inner::FaceOf(nullptr), digits = inner::FaceOf(CurrentContext().fonts.number);
-        std::snprintf(of, sizeof of, count < 10'000 ? "of %d" : "/ %d", count);
-        word = std::ceil(std::max(face.Measure("step").x, face.Measure("all").x));
+        of = count < 10'000 ? say("of {count}", "count"_a = count) : say("/ {count}", "count"_a = count);
+        word = std::ceil(std::max(face.Measure(tr("step")).x, face.Measure(tr("all")).x));
         box = std::ceil(digits.Measure(std::to_string(std::max(count, 100))).x + Px(14));
-        rest = std::ceil(std::max(face.Measure(of).x, face.Measure("steps").x));
+        rest = std::ceil(std::max(face.Measure(of).x, face.Measure(tr("steps")).x));
     }
     /// What a NumberBox with this name goes by.
     static ImGuiID BoxId() {
@@ -232,7 +232,7 @@ struct StepText {
     int Show(int step, int count) const {
         const bool all = step < 0;
         const ImVec2 min = ImGui::GetCursorScreenPos();
-        Word(all ? "all" : "step", word, true);
+        Word(all ? tr("all") : tr("step"), word, true);
         ImGui::SameLine(0.0F, Px(6));
         double value = Reached(step, count);
         const NumberStyle style{.min = 0.0,
@@ -244,10 +244,10 @@ struct StepText {
         const bool edited = inner::NumberBox("step", value, style, box);
         Tooltip("Step", "Double-click to type, drag to change.");
         ImGui::SameLine(0.0F, Px(6));
-        Word(all ? "steps" : of, rest);
-        char text[64];
-        std::snprintf(text, sizeof text, all ? "all %d steps" : "step %d of %d", all ? count : Reached(step, count),
-                      count);
+        Word(all ? tr("steps") : of, rest);
+        const std::string text =
+            all ? say_count(count, "all of one step", "all {count} steps")
+                : say("step {step} of {count}", "step"_a = Reached(step, count), "count"_a = count);
         inner::RecordRect("text", min, ImGui::GetItemRectMax(), text);
         return edited ? static_cast<int>(std::lround(value)) : step;
     }

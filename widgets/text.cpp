@@ -27,7 +27,7 @@ std::string BrokenAtBlanks(std::string_view text, float width) {
 void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::PushTextWrapPos(0.0F);  // words that are wider than a line
-    ImGui::TextUnformatted(BrokenAtBlanks(text, ImGui::GetContentRegionAvail().x).c_str());
+    ImGui::TextUnformatted(BrokenAtBlanks(tr(text), ImGui::GetContentRegionAvail().x).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     inner::RecordRect(recorded_as, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), text);
@@ -62,7 +62,7 @@ void Trouble(const char* sentence) {
 
 float TroubleHeight(const char* sentence, float width) {
     const float beside_sign = width - ImGui::GetFontSize() * 0.95F - inner::Px(6);
-    return ImGui::CalcTextSize(BrokenAtBlanks(sentence, beside_sign).c_str(), nullptr, false, beside_sign).y;
+    return ImGui::CalcTextSize(BrokenAtBlanks(tr(sentence), beside_sign).c_str(), nullptr, false, beside_sign).y;
 }
 
 void ValueText(const char* text, Role role) {
@@ -106,9 +106,9 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
     inner::BeginTooltipWindow();
     if (*title) {
         const inner::FontScope font(context.fonts.heading);
-        ImGui::TextUnformatted(title);
+        ImGui::TextUnformatted(tr(title));
     }
-    if (*body) ImGui::TextUnformatted(body);
+    if (*body) ImGui::TextUnformatted(tr(body));
     TooltipFormulas(formula, roles);
     if (*gl_call) TooltipLine(gl_call, context.palette.accent, context.fonts.number);
     if (*path) TooltipLine(path, context.palette.quiet, context.fonts.small_number);
@@ -131,15 +131,17 @@ Face FaceOf(ImFont* font) {
 }
 
 ImVec2 Face::Measure(std::string_view text) const {
+    text = tr_part(text);
     return font->CalcTextSizeA(size, 1e9F, 0.0F, text.data(), text.data() + text.size());
 }
 
 void Face::Draw(ImDrawList* draw, ImVec2 position, ImU32 color, std::string_view text) const {
+    text = tr_part(text);
     draw->AddText(font, size, position, color, text.data(), text.data() + text.size());
 }
 
 void LabelBehind(const char* label) {
-    const std::string_view shown = ShownPart(label);
+    const std::string_view shown = tr_part(ShownPart(label));
     if (shown.empty()) return;
     ImGui::SameLine(0.0F, Px(7));
     ImGui::AlignTextToFramePadding();

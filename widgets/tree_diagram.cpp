@@ -193,8 +193,8 @@ void NodeTooltip(const TreeCamera& camera, std::span<const TreeNode> nodes, cons
         const inner::FontScope font(CurrentContext().fonts.heading);
         ImGui::TextUnformatted(node.label.data(), node.label.data() + node.label.size());
     }
-    const std::string text = "Nodes in front: " + std::to_string(size_of(node.front)) +
-                             ", behind: " + std::to_string(size_of(node.back)) + ".";
+    const std::string text =
+        say("Nodes in front: {front}, behind: {back}.", "front"_a = size_of(node.front), "back"_a = size_of(node.back));
     ImGui::TextUnformatted(text.c_str());
     const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     inner::RecordRect("tooltip", min, ImVec2(min.x + size.x, min.y + size.y), text);

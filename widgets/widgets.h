@@ -3,7 +3,9 @@
 // Every widget edits the value it is given and says whether it did. Run `widgets-demo` to see each one.
 //
 // Conventions, as in Dear ImGui: `bool Name(label, value&, tuning…)`; true only in a frame in which the value changed;
-// "##id" parts of a label are not shown. Labels stand to the right of a control, quiet.
+// "##id" parts of a label are not shown. Labels stand to the right of a control, quiet. Every text that a widget is
+// given is looked up in the catalogue (text/catalogue.h) where it is drawn; ids and what the recorder tells stay
+// English.
 #pragma once
 
 #include <imgui.h>
@@ -15,6 +17,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "text/numbers.h"
 
 namespace widgets {
 
@@ -119,17 +123,18 @@ struct Group {
 /// Records the last ImGui item under `label` (for items that are not made by this library).
 void Record(const char* label);
 
+/// A label for ImGui itself: what is shown in the language spoken now, under an id that is English in all of them.
+std::string LabelText(const char* label);
+
 // ---- text ------------------------------------------------------------------------------------------
 
-/// A number as it is shown everywhere: fixed decimals, a real minus sign, never "-0.000", never wider than its column;
-/// "—" for NaN, "∞" for infinity. From 10⁶ on, and where the decimals would show nothing of it, as 1.234·10⁶, 7.5·10⁻⁶.
-std::string NumberText(double value, int decimals);
-
-/// A whole number ≥ 0 raised: 24 → "²⁴".
-std::string RaisedText(int value);
+/// viewing::number_text by its old name, until the last call is gone.
+inline std::string NumberText(double value, int decimals) {
+    return viewing::number_text(value, decimals);
+}
 
 /// What a person may type for a number: "1e-3", "−2" with either minus, a decimal comma, blanks around it, the unit
-/// behind it, or what NumberText wrote. Empty when it is not one finite number.
+/// behind it, or what number_text wrote. Empty when it is not one finite number.
 std::optional<double> ParseNumber(std::string_view text, std::string_view unit = {});
 
 void Note(const char* text);                               ///< small and quiet, wraps

@@ -10,6 +10,7 @@
 #include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
 #include "state/fields.h"
+#include "text/numbers.h"
 #include "ui/window/fonts.h"
 
 namespace viewing {
@@ -46,9 +47,8 @@ std::vector<std::string> describe(const PixelReport& pixel) {
     if (pixel.written && !pixel.has_depth) parts.emplace_back("depth as cleared");
     std::snprintf(text, sizeof text, "z_window %.6f", pixel.window_depth);
     parts.emplace_back(text);
-    parts.push_back(
-        "stored " + grouped_number(pixel.stored) +
-        (pixel.precision.is_float ? " (float bits)" : " of 2" + widgets::RaisedText(pixel.precision.bits) + "−1"));
+    parts.push_back("stored " + grouped_number(pixel.stored) +
+                    (pixel.precision.is_float ? " (float bits)" : " of 2" + raised_text(pixel.precision.bits) + "−1"));
     parts.push_back("stencil " + std::to_string(pixel.stencil));
     return parts;
 }

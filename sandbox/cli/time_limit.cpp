@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/png.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

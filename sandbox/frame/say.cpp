@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "frame/depth/depth_precision.h"
+#include "text/numbers.h"
 
 namespace viewing {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

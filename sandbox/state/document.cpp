@@ -4,6 +4,7 @@
 #include <cctype>
 #include <vector>
 
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

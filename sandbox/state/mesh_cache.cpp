@@ -5,6 +5,7 @@
 
 #include "geometry/shapes.h"
 #include "state/fields.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

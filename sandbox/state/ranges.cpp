@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "state/fields.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -2,37 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 namespace viewing {
-
-std::string format_number(double value) {
-    if (value == 0.0) {
-        return std::signbit(value) ? "-0.0" : "0";
-    }
-    const auto digits = [value](std::chars_format format) {
-        std::array<char, 64> buffer;
-        return std::string(buffer.data(),
-                           std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format).ptr);
-    };
-    // "1e+06" becomes "1e6"
-    std::string scientific = digits(std::chars_format::scientific);
-    const std::size_t sign = scientific.find('e') + 1;
-    const std::size_t exponent = std::min(scientific.find_first_not_of('0', sign + 1), scientific.size() - 1);
-    scientific.erase(sign + 1, exponent - sign - 1);
-    if (scientific[sign] == '+') {
-        scientific.erase(sign, 1);
-    }
-
-    const double size = std::abs(value);
-    if (size < 1e-4 || size >= 1e15) {
-        return scientific;
-    }
-    constexpr std::size_t longer_but_plainer = 3;
-    const std::string plain = digits(std::chars_format::fixed);
-    return plain.size() <= scientific.size() + longer_but_plainer ? plain : scientific;
-}
 
 std::string one_line(std::string_view text) {
     std::size_t length = std::min<std::size_t>(text.size(), 200);

@@ -8,9 +8,6 @@
 
 namespace viewing {
 
-/// The shortest decimal that reads back to exactly `value`, as JSON takes it: "0.5", "-0.0", "40000", "1e6".
-std::string format_number(double value);
-
 /// A text fit for a message: control characters become "?", more than 200 bytes are cut between two characters.
 std::string one_line(std::string_view text);
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "text/numbers.h"
 #include "visibility/growth_bench.h"
 
 namespace viewing {

@@ -76,7 +76,4 @@ std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int p
 /// winner keeps its place until another one is faster by a quarter.
 std::string growth_summary(std::span<const GrowthRow> rows);
 
-/// 12,345: a number of polygons as sentences have it.
-std::string grouped_number(std::int64_t number);
-
 }  // namespace viewing

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "text/numbers.h"
 #include "visibility/growth.h"
 
 namespace viewing {
@@ -158,16 +159,6 @@ std::string growth_summary(std::span<const GrowthRow> rows) {
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
     if (walk_wins) text += " The tree is built beforehand, once for every eye.";
     return text + growth_of_times(rows);
-}
-
-std::string grouped_number(std::int64_t number) {
-    std::string text = std::to_string(number);
-    const std::size_t first_digit = number < 0 ? 1 : 0;
-    for (std::size_t place = text.size(); place > first_digit + 3;) {
-        place -= 3;
-        text.insert(place, 1, ',');
-    }
-    return text;
 }
 
 }  // namespace viewing

@@ -99,7 +99,7 @@ TEST_F(HistogramTest, ThePointerTellsTheCount) {
     ui.move_to(ImVec2(left + 0.3F * unit, y));
     EXPECT_EQ(ui.text_of("counts/readout"), "22 pixels\n0.250 to 0.500");
     ui.hover("counts/unwritten");
-    EXPECT_EQ(ui.text_of("counts/readout"), "98765 pixels\nnot written");
+    EXPECT_EQ(ui.text_of("counts/readout"), "98,765 pixels\nnot written");
     EXPECT_GT(ui.find("counts/unwritten").min.x, left + unit);
 }
 

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "visibility/growth.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -42,23 +42,6 @@ double depth_of_code(std::uint32_t code, const DepthPrecision& precision) {
 double distance_of_code(std::uint32_t code, const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
     const double z = distance_of_window_depth(lens, mapping, depth_of_code(code, precision));
     return std::clamp(z, lens.near, lens.far);
-}
-
-std::string raised(int exponent) {
-    static constexpr const char* digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(exponent))) text += digits[digit - '0'];
-    return text;
-}
-
-std::string decimals_of(double value, int decimals) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.*f", std::max(decimals, 0), value);
-    std::string shortest = text;
-    if (shortest.find('.') == std::string::npos) return shortest;
-    shortest.erase(shortest.find_last_not_of('0') + 1);
-    if (shortest.back() == '.') shortest.pop_back();
-    return shortest;
 }
 
 }  // namespace
@@ -116,17 +99,6 @@ std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPr
     const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
     return "Of the " + grouped_number(code_of_one) + " floats from 0 to 1, " + grouped_number(farther) +
            " lie in the farther half of the way, beyond z = " + figures(middle, 3) + ".";
-}
-
-std::string figures(double value, int digits) {
-    if (!std::isfinite(value)) return "∞";
-    if (!(value > 0.0)) return "0";
-    const auto exponent_of = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
-    const double place = std::pow(10.0, digits - 1 - exponent_of(value));
-    const double rounded = std::isfinite(place) && place > 0.0 ? std::round(value * place) / place : value;
-    const int exponent = exponent_of(rounded);
-    if (exponent >= -4 && exponent < 6) return decimals_of(rounded, digits - 1 - exponent);
-    return decimals_of(rounded / std::pow(10.0, exponent), digits - 1) + "·10" + raised(exponent);
 }
 
 }  // namespace viewing

@@ -46,7 +46,4 @@ DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecis
 /// Where half of the codes lie, in a sentence, or of a float format how many lie in the farther half of the way.
 std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision);
 
-/// A positive number with so many significant digits, as in a sentence: "0.25", "3500", "1.2·10⁻⁷".
-std::string figures(double value, int digits = 2);
-
 }  // namespace viewing

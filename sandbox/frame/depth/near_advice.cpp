@@ -7,6 +7,7 @@
 #include <span>
 
 #include "frame/depth/depth_precision.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
+#include "text/numbers.h"
 #include "ui/depth/fragment_text.h"
-#include "visibility/growth.h"
 
 namespace viewing {
 namespace {

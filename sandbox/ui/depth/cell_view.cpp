@@ -98,9 +98,9 @@ void caption(const Rect& grid, float height, const std::string& title, const std
 /// Short: it must not hide the neighbours.
 void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision& precision) {
     const std::string title = "pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
-    const std::string code =
-        precision.is_float ? bits_text(cell.stored)
-                           : code_text(cell.stored, precision) + " of 2" + widgets::RaisedText(precision.bits) + " − 1";
+    const std::string code = precision.is_float
+                                 ? bits_text(cell.stored)
+                                 : code_text(cell.stored, precision) + " of 2" + raised_text(precision.bits) + " − 1";
     const std::string body = "stored " + code + "\nz_window " + widgets::NumberText(cell.window_depth, 9);
     widgets::Tooltip(title.c_str(), body.c_str());
 }

@@ -2,10 +2,10 @@
 #include <algorithm>
 
 #include "frame/depth/depth_precision.h"
+#include "text/numbers.h"
 #include "ui/depth/precision_view.h"
 #include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
-#include "visibility/growth.h"
 #include "widgets/depth.h"
 
 namespace viewing {

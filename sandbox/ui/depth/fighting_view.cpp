@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "frame/depth/depth_precision.h"
+#include "text/numbers.h"
 #include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
-#include "visibility/growth.h"
 
 namespace viewing {
 namespace {

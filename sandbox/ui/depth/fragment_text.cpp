@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstdio>
 
-#include "visibility/growth.h"
+#include "text/numbers.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

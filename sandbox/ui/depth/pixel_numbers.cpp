@@ -57,7 +57,7 @@ PixelNumber stored_number(const PixelReport& pixel) {
                 ""};
     return {"stored",
             with_place_for_sign(code_text(pixel.stored, pixel.precision)),
-            "of 2" + widgets::RaisedText(pixel.precision.bits) + " − 1",
+            "of 2" + raised_text(pixel.precision.bits) + " − 1",
             "Stored code",
             "The integer in the depth buffer, read back and not recomputed: the one next to",
             "z_{window} " + code_count(pixel.precision)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/numbers.h"
 #include "ui/hidden/laboratory.h"
 #include "ui/hidden/laboratory_parts.h"
 #include "ui/hidden/polygon_names.h"

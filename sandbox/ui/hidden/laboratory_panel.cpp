@@ -1,6 +1,7 @@
 // The method's options, its steps, what it counted, and the search for a view where a sort key fails.
 #include <algorithm>
 
+#include "text/numbers.h"
 #include "ui/hidden/laboratory.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"

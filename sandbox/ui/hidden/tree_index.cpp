@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "text/numbers.h"
 #include "ui/hidden/polygon_names.h"
-#include "visibility/growth.h"
 
 namespace viewing {
 namespace {

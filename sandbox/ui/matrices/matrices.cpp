@@ -25,7 +25,7 @@ std::string identity_text(const char* identity, double residual) {
         return broken.replace(broken.find(" = "), 3, " ≠ ");
     }
     const int exponent = static_cast<int>(std::ceil(-std::log10(residual)));
-    return std::string(identity) + " ± 10⁻" + widgets::RaisedText(exponent);
+    return std::string(identity) + " ± 10⁻" + raised_text(exponent);
 }
 
 void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {

@@ -36,7 +36,7 @@ void show_form(const Form& form, float width) {
 std::string difference_text(double difference) {
     if (difference == 0.0) return "Largest difference of any two entries: 0.";
     const int exponent = static_cast<int>(std::floor(-std::log10(difference)));
-    return "Largest difference of any two entries: below 10⁻" + widgets::RaisedText(std::max(exponent, 0)) + ".";
+    return "Largest difference of any two entries: below 10⁻" + raised_text(std::max(exponent, 0)) + ".";
 }
 
 }  // namespace

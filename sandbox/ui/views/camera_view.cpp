@@ -5,6 +5,7 @@
 #include "frame/depth/depth_colors.h"
 #include "state/fields.h"
 #include "state/json.h"
+#include "text/numbers.h"
 #include "ui/depth/depth_views.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "text/numbers.h"
 #include "unit/frame/frame_test.h"
 
 namespace viewing {

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "text/numbers.h"
 #include "unit/visibility/scenes.h"
 #include "visibility/bsp.h"
 
