@@ -104,10 +104,23 @@ int DrawLogChart(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const Chart
 
 // ---- steps -----------------------------------------------------------------------------------------
 
+/// Going through steps by itself; kept between frames.
+struct StepPlayer {
+    bool playing = false;
+    float steps_per_s = 4.0F;
+    double carry_steps = 0.0;  ///< the part of a step that has gone by
+    bool shown = false;        ///< its bar was drawn; set by the bar
+};
+
 /// A step of 0…count, or −1 for all of them, also when their count grows: buttons to the ends and to the neighbours,
-/// play and pause, a slider (drag; wheel and buttons step by one; Ctrl-click types), and the speed. While it plays it
-/// goes on by dt_s·steps_per_s, keeping the rest of a step in `carry`, and stops at the end; played from the end it
-/// starts again. Disabled without steps. True when `step` changed.
-bool StepBar(const char* id, int& step, int count, bool& playing, float& steps_per_s, double dt_s, double& carry);
+/// play and pause, a slider (drag; wheel and buttons step by one; Ctrl-click types), and the speed. Disabled without
+/// steps. True when `step` changed.
+bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s);
+
+/// For bars of one's own: while it plays, a frame of `dt_s` later. It stops at the end, and from there starts again.
+void PlaySteps(int& step, int count, StepPlayer& player, double dt_s);
+
+/// Once a frame, at its end: playing ends where no bar was there to stop it.
+void StopUnlessShown(StepPlayer& player);
 
 }  // namespace widgets

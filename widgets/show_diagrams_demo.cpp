@@ -58,12 +58,10 @@ void ShowTreeAndSteps(const Palette& palette) {
     static DemoTree tree;
     static TreeDiagramState state;
     static int selected = 3, step = -1;
-    static bool playing = false;
-    static float steps_per_s = 10.0F;
-    static double carry = 0.0;
+    static StepPlayer player{.steps_per_s = 10.0F};
 
     if (!Section("Tree and steps", true, "drag · wheel · double-click")) return;
-    StepBar("steps", step, 2 * node_count, playing, steps_per_s, ImGui::GetIO().DeltaTime, carry);
+    StepBar("steps", step, 2 * node_count, player, ImGui::GetIO().DeltaTime);
     // First a node is built in each step, then one is visited.
     const int reached = step < 0 ? 2 * node_count : step, visited = std::max(reached - node_count, 0);
     for (int i = 0; i < node_count; ++i) {
@@ -77,8 +75,8 @@ void ShowTreeAndSteps(const Palette& palette) {
                  .size = ImVec2(0.0F, 300.0F * CurrentContext().scale)});
 
     int no_step = -1;
-    bool not_playing = false;
-    StepBar("no steps", no_step, 0, not_playing, steps_per_s, 0.0, carry);
+    StepPlayer none;
+    StepBar("no steps", no_step, 0, none, 0.0);
 }
 
 void ShowCosts(const Palette& palette) {

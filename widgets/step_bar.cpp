@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "widgets/area.h"
 #include "widgets/diagrams.h"
@@ -19,32 +20,6 @@ constexpr const char* no_steps = "There are no steps to go through.";
 /// The step that `step` stands for, among 0…count.
 int Reached(int step, int count) {
     return step < 0 ? count : std::min(step, count);
-}
-
-// ---- playing ---------------------------------------------------------------------------------------
-
-/// A frame of `dt_s` later. From the end it starts again: an end that is played to stops.
-void Play(int& step, int count, bool& playing, double steps_per_s, double dt_s, double& carry) {
-    const int reached = Reached(step, count);
-    if (reached == count) {
-        step = 0;
-        carry = 0.0;
-        return;
-    }
-    const double added = dt_s * steps_per_s;
-    // Sums of frames that should make whole steps may come out a hair short.
-    constexpr double rounding = 1e-9;
-    if (std::isfinite(added) && added > 0.0) carry += added;
-    const double whole = std::floor(carry + rounding);
-    if (whole >= count - reached) {
-        step = count;
-        playing = false;
-        carry = 0.0;
-        return;
-    }
-    if (whole < 1.0) return;
-    step = reached + static_cast<int>(whole);
-    carry = std::max(carry - whole, 0.0);
 }
 
 // ---- buttons ---------------------------------------------------------------------------------------
@@ -271,12 +246,41 @@ void AskForRedraw(double steps_per_s, double carry) {
 
 }  // namespace
 
-bool StepBar(const char* id, int& step, int count, bool& playing, float& steps_per_s, double dt_s, double& carry) {
+void PlaySteps(int& step, int count, StepPlayer& player, double dt_s) {
+    if (count <= 0) player.playing = false;
+    if (!player.playing) return;
+    const int reached = Reached(step, count);
+    if (reached == count) {
+        step = 0;
+        player.carry_steps = 0.0;
+        return;
+    }
+    const double added = dt_s * static_cast<double>(player.steps_per_s);
+    // Sums of frames that should make whole steps may come out a hair short.
+    constexpr double rounding = 1e-9;
+    if (std::isfinite(added) && added > 0.0) player.carry_steps += added;
+    const double whole = std::floor(player.carry_steps + rounding);
+    if (whole >= count - reached) {
+        step = count;
+        player.playing = false;
+        player.carry_steps = 0.0;
+        return;
+    }
+    if (whole < 1.0) return;
+    step = reached + static_cast<int>(whole);
+    player.carry_steps = std::max(player.carry_steps - whole, 0.0);
+}
+
+void StopUnlessShown(StepPlayer& player) {
+    if (!std::exchange(player.shown, false)) player.playing = false;
+}
+
+bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s) {
     const Group group(id);
+    player.shown = true;
     count = std::max(count, 0);
     int next = step;
-    if (count == 0) playing = false;
-    if (playing) Play(next, count, playing, steps_per_s, dt_s, carry);
+    PlaySteps(next, count, player, dt_s);
 
     ImGui::BeginGroup();
     ImGui::BeginDisabled(count == 0);
@@ -286,21 +290,21 @@ bool StepBar(const char* id, int& step, int count, bool& playing, float& steps_p
     const float speed = Px(92) * CurrentContext().palette.type_scale, least_track = Px(150);
     const bool in_one_row = buttons + text.Width() + speed + least_track + 3.0F * gap <= room;
 
-    const bool was_playing = playing;
-    next = UseButtons(next, count, playing);
+    const bool was_playing = player.playing;
+    next = UseButtons(next, count, player.playing);
     ImGui::SameLine(0.0F, gap);
     bool type = false;
     const auto track = [&](float width) {
         const int before = next;
         next = UseTrack(next, count, std::max(width, Px(60)), type);
-        if (next != before) playing = false;
+        if (next != before) player.playing = false;
     };
     if (in_one_row) {
         track(room - buttons - text.Width() - speed - 3.0F * gap);
         ImGui::SameLine(0.0F, gap);
     }
     const int typed = text.Show(next, count);
-    if (typed != next) playing = false;
+    if (typed != next) player.playing = false;
     next = typed;
     if (in_one_row) {
         ImGui::SameLine(0.0F, gap);
@@ -308,14 +312,14 @@ bool StepBar(const char* id, int& step, int count, bool& playing, float& steps_p
         track(room - speed - gap);
         ImGui::SameLine(0.0F, gap);
     }
-    Speed(steps_per_s, speed);
+    Speed(player.steps_per_s, speed);
     if (type) CurrentContext().editing.type_next = StepText::BoxId();
     ImGui::EndDisabled();
     ImGui::EndGroup();
     if (count == 0) Tooltip("", no_steps);
 
-    if (playing && !was_playing) carry = 0.0;
-    if (playing) AskForRedraw(steps_per_s, carry);
+    if (player.playing && !was_playing) player.carry_steps = 0.0;
+    if (player.playing) AskForRedraw(static_cast<double>(player.steps_per_s), player.carry_steps);
     const bool changed = next != step;
     step = next;
     return changed;

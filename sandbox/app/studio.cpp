@@ -324,7 +324,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     const bool behind = views_are_behind_ && !ImGui::IsAnyItemActive();
     const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
                       is_playing(workbench.views) || moves;
-    const bool works = session.loading_fraction() || hidden_is_behind_ || workbench.views.laboratory.is_busy() ||
+    const bool works = session.loading_fraction() || hidden_is_behind_ || workbench.views.hidden.is_busy() ||
                        (tells_fighting && fighting_.wants_frames());
     redraw_in_s_ = busy ? 0.0 : works ? 0.05 : widgets::RedrawIn(workbench.widgets);
     if (surroundings.shows_time) {

@@ -25,7 +25,7 @@ protected:
     widgets::Context context;
     Shown shown = Shown::cells;
     Rect rect{{20, 20}, {435, 250}};
-    StepPlayer player;
+    widgets::StepPlayer player;
     Derived derived;
     FramePlan frame_plan;
     DepthData data;
@@ -335,11 +335,11 @@ TEST_F(CellView, CanBeSteppedThroughWithoutAPixel) {
 
 TEST_F(CellView, ThePlayerKnowsWhetherItsBarIsThere) {
     ui.frame();
-    EXPECT_TRUE(player.drawn);
-    player.drawn = false;
+    EXPECT_TRUE(player.shown);
+    player.shown = false;
     params.visibility.method = VisibilityMethod::painter;
     ui.frame();
-    EXPECT_FALSE(player.drawn);
+    EXPECT_FALSE(player.shown);
 }
 
 TEST_F(CellView, OtherMethodsHaveTheirOwnSteps) {

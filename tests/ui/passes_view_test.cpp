@@ -86,7 +86,7 @@ TEST_F(PassesView, StepsEditThePassAndNothingElse) {
 }
 
 TEST_F(PassesView, PlaysFromTheFirstPassToTheWholeFrameAndStops) {
-    StepPlayer& player = desk.workbench.views.pass_player;
+    widgets::StepPlayer& player = desk.workbench.views.pass_player;
     ui.click("lower/passes/Play");
     EXPECT_TRUE(player.playing);
     std::vector<int> seen{params.view.pass};
@@ -107,7 +107,7 @@ TEST_F(PassesView, PlayingAFrameOfOnePassEnds) {
     widgets::Context context;
     context.fonts = desk.workbench.widgets.fonts;
     context.palette = desk.workbench.widgets.palette;
-    StepPlayer player{.playing = true};
+    widgets::StepPlayer player{.playing = true};
     const Rect rect{{10, 10}, {700, 400}};
     widgets::test::Harness alone(context, [&] {
         widgets::NewFrame(context);

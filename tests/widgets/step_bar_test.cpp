@@ -11,12 +11,11 @@ namespace {
 class StepBarTest : public WidgetTest {
 protected:
     int step = -1, count = 12;
-    bool playing = false;
-    float steps_per_s = 10.0F;
-    double dt_s = 0.0, carry = 0.0;
+    StepPlayer player{.steps_per_s = 10.0F};
+    double dt_s = 0.0;
 
     void start_bar() {
-        start([this] { return StepBar("steps", step, count, playing, steps_per_s, dt_s, carry); });
+        start([this] { return StepBar("steps", step, count, player, dt_s); });
     }
     void wheel(float notches) {
         ImGui::GetIO().MouseWheel = notches;
@@ -85,7 +84,7 @@ TEST_F(StepBarTest, TheWheelStepsWithoutScrolling) {
     float scrolled = 0.0F;
     start([&] {
         ImGui::BeginChild("panel", ImVec2(580, 200));
-        const bool changed = StepBar("steps", step, count, playing, steps_per_s, 0.0, carry);
+        const bool changed = StepBar("steps", step, count, player, 0.0);
         ImGui::Dummy(ImVec2(10, 2000));
         scrolled = ImGui::GetScrollY();
         ImGui::EndChild();
@@ -124,19 +123,19 @@ TEST_F(StepBarTest, PlaysExactlyItsStepsOverUnevenFrames) {
     count = 1000;
     step = 0;
     start_bar();
-    steps_per_s = 37.5F;
-    playing = true;
+    player.steps_per_s = 37.5F;
+    player.playing = true;
     double played_s = 0.0;
-    while (playing && played_s < 100.0) {
+    while (player.playing && played_s < 100.0) {
         dt_s = frame_s(random);
         played_s += dt_s;
         ui.frame();
         const double due = std::min(played_s * 37.5, 1000.0);
-        ASSERT_NEAR(step + (playing ? carry : 0.0), due, 1e-6);
+        ASSERT_NEAR(step + (player.playing ? player.carry_steps : 0.0), due, 1e-6);
         ASSERT_LE(step, due + 1e-6);
     }
     EXPECT_EQ(step, 1000);
-    EXPECT_FALSE(playing) << "stops at the end";
+    EXPECT_FALSE(player.playing) << "stops at the end";
     EXPECT_NEAR(played_s, 1000.0 / 37.5, 0.05);
     dt_s = 1.0;
     ui.frames(5);
@@ -147,7 +146,7 @@ TEST_F(StepBarTest, FramesThatAddUpToWholeStepsMakeThem) {
     count = 100;
     step = 0;
     start_bar();
-    playing = true;
+    player.playing = true;
     dt_s = 0.01;  // ten of these make a step of 0.1 s, though 0.1 has no exact binary form
     ui.frames(300);
     EXPECT_EQ(step, 30);
@@ -156,34 +155,34 @@ TEST_F(StepBarTest, FramesThatAddUpToWholeStepsMakeThem) {
 TEST_F(StepBarTest, PlayStartsAgainFromTheEndAndAnyHandStopsIt) {
     start_bar();
     ui.click("steps/Play");
-    EXPECT_TRUE(playing);
+    EXPECT_TRUE(player.playing);
     EXPECT_EQ(step, 0);
     dt_s = 0.35;
     ui.frame();
     EXPECT_EQ(step, 3);
     dt_s = 0.0;
     ui.click("steps/Pause");
-    EXPECT_FALSE(playing);
+    EXPECT_FALSE(player.playing);
     EXPECT_EQ(step, 3);
     ui.click("steps/Play");
     ui.click("steps/Back");
-    EXPECT_FALSE(playing);
+    EXPECT_FALSE(player.playing);
     EXPECT_EQ(step, 2);
     step = -1;
-    playing = true;  // as a key would
+    player.playing = true;  // as a key would
     ui.frame();
     EXPECT_EQ(step, 0);
     dt_s = 1e9;
     ui.frame();
     EXPECT_EQ(step, 12);
-    EXPECT_FALSE(playing);
+    EXPECT_FALSE(player.playing);
 }
 
 TEST_F(StepBarTest, AsksForTheFrameOfTheNextStep) {
     step = 0;
     start_bar();
     EXPECT_LT(RedrawIn(context), 0.0F) << "at rest nothing is due";
-    playing = true;
+    player.playing = true;
     ui.frame();
     EXPECT_NEAR(RedrawIn(context), 0.1F, 1e-4F);
 }
@@ -192,10 +191,10 @@ TEST_F(StepBarTest, WithoutStepsItIsDisabledAndSaysWhy) {
     for (const int none : {0, -5}) {
         count = none;
         step = -1;
-        playing = true;
+        player.playing = true;
         dt_s = 1.0;
         start_bar();
-        EXPECT_FALSE(playing);
+        EXPECT_FALSE(player.playing);
         EXPECT_EQ(step, -1);
         for (const char* name : {"First", "Back", "Play", "Forward", "All", "track"}) {
             EXPECT_FALSE(ui.find("steps/" + std::string(name)).enabled) << name;
@@ -214,11 +213,11 @@ TEST_F(StepBarTest, AStepBeyondTheEndIsShownAsTheEndAndKept) {
     start_bar();
     EXPECT_EQ(ui.text_of("steps/text"), "step 12 of 12");
     EXPECT_EQ(step, 50);
-    steps_per_s = NAN;
-    playing = true;
+    player.steps_per_s = NAN;
+    player.playing = true;
     dt_s = 1.0;
     ui.frames(3);
-    EXPECT_TRUE(std::isfinite(carry));
+    EXPECT_TRUE(std::isfinite(player.carry_steps));
     EXPECT_GE(step, 0);
     EXPECT_LE(step, 12);
 }
@@ -228,10 +227,10 @@ TEST_F(StepBarTest, TheSpeedIsALogarithmicSlider) {
     ui.double_click("steps/speed");
     ui.type("250");
     ui.key(ImGuiKey_Enter);
-    EXPECT_EQ(steps_per_s, 250.0F);
+    EXPECT_EQ(player.steps_per_s, 250.0F);
     EXPECT_EQ(changes, 0) << "no step changed";
     ui.drag("steps/speed", 500);
-    EXPECT_EQ(steps_per_s, 5000.0F);
+    EXPECT_EQ(player.steps_per_s, 5000.0F);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the depth laboratory's views tell about, read back from the buffers whenever a view wants it and something
+// What the views of the depth buffer tell about, read back from the buffers whenever a view wants it and something
 // changed. The studio fills it; the views only read it.
 #pragma once
 

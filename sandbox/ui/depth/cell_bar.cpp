@@ -68,18 +68,7 @@ void call_row(DrawLimit& limit, const std::vector<DrawCall>& calls, const FrameP
     if (arrow("→", limit.call >= 0, "Next call", "One whole draw call further.")) limit = next_call(limit, calls);
 }
 
-/// The step after some time; at the end the playing stops.
-int played(int step, int count, StepPlayer& player, double dt_s) {
-    player.carry_steps += std::max(dt_s, 0.0) * player.steps_per_s;
-    const double whole = std::floor(player.carry_steps);
-    player.carry_steps -= whole;
-    const int reached = step < 0 ? count : step;
-    if (whole < count - reached) return reached + static_cast<int>(whole);
-    player = {.steps_per_s = player.steps_per_s};
-    return count;
-}
-
-void play_button(int& step, int count, StepPlayer& player) {
+void play_button(int& step, int count, widgets::StepPlayer& player) {
     if (ImGui::Button(player.playing ? "■##play" : "▶##play", {button_width(), 0.0F})) {
         player = {.playing = !player.playing, .steps_per_s = player.steps_per_s};
         if (player.playing && (step < 0 || step >= count)) step = 0;
@@ -91,11 +80,10 @@ void play_button(int& step, int count, StepPlayer& player) {
 }
 
 /// What there is room for where the whole bar has none: back, the number, on, play.
-void short_bar(int& step, int count, StepPlayer& player, const Rect& rect) {
-    if (player.playing) {
-        step = played(step, count, player, ImGui::GetIO().DeltaTime);
-        widgets::CurrentContext().editing.redraw_in_s = 0.0F;
-    }
+void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& rect) {
+    player.shown = true;
+    widgets::PlaySteps(step, count, player, ImGui::GetIO().DeltaTime);
+    if (player.playing) widgets::CurrentContext().editing.redraw_in_s = 0.0F;
     const int before = step;
     int reached = step < 0 ? count : step;
     ImGui::PushButtonRepeat(true);
@@ -126,7 +114,7 @@ void short_bar(int& step, int count, StepPlayer& player, const Rect& rect) {
 }  // namespace
 
 void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const FramePlan& plan,
-                   const CellLayout& layout, StepPlayer& player) {
+                   const CellLayout& layout, widgets::StepPlayer& player) {
     ViewParams& view = session.params.view;
     DrawLimit limit{view.call, view.triangle};
     const int count = step_count(calls);
@@ -135,8 +123,7 @@ void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const F
 
     ImGui::SetCursorScreenPos(layout.steps.min);
     if (layout.has_step_bar) {
-        widgets::StepBar("steps", step, count, player.playing, player.steps_per_s, ImGui::GetIO().DeltaTime,
-                         player.carry_steps);
+        widgets::StepBar("steps", step, count, player, ImGui::GetIO().DeltaTime);
     } else {
         const widgets::Group group("steps");
         short_bar(step, count, player, layout.steps);

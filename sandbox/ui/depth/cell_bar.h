@@ -8,6 +8,6 @@ namespace viewing {
 
 /// Edits params.view.call and triangle; goes on by itself while it plays.
 void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const FramePlan& plan,
-                   const CellLayout& layout, StepPlayer& player);
+                   const CellLayout& layout, widgets::StepPlayer& player);
 
 }  // namespace viewing

@@ -8,9 +8,9 @@
 #include "ui/depth/cell_text.h"
 #include "ui/depth/draw_steps.h"
 #include "ui/depth/fragment_text.h"
-#include "ui/hidden/laboratory_parts.h"
-#include "ui/hidden/polygon_table.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
+#include "ui/parts/view_window.h"
 #include "widgets/depth.h"
 
 namespace viewing {
@@ -195,8 +195,8 @@ void draw_sentence(const std::string& sentence, const Rect& rect) {
 }  // namespace
 
 void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
-                    StepPlayer& player) {
-    const LaboratoryView window("cell view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+                    widgets::StepPlayer& player) {
+    const ViewWindow window("cell view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     Params& params = session.params;
     if (!is_drawn_by_gl_alone(params.visibility.method)) {
         if (offer("GL's depth buffer fills draw call by draw call; other methods have steps of their own.",
@@ -211,7 +211,6 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     const widgets::Group group("cells");
     const CellLayout layout = lay_out_cells(rect);
     draw_cell_bar(session, data.calls, plan, layout, player);
-    player.drawn = true;
     if (data.now.cells.empty() || data.now.size.x <= 0) {
         ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
         offer("Point at the camera's picture, or click a pixel to pin it.");

@@ -5,21 +5,14 @@
 #include "frame/depth/depth_data.h"
 #include "session/session.h"
 #include "ui/window/layout.h"
+#include "widgets/diagrams.h"
 
 namespace viewing {
-
-/// Going through the triangles by itself.
-struct StepPlayer {
-    bool playing = false;
-    float steps_per_s = 4.0F;
-    double carry_steps = 0.0;  ///< the part of a step that has gone by
-    bool drawn = false;        ///< its bar was there to stop it; set by draw_cell_view, and for others to take back
-};
 
 /// Above the bar of steps, below it the colour buffer and the depth buffer, and the compare that decides the cell under
 /// the pointer, else the pixel. A click on a cell pins its pixel, a click on the pinned one releases it.
 void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
-                    StepPlayer& player);
+                    widgets::StepPlayer& player);
 
 /// How many columns and rows of cells fit so that their numbers can be read; at least 1 × 1.
 glm::ivec2 cell_block_size(const Rect& rect);

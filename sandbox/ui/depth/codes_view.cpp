@@ -4,8 +4,8 @@
 #include "frame/depth/depth_precision.h"
 #include "text/numbers.h"
 #include "ui/depth/precision_view.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
 #include "widgets/depth.h"
 
 namespace viewing {
@@ -20,7 +20,7 @@ std::string tick_words(const DepthCodes& codes, const DepthPrecision& precision)
 }  // namespace
 
 void draw_codes_view(Session& session, const Derived& derived, const Rect& rect) {
-    const LaboratoryView view("codes view", rect);
+    const ViewWindow view("codes view", rect);
     const DepthCoding coding = depth_coding(session.params, derived);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     // The widget draws every tick that has 6 pixels of its own.

@@ -6,8 +6,9 @@
 
 #include "frame/depth/depth_precision.h"
 #include "text/numbers.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
+#include "ui/parts/view_window.h"
 
 namespace viewing {
 namespace {
@@ -232,7 +233,7 @@ void draw_totals(const FightingReport& report) {
 }  // namespace
 
 void draw_fighting_view(Session& session, const FightingReport* report, const Rect& rect) {
-    const LaboratoryView view("fighting view", rect);
+    const ViewWindow view("fighting view", rect);
     const widgets::Group group("fighting");
     if (!report) {
         offer("Counting…");

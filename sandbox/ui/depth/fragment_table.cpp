@@ -6,9 +6,8 @@
 
 #include "ui/depth/fragment_text.h"
 #include "ui/depth/pixel_numbers.h"
-#include "ui/hidden/laboratory_parts.h"
-#include "ui/hidden/polygon_table.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

@@ -6,9 +6,9 @@
 
 #include "ui/depth/fragment_table.h"
 #include "ui/depth/pixel_numbers.h"
-#include "ui/hidden/laboratory_parts.h"
-#include "ui/hidden/polygon_table.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
+#include "ui/parts/view_window.h"
 
 namespace viewing {
 namespace {
@@ -170,7 +170,7 @@ void draw_pixel(Session& session, const Derived& derived, const DepthData& data)
 }  // namespace
 
 void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const Rect& rect) {
-    const LaboratoryView view("pixel view", rect);
+    const ViewWindow view("pixel view", rect);
     const widgets::Group group("pixel");
     if (data.pixel) return draw_pixel(session, derived, data);
     if (!session.params.view.pixel)

@@ -6,8 +6,8 @@
 #include "frame/depth/depth_precision.h"
 #include "frame/depth/near_advice.h"
 #include "state/fields.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
 #include "widgets/depth.h"
 
 namespace viewing {
@@ -144,7 +144,7 @@ private:
 }  // namespace
 
 void draw_precision_view(Session& session, const Derived& derived, const Rect& rect, double cursor_z) {
-    const LaboratoryView view("precision view", rect);
+    const ViewWindow view("precision view", rect);
     const std::vector<SeenThing> seen = seen_things(session.params, derived, session.scene());
     const std::optional<NearAdvice> advice = near_advice(session.params, derived, seen);
     const float room = ImGui::GetContentRegionAvail().y;

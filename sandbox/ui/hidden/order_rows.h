@@ -1,5 +1,5 @@
 // The drawing order as a list has it: one row for a place in the order, made when it is looked at. Read
-// laboratory_order.cpp for its use.
+// order_view.cpp for its use.
 #pragma once
 
 #include <imgui.h>

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
 
 namespace viewing {
 namespace {
@@ -24,19 +24,9 @@ void swatch(const OrderRow& row) {
 
 }  // namespace
 
-std::string shortened(std::string text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
-        // The bytes that continue a letter go with it.
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
-    return text + "…";
-}
-
-PolygonTable::PolygonTable(LaboratoryState& state, const HiddenResult& result, const char* id, const char* detail,
+PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, const char* id, const char* detail,
                            int count, ImVec2 size)
-    : state_(state), has_tree_(result.tree != nullptr), has_detail_(*detail != '\0') {
+    : links_(links), has_tree_(result.tree != nullptr), has_detail_(*detail != '\0') {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(4.0F), px(cell_padding)});
     ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
@@ -70,17 +60,17 @@ void PolygonTable::scroll_to(int place) const {
     if (top < at || top > at + room - height) ImGui::SetScrollY(std::max(0.0F, top - 0.4F * room));
 }
 
-void PolygonTable::row(int number, const OrderRow& row) {
+bool PolygonTable::row(int number, const OrderRow& row) {
     ImGui::TableNextRow(0, row_height());
     ImGui::PushID(number);
-    const bool is_lit = row.fragment >= 0 && row.fragment == state_.link.hovered_fragment;
+    const bool is_lit = row.fragment >= 0 && row.fragment == links_.now.hovered_fragment;
     if (row.is_current || is_lit)
         ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, row.is_current ? 90U : 45U));
     const bool is_plain = row.is_reached || row.is_current;
     ImGui::PushStyleColor(ImGuiCol_Text, is_plain ? palette().text : with_alpha(palette().quiet, 170));
     ImGui::TableNextColumn();
     const std::string digits = std::to_string(number);
-    select(row, digits);
+    const bool is_clicked = select(row, digits);
     text_at_right(digits);
     ImGui::TableNextColumn();
     swatch(row);
@@ -91,22 +81,24 @@ void PolygonTable::row(int number, const OrderRow& row) {
     }
     ImGui::PopStyleColor();
     ImGui::PopID();
+    return is_clicked;
 }
 
 /// The row as something to point at and click; recorded as "3 box, polygon 12".
-void PolygonTable::select(const OrderRow& row, const std::string& digits) {
-    const bool is_selected = row.fragment >= 0 && row.fragment == state_.link.selected_fragment;
+bool PolygonTable::select(const OrderRow& row, const std::string& digits) {
+    const bool is_selected = row.fragment >= 0 && row.fragment == links_.now.selected_fragment;
     const float x = ImGui::GetCursorPosX();
-    if (ImGui::Selectable("##row", is_selected,
-                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
-        const int chosen = is_selected ? -1 : row.fragment;
-        state_.next_link.selected_fragment = state_.order_revealed = chosen;
-        state_.next_link.selected_node = has_tree_ ? state_.tree_index.node_of(chosen) : -1;
+    const bool is_clicked = ImGui::Selectable(
+        "##row", is_selected, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+    if (is_clicked) {
+        links_.next.selected_fragment = is_selected ? -1 : row.fragment;
+        links_.next.selected_node = has_tree_ ? links_.tree.node_of(links_.next.selected_fragment) : -1;
     }
-    if (ImGui::IsItemHovered()) state_.next_link.hovered_fragment = row.fragment;
+    if (ImGui::IsItemHovered()) links_.next.hovered_fragment = row.fragment;
     widgets::Record((digits + " " + row.name).c_str());
     ImGui::SameLine();
     ImGui::SetCursorPosX(x);
+    return is_clicked;
 }
 
 }  // namespace viewing

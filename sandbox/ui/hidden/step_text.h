@@ -1,5 +1,5 @@
 // What a method did at the step, in words: Newell's ladder, the compare of the depth buffer, the hits of a ray. Read
-// laboratory_order.cpp for its use.
+// order_view.cpp for its use.
 #pragma once
 
 #include <array>

@@ -18,13 +18,14 @@ bool is_index(int index, std::size_t size) {
 
 }  // namespace
 
-bool TreeIndex::follow(const std::shared_ptr<const HiddenResult>& result) {
-    if (!result || !result->tree || result == followed_) return false;
-    const bool is_new = !followed_ || followed_->tree != result->tree;
-    if (is_new) take_tree(*result->tree);
+void TreeIndex::follow(const std::shared_ptr<const HiddenResult>& result) {
+    if (!result || !result->tree || result == followed_) return;
+    if (!followed_ || followed_->tree != result->tree) {
+        take_tree(*result->tree);
+        ++revision_;
+    }
     take_walk(*result);
     followed_ = result;
-    return is_new;
 }
 
 void TreeIndex::take_tree(const BspTree& tree) {

@@ -1,7 +1,9 @@
 // A BSP tree as its diagram wants it, the way from polygons back to nodes, and what is told of a node. Read
-// laboratory_views.cpp for its use.
+// tree_view.cpp for its use.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,9 +20,10 @@ public:
     TreeIndex(TreeIndex&&) = default;
     TreeIndex& operator=(TreeIndex&&) = default;
 
-    /// Follows a result: its tree, its walk, and how far its step has come. True when the tree is another one. A
-    /// result without a tree changes nothing.
-    bool follow(const std::shared_ptr<const HiddenResult>& result);
+    /// Follows a result: its tree, its walk, and how far its step has come. A result without a tree changes nothing.
+    void follow(const std::shared_ptr<const HiddenResult>& result);
+    /// Counts the trees that were followed.
+    std::uint64_t revision() const { return revision_; }
 
     const std::vector<widgets::TreeNode>& nodes() const { return nodes_; }
     int node_of(int fragment) const;  ///< −1 where there is no such fragment
@@ -32,6 +35,7 @@ private:
     void take_walk(const HiddenResult& result);
 
     std::shared_ptr<const HiddenResult> followed_;
+    std::uint64_t revision_ = 0;
     std::vector<widgets::TreeNode> nodes_;
     std::vector<char> labels_;
     std::vector<int> node_of_fragment_;

@@ -110,7 +110,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     tell_problems(problems, "projection");
 }
 
-void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, LaboratoryState& laboratory,
+void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
                              const HiddenStatus& hidden) {
     if (!widgets::Section("Hidden surfaces")) return;
     const widgets::Group group("depth");
@@ -139,7 +139,7 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
     if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
-    draw_laboratory_panel(laboratory, session, hidden);
+    draw_hidden_panel(hidden_state, session, hidden);
     tell_problems(problems, "depth");
     tell_problems(problems, "visibility");
 }
@@ -160,11 +160,11 @@ void observer_section(Session& session) {
 }  // namespace
 
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                LaboratoryState& laboratory, const HiddenStatus& hidden) {
+                HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
     ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
     camera_section(session, problems);
     projection_section(session, derived, problems);
-    hidden_surfaces_section(session, problems, laboratory, hidden);
+    hidden_surfaces_section(session, problems, hidden_state, hidden);
     draw_depth_section(session);
     draw_light_section(session, problems);
     draw_plane_section(session, derived, problems);

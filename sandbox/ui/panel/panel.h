@@ -3,12 +3,12 @@
 
 #include "frame/problems.h"
 #include "session/session.h"
-#include "ui/hidden/laboratory.h"
+#include "ui/hidden/hidden_panel.h"
 
 namespace viewing {
 
 /// Draws the sections into the current ImGui window and edits the session's parameters.
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
-                LaboratoryState& laboratory, const HiddenStatus& hidden);
+                HiddenPanelState& hidden_state, const HiddenStatus& hidden);
 
 }  // namespace viewing

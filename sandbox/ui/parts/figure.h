@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/parts/section.h"
+#include "ui/parts/cross_section.h"
 
 namespace viewing {
 
@@ -12,7 +12,7 @@ namespace viewing {
 /// is. Places are of the world, sizes design pixels.
 class Figure {
 public:
-    explicit Figure(const Section& section) : draw_(ImGui::GetWindowDrawList()), section_(section) {}
+    explicit Figure(const CrossSection& section) : draw_(ImGui::GetWindowDrawList()), section_(section) {}
     ~Figure();
     Figure(const Figure&) = delete;
     Figure& operator=(const Figure&) = delete;
@@ -51,7 +51,7 @@ private:
     ImFont* number_font() const;
 
     ImDrawList* draw_;
-    const Section& section_;
+    const CrossSection& section_;
     std::vector<ImVec2> marks_;
     std::vector<Rect> taken_;
     std::vector<Label> labels_;

@@ -84,7 +84,7 @@ void draw_point_side(Figure& figure, const ShadowDerivation& found, const Shadow
 
 void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& found, double farthest_world) {
     const ShadowPlaces places = shadow_places(found, farthest_world);
-    Section section(rect, found.point_foot_world, places.across, places.up);
+    CrossSection section(rect, found.point_foot_world, places.across, places.up);
     const std::array<glm::dvec3, 4> shown = shown_points(found, places, farthest_world);
     const float left = std::min(Figure::has_room(rect) ? px(150.0F) : px(56.0F), rect.width() * 0.3F);
     const float right = std::min(px(40.0F), rect.width() * 0.2F), above = std::min(px(26.0F), rect.height() * 0.2F);
@@ -120,7 +120,7 @@ void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& found, double
 void draw_mirror_diagram(const Rect& rect, const MirrorDerivation& found) {
     const glm::dvec3 n(found.unit_plane), across = along_plane(n);
     const bool is_wall = std::abs(n.y) < 0.5;
-    Section section(rect, found.foot_world, across, n, is_wall);
+    CrossSection section(rect, found.foot_world, across, n, is_wall);
     const double k = std::max(std::abs(found.k), 1e-3);
     const std::array<glm::dvec3, 2> shown = {found.foot_world + n * k, found.foot_world - n * k};
     const float margin = std::min(px(34.0F), std::min(rect.width(), rect.height()) * 0.25F);

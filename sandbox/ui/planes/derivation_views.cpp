@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
 #include "ui/planes/derivation_diagram.h"
 #include "ui/planes/derivation_forms.h"
 #include "ui/planes/derivation_text.h"
@@ -31,7 +31,7 @@ public:
     bool is_wide() const { return is_wide_; }
 
 private:
-    LaboratoryView view_;
+    ViewWindow view_;
     Rect figure_;
     bool is_wide_;
 };

@@ -5,7 +5,6 @@
 
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
-#include "widgets/diagrams.h"
 
 namespace viewing {
 namespace {
@@ -48,19 +47,17 @@ Places places_in(const Rect& rect, double aspect) {
 
 /// Passes as steps from 1 on; a frame that stops nowhere is at its last one. True when they were stepped. In a narrow
 /// place the bar is lower, as its buttons are the less wide then; where that is not enough, clicks on passes remain.
-bool steps(Session& session, int count, StepPlayer& player) {
+bool steps(Session& session, int count, widgets::StepPlayer& player) {
     constexpr float whole_bar = 256.0F, low_bar = 215.0F;
     const float room = ImGui::GetContentRegionAvail().x;
     if (room < px(low_bar)) return false;
-    player.drawn = true;
     int& pass = session.params.view.pass;
     int step = pass < 0 ? -1 : pass + 1;
     const int before = step;
     const bool is_narrow = room < px(whole_bar);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {ImGui::GetStyle().FramePadding.x, is_narrow ? 0.0F : ImGui::GetStyle().FramePadding.y});
-    widgets::StepBar("passes", step, count, player.playing, player.steps_per_s, ImGui::GetIO().DeltaTime,
-                     player.carry_steps);
+    widgets::StepBar("passes", step, count, player, ImGui::GetIO().DeltaTime);
     ImGui::PopStyleVar();
     if (count < 2) player.playing = false;  // the first pass is the end already
     if (step == before) return false;
@@ -135,7 +132,7 @@ glm::ivec2 pass_picture_size(const Rect& rect, double aspect) {
 }
 
 void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect, const PassPictures& pictures,
-                      double aspect, StepPlayer& player) {
+                      double aspect, widgets::StepPlayer& player) {
     const Places places = places_in(rect, aspect);
     for (std::size_t buffer = 0; buffer < pictures.size(); ++buffer) {
         const Rect& place = places.pictures[buffer];

@@ -5,8 +5,8 @@
 
 #include "frame/plan.h"
 #include "session/session.h"
-#include "ui/depth/cell_view.h"
 #include "ui/window/layout.h"
+#include "widgets/diagrams.h"
 
 namespace viewing {
 
@@ -18,6 +18,6 @@ glm::ivec2 pass_picture_size(const Rect& rect, double aspect);
 
 /// The list with its steps, which edit view.pass, and the three pictures beside it.
 void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect, const PassPictures& pictures,
-                      double aspect, StepPlayer& player);
+                      double aspect, widgets::StepPlayer& player);
 
 }  // namespace viewing

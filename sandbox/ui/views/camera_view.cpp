@@ -7,6 +7,7 @@
 #include "state/json.h"
 #include "text/numbers.h"
 #include "ui/depth/depth_views.h"
+#include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
@@ -207,9 +208,9 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                       derived.facts.target_distance;
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
         if (state.looking && state.dragged_px <= px(3.0F)) {
-            PolygonLink& link = state.laboratory.next_link;
-            link.selected_fragment = state.laboratory.link.hovered_fragment;
-            link.selected_node = state.laboratory.tree_index.node_of(link.selected_fragment);
+            PolygonLinks& links = state.hidden.links;
+            links.next.selected_fragment = links.now.hovered_fragment;
+            links.next.selected_node = links.tree.node_of(links.next.selected_fragment);
             if (state.hovered_pixel &&
                 (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
                 pin(session.params, *state.hovered_pixel);
@@ -266,8 +267,9 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, input, motion);
     camera_legend(overlay, params, pictures.hidden);
-    if (over) state.laboratory.next_link.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
-    draw_laboratory_overlay(state.laboratory, session, pictures.hidden, overlay);
+    PolygonLinks& links = state.hidden.links;
+    if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
+    draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
     if (!state.handles) return;
     draw_handles(overlay, places, derived, hovered);

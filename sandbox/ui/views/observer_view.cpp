@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "state/fields.h"
+#include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
@@ -69,7 +70,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.lights_world.front());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
-    draw_laboratory_observer(state.laboratory, hidden, overlay);
+    draw_hidden_observer(state.hidden.links.now, hidden, overlay);
     draw_handles(overlay, places, derived, hovered);
     draw_derivation_overlay(overlay, session.params, derived);
 }

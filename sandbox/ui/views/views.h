@@ -10,7 +10,7 @@
 #include "frame/problems.h"
 #include "session/session.h"
 #include "ui/depth/cell_view.h"
-#include "ui/hidden/laboratory.h"
+#include "ui/hidden/hidden_state.h"
 #include "ui/parts/handles.h"
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
@@ -39,16 +39,16 @@ struct ViewState {
     std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, top left origin
     std::optional<glm::ivec2> told_pixel;     ///< the last one of these, while the pointer is elsewhere
     ViewName hovered = ViewName::none;
-    LaboratoryState laboratory;
-    StepPlayer call_player;  ///< of the draw calls
-    StepPlayer pass_player;  ///< of the passes
-    glm::ivec2 cells{0};     ///< columns and rows that the cell view had room for
-    LightRays light_rays;    ///< of the observer
+    HiddenState hidden;
+    widgets::StepPlayer call_player;  ///< of the draw calls
+    widgets::StepPlayer pass_player;  ///< of the passes
+    glm::ivec2 cells{0};              ///< columns and rows that the cell view had room for
+    LightRays light_rays;             ///< of the observer
 };
 
 /// Whether something goes on by itself, step by step.
 inline bool is_playing(const ViewState& state) {
-    return state.laboratory.playing || state.call_player.playing || state.pass_player.playing;
+    return state.hidden.panel.player.playing || state.call_player.playing || state.pass_player.playing;
 }
 
 /// The camera's picture; adds what the mouse did to the motion input.

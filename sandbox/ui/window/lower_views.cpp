@@ -85,11 +85,11 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::passes:
             return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
         case Topic::tree:
-            return draw_tree_view(state.laboratory, session, pictures.hidden, rect);
+            return draw_tree_view(state.hidden.tree, state.hidden.links, session, pictures.hidden, rect);
         case Topic::order:
-            return draw_order_view(state.laboratory, session, pictures.hidden, rect);
+            return draw_order_view(state.hidden.order, state.hidden.links, session, pictures.hidden, rect);
         case Topic::growth:
-            return draw_growth_view(state.laboratory, session, rect);
+            return draw_growth_view(state.hidden.growth, session, rect);
         case Topic::shadow_derivation:
             return draw_shadow_derivation(session, derived, rect);
         case Topic::mirror_derivation:

@@ -73,7 +73,7 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
     if (!layout.panel.empty()) {
         begin_area("panel", layout.panel, 0);
-        draw_panel(session, derived, problems, views.laboratory, hidden);
+        draw_panel(session, derived, problems, views.hidden.panel, hidden);
         ImGui::End();
     }
     if (!layout.matrices.empty()) {
@@ -164,22 +164,17 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     const bool keys_move =
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
-    begin_laboratory_frame(views.laboratory, session);
-    keep_selection(views.laboratory, pictures.hidden);
+    begin_hidden_frame(views.hidden, session, pictures.hidden);
     if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);
     draw_views(session, derived, plan, problems, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
-    for (StepPlayer* player : {&views.call_player, &views.pass_player})
-        if (!std::exchange(player->drawn, false)) player->playing = false;
-    LaboratoryState& laboratory = views.laboratory;
-    end_laboratory_frame(laboratory, session);
-    take_growth_rows(laboratory);
-    laboratory.link = laboratory.next_link;
-    laboratory.next_link.hovered_fragment = laboratory.next_link.hovered_node = -1;
-    requests.cancel_hidden = std::exchange(laboratory.cancel_method, false);
-    requests.restart_hidden = std::exchange(laboratory.restart_method, false);
-    requests.view_picture = std::exchange(laboratory.wanted_picture, std::nullopt);
+    widgets::StopUnlessShown(views.call_player);
+    widgets::StopUnlessShown(views.pass_player);
+    end_hidden_frame(views.hidden, session);
+    requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
+    requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
+    requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
     draw_loading(session, now);
     draw_message(session, now);
     file_dialog_.draw(session);

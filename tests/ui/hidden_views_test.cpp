@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "laboratory_desk.h"
+#include "hidden_desk.h"
 #include "ui/hidden/order_rows.h"
 #include "ui/hidden/polygon_names.h"
 #include "ui/hidden/step_text.h"
@@ -14,7 +14,7 @@ namespace {
 
 // ---- the tree --------------------------------------------------------------------------------------
 
-TEST_F(LaboratoryViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
+TEST_F(HiddenViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
     show(Topic::tree, VisibilityMethod::painter);
     EXPECT_TRUE(says("Only the BSP tree has a tree to show."));
     ui.click("lower/Use the BSP tree");
@@ -24,37 +24,37 @@ TEST_F(LaboratoryViews, TheTreeIsOfferedWhereAnotherMethodIsChosen) {
     EXPECT_TRUE(says(std::to_string(result().tree->nodes.size()) + " nodes, "));
 }
 
-TEST_F(LaboratoryViews, ANodeUnderThePointerIsLinkedAndTold) {
+TEST_F(HiddenViews, ANodeUnderThePointerIsLinkedAndTold) {
     show(Topic::tree, VisibilityMethod::bsp);
     ui.hover("lower/tree/2");
     ui.frame();
-    EXPECT_EQ(laboratory().link.hovered_node, 2);
+    EXPECT_EQ(hidden().links.now.hovered_node, 2);
     EXPECT_TRUE(says("node 3: plane of "));
     ui.move_to({1.0F, 1.0F});
     ui.frame();
-    EXPECT_EQ(laboratory().link.hovered_node, -1);
+    EXPECT_EQ(hidden().links.now.hovered_node, -1);
 }
 
-TEST_F(LaboratoryViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
+TEST_F(HiddenViews, AClickedNodeSelectsItsPolygonUntilTheGroundIsClicked) {
     show(Topic::tree, VisibilityMethod::bsp);
     ui.click("lower/tree/1");
     ui.frames(10);
-    EXPECT_EQ(laboratory().link.selected_node, 1);
-    EXPECT_EQ(node_that_holds(laboratory().link.selected_fragment), 1);
+    EXPECT_EQ(hidden().links.now.selected_node, 1);
+    EXPECT_EQ(node_that_holds(hidden().links.now.selected_fragment), 1);
     const RecordedItem view = ui.find("lower/tree/view");
     desk.click_at({view.min.x + 4.0F, view.max.y - 4.0F});
     ui.frames(2);
-    EXPECT_EQ(laboratory().link.selected_node, -1);
-    EXPECT_EQ(laboratory().link.selected_fragment, -1);
+    EXPECT_EQ(hidden().links.now.selected_node, -1);
+    EXPECT_EQ(hidden().links.now.selected_fragment, -1);
 }
 
-TEST_F(LaboratoryViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
+TEST_F(HiddenViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
     show(Topic::tree, VisibilityMethod::bsp);
     const int count = static_cast<int>(result().fragments->size());
     for (int fragment = 0; fragment < count; ++fragment) {
         const int node = node_that_holds(fragment);
         ASSERT_GE(node, 0);
-        laboratory().next_link.selected_fragment = fragment;
+        hidden().links.next.selected_fragment = fragment;
         ui.move_to({1.0F, 1.0F});
         ui.frames(3);
         EXPECT_TRUE(says("node " + std::to_string(node + 1) + ": ")) << "fragment " << fragment;
@@ -62,24 +62,24 @@ TEST_F(LaboratoryViews, APolygonSelectedElsewhereSelectsTheNodeThatHoldsIt) {
     }
 }
 
-TEST_F(LaboratoryViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
+TEST_F(HiddenViews, APolygonUnderThePointerInTheCameraViewTellsItsNode) {
     show(Topic::tree, VisibilityMethod::bsp);
     const Polygon& polygon = result().fragments->front();
     ui.move_to(desk.in_camera_view(centroid(polygon)));
     ui.frames(3);
-    const int hovered = laboratory().link.hovered_fragment;
+    const int hovered = hidden().links.now.hovered_fragment;
     ASSERT_GE(hovered, 0);
     EXPECT_TRUE(says("node " + std::to_string(node_that_holds(hovered) + 1) + ": "));
 }
 
-TEST_F(LaboratoryViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
+TEST_F(HiddenViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
     show(Topic::tree, VisibilityMethod::bsp);
     const auto places = node_places();
-    const std::uint64_t revision = laboratory().tree_revision;
+    const std::uint64_t revision = hidden().links.tree.revision();
     ASSERT_FALSE(places.empty());
     const auto marks = [this] {
         std::vector<int> found;
-        for (const widgets::TreeNode& node : laboratory().tree_index.nodes()) found.push_back(node.mark);
+        for (const widgets::TreeNode& node : hidden().links.tree.nodes()) found.push_back(node.mark);
         return found;
     };
     std::set<std::vector<int>> walks;
@@ -89,23 +89,23 @@ TEST_F(LaboratoryViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
                                   from.z * std::cos(0.7 * turn)};
         desk.settle();
         EXPECT_EQ(node_places(), places);
-        EXPECT_EQ(laboratory().tree_revision, revision);
+        EXPECT_EQ(hidden().links.tree.revision(), revision);
         walks.insert(marks());
     }
     EXPECT_GT(walks.size(), 2U);
     params.visibility.splitter = Splitter::first;
     desk.settle();
-    EXPECT_EQ(laboratory().tree_revision, revision + 1);
+    EXPECT_EQ(hidden().links.tree.revision(), revision + 1);
 }
 
-TEST_F(LaboratoryViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
+TEST_F(HiddenViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
     show(Topic::tree, VisibilityMethod::bsp);
     const auto nodes = static_cast<int>(result().tree->nodes.size());
     for (const int step : {0, 1, nodes, nodes + 1, nodes + 5, 2 * nodes - 1, -1}) {
         show(Topic::tree, VisibilityMethod::bsp, step);
         const int visited = step < 0 ? nodes : std::max(0, step - nodes);
         std::multiset<int> marks, expected;
-        for (const widgets::TreeNode& node : laboratory().tree_index.nodes()) {
+        for (const widgets::TreeNode& node : hidden().links.tree.nodes()) {
             if (node.mark >= 0) marks.insert(node.mark);
             EXPECT_TRUE(node.mark > 0 || node.eye_side == 0);
         }
@@ -113,20 +113,20 @@ TEST_F(LaboratoryViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
         EXPECT_EQ(marks, expected) << "step " << step;
         for (int place = 0; place < visited; ++place) {
             const BspVisit& visit = result().walk->visits[static_cast<std::size_t>(place)];
-            const widgets::TreeNode& node = laboratory().tree_index.nodes()[static_cast<std::size_t>(visit.node)];
+            const widgets::TreeNode& node = hidden().links.tree.nodes()[static_cast<std::size_t>(visit.node)];
             EXPECT_EQ(node.mark, place + 1);
             EXPECT_EQ(node.eye_side, visit.eye_side);
         }
     }
 }
 
-TEST_F(LaboratoryViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
+TEST_F(HiddenViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
     for (const BspWalkOrder walk : {BspWalkOrder::back_to_front, BspWalkOrder::front_to_back}) {
         params.visibility.walk = walk;
         show(Topic::tree, VisibilityMethod::bsp);
         const glm::dvec3 eye = params.camera.position;
         for (std::size_t i = 0; i < result().tree->nodes.size(); ++i) {
-            const std::string told = node_sentence(result(), static_cast<int>(i), laboratory().tree_index);
+            const std::string told = node_sentence(result(), static_cast<int>(i), hidden().links.tree);
             const glm::dvec4 plane = result().tree->nodes[i].plane;
             const bool in_front = glm::dot(glm::dvec3(plane), eye) + plane.w > 0.0;
             const bool front_first = in_front == (walk == BspWalkOrder::front_to_back);
@@ -136,13 +136,13 @@ TEST_F(LaboratoryViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
                 << told;
         }
     }
-    EXPECT_EQ(node_sentence(result(), -1, laboratory().tree_index), "");
-    EXPECT_EQ(node_sentence(result(), 1'000'000, laboratory().tree_index), "");
+    EXPECT_EQ(node_sentence(result(), -1, hidden().links.tree), "");
+    EXPECT_EQ(node_sentence(result(), 1'000'000, hidden().links.tree), "");
 }
 
 // ---- the order -------------------------------------------------------------------------------------
 
-TEST_F(LaboratoryViews, TheOrderIsOfferedWhereGlDrawsByItself) {
+TEST_F(HiddenViews, TheOrderIsOfferedWhereGlDrawsByItself) {
     show(Topic::order, VisibilityMethod::depth_buffer);
     ui.click("lower/Show their numbers");
     ui.frames(3);
@@ -151,14 +151,14 @@ TEST_F(LaboratoryViews, TheOrderIsOfferedWhereGlDrawsByItself) {
     EXPECT_TRUE(says("1 "));
 }
 
-TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
+TEST_F(HiddenViews, TheListMarksWhatTheStepHasReached) {
     params.visibility.numbers = true;  // asks for the order where GL draws by itself, too
     for (const VisibilityMethod method : {VisibilityMethod::none, VisibilityMethod::painter, VisibilityMethod::bsp}) {
         show(Topic::order, method, 0);
         const int first = method == VisibilityMethod::bsp ? static_cast<int>(result().tree->nodes.size()) : 0;
         for (const int step : {first, first + 1, first + 4}) {
             show(Topic::order, method, step);
-            const OrderRows rows(result(), laboratory().tree_index);
+            const OrderRows rows(result(), hidden().links.tree);
             ASSERT_EQ(rows.count(), static_cast<int>(result().fragments->size()));
             for (int place = 0; place < rows.count(); ++place) {
                 EXPECT_EQ(rows.row(place).is_reached, place < result().drawn);
@@ -168,7 +168,7 @@ TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
             EXPECT_EQ(rows.current(), result().drawn - 1);
         }
         show(Topic::order, method);
-        const OrderRows all(result(), laboratory().tree_index);
+        const OrderRows all(result(), hidden().links.tree);
         EXPECT_EQ(all.current(), -1);
         EXPECT_TRUE(all.row(all.count() - 1).is_reached);
         EXPECT_EQ(all.row(all.count()).fragment, -1);
@@ -176,10 +176,10 @@ TEST_F(LaboratoryViews, TheListMarksWhatTheStepHasReached) {
     }
 }
 
-TEST_F(LaboratoryViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
+TEST_F(HiddenViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
     params.visibility.sort_key = SortKey::nearest;
     show(Topic::order, VisibilityMethod::painter);
-    const OrderRows rows(result(), laboratory().tree_index);
+    const OrderRows rows(result(), hidden().links.tree);
     EXPECT_STREQ(rows.detail_title(), "nearest vertex");
     for (int place = 0; place < rows.count(); ++place) {
         const Polygon& polygon = (*result().fragments)[static_cast<std::size_t>(rows.row(place).fragment)];
@@ -190,35 +190,35 @@ TEST_F(LaboratoryViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
     }
 }
 
-TEST_F(LaboratoryViews, ARowIsLinkedWithItsPolygon) {
+TEST_F(HiddenViews, ARowIsLinkedWithItsPolygon) {
     show(Topic::order, VisibilityMethod::painter);
-    const std::string third = "lower/3 " + OrderRows(result(), laboratory().tree_index).row(2).name;
+    const std::string third = "lower/3 " + OrderRows(result(), hidden().links.tree).row(2).name;
     ui.hover(third);
     ui.frame();
-    EXPECT_EQ(laboratory().link.hovered_fragment, result().order[2]);
+    EXPECT_EQ(hidden().links.now.hovered_fragment, result().order[2]);
     ui.click(third);
     ui.frames(3);
-    EXPECT_EQ(laboratory().link.selected_fragment, result().order[2]);
-    EXPECT_EQ(laboratory().link.selected_node, -1);
+    EXPECT_EQ(hidden().links.now.selected_fragment, result().order[2]);
+    EXPECT_EQ(hidden().links.now.selected_node, -1);
     ui.click(third);
-    EXPECT_EQ(laboratory().link.selected_fragment, -1);
+    EXPECT_EQ(hidden().links.now.selected_fragment, -1);
 
     show(Topic::order, VisibilityMethod::bsp);
-    const OrderRows rows(result(), laboratory().tree_index);
+    const OrderRows rows(result(), hidden().links.tree);
     ui.click("lower/2 " + rows.row(1).name);
-    EXPECT_EQ(laboratory().link.selected_fragment, result().order[1]);
-    EXPECT_EQ(laboratory().link.selected_node, node_that_holds(result().order[1]));
+    EXPECT_EQ(hidden().links.now.selected_fragment, result().order[1]);
+    EXPECT_EQ(hidden().links.now.selected_node, node_that_holds(result().order[1]));
 }
 
-class LargeLaboratoryViews : public LaboratoryViews {
+class LargeHiddenViews : public HiddenViews {
 protected:
-    LargeLaboratoryViews() : LaboratoryViews("opening") {}
+    LargeHiddenViews() : HiddenViews("opening") {}
 };
 
-TEST_F(LargeLaboratoryViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScrolledToOnce) {
+TEST_F(LargeHiddenViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScrolledToOnce) {
     show(Topic::order, VisibilityMethod::painter);
     ASSERT_GT(result().order.size(), 2000U);
-    const OrderRows rows(result(), laboratory().tree_index);
+    const OrderRows rows(result(), hidden().links.tree);
     const int far_down = rows.count() - 100;
     const std::string label = "lower/" + std::to_string(far_down + 1) + " " + rows.row(far_down).name;
     EXPECT_FALSE(ui.has(label));
@@ -226,7 +226,7 @@ TEST_F(LargeLaboratoryViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScr
                   desk.recorded(),
                   [](const RecordedItem& item) { return item.label.find(", polygon ") != std::string::npos; }),
               60);
-    laboratory().next_link.selected_fragment = rows.row(far_down).fragment;
+    hidden().links.next.selected_fragment = rows.row(far_down).fragment;
     ui.frames(4);
     ASSERT_TRUE(ui.has(label));
     const RecordedItem& row = ui.find(label);
@@ -244,7 +244,7 @@ TEST_F(LargeLaboratoryViews, OnlyWhatIsSeenOfALongListIsMadeAndASelectedRowIsScr
     EXPECT_FALSE(ui.has(label));
 }
 
-TEST_F(LargeLaboratoryViews, TheCurrentRowIsScrolledTo) {
+TEST_F(LargeHiddenViews, TheCurrentRowIsScrolledTo) {
     show(Topic::order, VisibilityMethod::painter, 1);
     show(Topic::order, VisibilityMethod::painter, 1500);
     EXPECT_TRUE(says("1500 "));
@@ -254,12 +254,12 @@ TEST_F(LargeLaboratoryViews, TheCurrentRowIsScrolledTo) {
 
 // ---- what happened at the step ---------------------------------------------------------------------
 
-class CycleLaboratoryViews : public LaboratoryViews {
+class CycleHiddenViews : public HiddenViews {
 protected:
-    CycleLaboratoryViews() : LaboratoryViews("cyclic-overlap") {}
+    CycleHiddenViews() : HiddenViews("cyclic-overlap") {}
 };
 
-TEST_F(CycleLaboratoryViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
+TEST_F(CycleHiddenViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
     show(Topic::order, VisibilityMethod::newell);
     const auto steps = static_cast<int>(result().newell->steps.size());
     ASSERT_GT(steps, 10);
@@ -298,7 +298,7 @@ TEST_F(CycleLaboratoryViews, TheLadderCrossesOutWhatFailedAndShowsWhatDecided) {
     EXPECT_TRUE(says("Polygons are sorted by their farthest vertices"));
 }
 
-TEST_F(LaboratoryViews, TheCompareOfTheDepthBufferIsTold) {
+TEST_F(HiddenViews, TheCompareOfTheDepthBufferIsTold) {
     show(Topic::order, VisibilityMethod::software_depth_buffer);
     const int steps = result().step_count;
     int kept = 0, written = 0;
@@ -313,7 +313,7 @@ TEST_F(LaboratoryViews, TheCompareOfTheDepthBufferIsTold) {
         EXPECT_TRUE(!taken.written || told.find(" < stored ") != std::string::npos) << told;
         EXPECT_TRUE(says(told));
         (taken.written ? written : kept) += 1;
-        const OrderRows rows(result(), laboratory().tree_index);
+        const OrderRows rows(result(), hidden().links.tree);
         ASSERT_GE(rows.current(), 0);
         EXPECT_EQ(rows.row(rows.current()).fragment, taken.polygon);
         EXPECT_TRUE(rows.current() + 1 == rows.count() || !rows.row(rows.current() + 1).is_reached);
@@ -321,11 +321,11 @@ TEST_F(LaboratoryViews, TheCompareOfTheDepthBufferIsTold) {
     EXPECT_GT(kept, 0);
     EXPECT_GT(written, 0);
     show(Topic::order, VisibilityMethod::software_depth_buffer, 0);
-    EXPECT_EQ(OrderRows(result(), laboratory().tree_index).current(), -1);
-    EXPECT_FALSE(OrderRows(result(), laboratory().tree_index).row(0).is_reached);
+    EXPECT_EQ(OrderRows(result(), hidden().links.tree).current(), -1);
+    EXPECT_FALSE(OrderRows(result(), hidden().links.tree).row(0).is_reached);
 }
 
-TEST_F(LaboratoryViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
+TEST_F(HiddenViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
     show(Topic::order, VisibilityMethod::ray_cast);
     EXPECT_TRUE(says("One ray went through every pixel."));
     const IdImage image = result().image;
@@ -345,7 +345,7 @@ TEST_F(LaboratoryViews, ARayIsShownWithAllItsHitsTheFirstOneMarked) {
     EXPECT_GT(most, 1U);
 }
 
-TEST_F(LaboratoryViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
+TEST_F(HiddenViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
     show(Topic::order, VisibilityMethod::painter);
     const SceneSurface& surface = *result().surface;
     const std::string& first = surface.scene.objects[0].description.name;
@@ -362,7 +362,7 @@ TEST_F(LaboratoryViews, PolygonsAreNamedByTheirObjectsCountedFromOne) {
 
 // ---- nothing to show, and what is out of date -------------------------------------------------------
 
-TEST_F(LaboratoryViews, IndicesOfAnotherResultDoNoHarm) {
+TEST_F(HiddenViews, IndicesOfAnotherResultDoNoHarm) {
     const PolygonLink links[] = {{1'000'000, 1'000'000, 1'000'000, 1'000'000}, {-7, -7, -7, -7}, {0, 20, 20, 0}};
     for (const Topic topic : {Topic::tree, Topic::order, Topic::growth})
         for (const PolygonLink& link : links)
@@ -372,13 +372,13 @@ TEST_F(LaboratoryViews, IndicesOfAnotherResultDoNoHarm) {
                     params.visibility.step = step;
                     for (int frame = 0; frame < 2; ++frame) {
                         desk.params().view.lower_right = topic;
-                        laboratory().link = laboratory().next_link = link;
+                        hidden().links.now = hidden().links.next = link;
                         ui.frame();
                     }
                 }
 }
 
-TEST(LaboratoryViewsEmpty, AnEmptySceneHasNothingToDraw) {
+TEST(HiddenViewsEmpty, AnEmptySceneHasNothingToDraw) {
     const TemporaryFolder folder;
     std::ofstream("empty.json") << R"({"version": 1, "scene": {"objects": []}})";
     Desk desk({1600, 900}, "empty.json");
@@ -399,7 +399,7 @@ TEST(LaboratoryViewsEmpty, AnEmptySceneHasNothingToDraw) {
     EXPECT_TRUE(desk.ui.has("lower/There is nothing to draw."));
 }
 
-TEST(LaboratoryViewsLayout, TheTreeAndItsSentencesKeepToTheirPlacesAtEverySize) {
+TEST(HiddenViewsLayout, TheTreeAndItsSentencesKeepToTheirPlacesAtEverySize) {
     for (const ImVec2 size : {ImVec2(1600, 900), ImVec2(800, 600), ImVec2(1280, 720)})
         for (const double scale : {1.0, 2.0})
             for (const Theme theme : {Theme::dark, Theme::light, Theme::projector}) {

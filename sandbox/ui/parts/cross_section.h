@@ -7,12 +7,12 @@
 
 namespace viewing {
 
-class Section {
+class CrossSection {
 public:
     /// Through `foot_world` on the plane; `across` along the plane and `up` away from it, both unit vectors of the
     /// world. `upright`: the plane's line stands upright in the picture, and `up` is to the right.
-    Section(const Rect& rect, const glm::dvec3& foot_world, const glm::dvec3& across, const glm::dvec3& up,
-            bool upright = false);
+    CrossSection(const Rect& rect, const glm::dvec3& foot_world, const glm::dvec3& across, const glm::dvec3& up,
+                 bool upright = false);
 
     /// Pixels that stay free around what is shown.
     struct Margins {

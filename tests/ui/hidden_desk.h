@@ -1,4 +1,4 @@
-// What the tests of the laboratory's views share: a desk with a topic and a method chosen, and a folder of its own.
+// What the tests of the hidden-surface views share: a desk with a topic and a method chosen, and a folder of its own.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace viewing::test {
 
-class LaboratoryViews : public ::testing::Test {
+class HiddenViews : public ::testing::Test {
 protected:
-    explicit LaboratoryViews(const std::string& state = "interpenetrating", ImVec2 size = {1600, 640})
+    explicit HiddenViews(const std::string& state = "interpenetrating", ImVec2 size = {1600, 640})
         : desk(size, state) {}
 
     void show(Topic topic, VisibilityMethod method, int step = -1) {
@@ -22,7 +22,7 @@ protected:
         desk.params().view.lower_right = topic;
         desk.settle();
     }
-    LaboratoryState& laboratory() { return desk.workbench.views.laboratory; }
+    HiddenState& hidden() { return desk.workbench.views.hidden; }
     const HiddenResult& result() const { return *desk.answer()->camera; }
     bool says(std::string_view start) const {
         return std::ranges::any_of(desk.recorded(), [&](const RecordedItem& item) {
@@ -55,7 +55,7 @@ struct TemporaryFolder {
     std::filesystem::path path;
     std::filesystem::path before = std::filesystem::current_path();
     TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "laboratory-XXXXXX").string();
+        std::string pattern = (std::filesystem::temp_directory_path() / "viewing-XXXXXX").string();
         path = mkdtemp(pattern.data());
         std::filesystem::current_path(path);
     }

@@ -4,28 +4,26 @@
 #include <set>
 #include <thread>
 
-#include "laboratory_desk.h"
+#include "hidden_desk.h"
 
 namespace viewing::test {
 namespace {
 
-class GrowthView : public LaboratoryViews {
+class GrowthView : public HiddenViews {
 protected:
     GrowthView() { show(Topic::growth, VisibilityMethod::depth_buffer); }
 
-    std::vector<GrowthRow>& rows() {
-        return laboratory().growth_rows[static_cast<std::size_t>(laboratory().growth_scene)];
-    }
+    std::vector<GrowthRow>& rows() { return hidden().growth.rows[static_cast<std::size_t>(hidden().growth.scene)]; }
     void wait_until_measured() {
-        for (int i = 0; i < 6000 && laboratory().growth.is_running(); ++i) {
+        for (int i = 0; i < 6000 && hidden().growth.measuring.is_running(); ++i) {
             ui.frame();
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         }
-        ASSERT_FALSE(laboratory().growth.is_running());
+        ASSERT_FALSE(hidden().growth.measuring.is_running());
         ui.frames(2);
     }
     void measure_current_scene() {
-        laboratory().growth_scene = static_cast<int>(GrowthScene::own_polygons);
+        hidden().growth.scene = static_cast<int>(GrowthScene::own_polygons);
         ui.frames(2);
         ui.click("lower/Measure");
         wait_until_measured();
@@ -47,13 +45,13 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndTold) {
     EXPECT_TRUE(ui.has("lower/chart/marker"));
     EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
     ui.click("lower/operations");
-    EXPECT_TRUE(laboratory().growth_shows_operations);
+    EXPECT_TRUE(hidden().growth.shows_operations);
 
     // Each kind of scene keeps its own rows; those of the current scene go with it.
-    laboratory().growth_scene = static_cast<int>(GrowthScene::small_triangles);
+    hidden().growth.scene = static_cast<int>(GrowthScene::small_triangles);
     ui.frames(2);
     EXPECT_TRUE(says("Every method is measured"));
-    laboratory().growth_scene = static_cast<int>(GrowthScene::own_polygons);
+    hidden().growth.scene = static_cast<int>(GrowthScene::own_polygons);
     params.scene = session_of("opening").params.scene;
     desk.settle();
     EXPECT_TRUE(rows().empty());
@@ -61,8 +59,8 @@ TEST_F(GrowthView, EveryMethodIsMeasuredAndTold) {
 
 TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
     ui.click("lower/Measure");
-    EXPECT_TRUE(laboratory().growth.is_running());
-    EXPECT_TRUE(laboratory().is_busy());
+    EXPECT_TRUE(hidden().growth.measuring.is_running());
+    EXPECT_TRUE(hidden().is_busy());
     EXPECT_TRUE(ui.has("lower/progress"));
     for (int i = 0; i < 2000 && rows().empty(); ++i) {
         ui.frame();
@@ -73,7 +71,7 @@ TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
     ui.click("lower/Cancel");
     desk.params().view.lower_right = Topic::depth;
     wait_until_measured();
-    EXPECT_FALSE(laboratory().is_busy());
+    EXPECT_FALSE(hidden().is_busy());
     EXPECT_FALSE(rows().empty());
     EXPECT_LT(rows().back().polygons, 100'000);
 }

@@ -1,46 +1,43 @@
 // The order in which polygons are drawn, linked with the pictures, and beside it what the method does at the step:
 // Newell's ladder, the compare of the depth buffer, the hits of a ray. Read polygon_table.h and step_text.h first.
+#include "ui/hidden/order_view.h"
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "text/numbers.h"
-#include "ui/hidden/laboratory.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/hidden/polygon_names.h"
 #include "ui/hidden/polygon_table.h"
 #include "ui/hidden/step_text.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
+#include "ui/parts/view_window.h"
 
 namespace viewing {
 namespace {
 
-void recorded_note(const std::string& sentence) {
-    if (sentence.empty()) return;
-    widgets::Note(sentence.c_str());
-    widgets::Record(sentence.c_str());
-}
-
-void draw_list(LaboratoryState& state, const HiddenResult& result, ImVec2 size) {
-    const OrderRows rows(result, state.tree_index);
-    PolygonTable table(state, result, "order", rows.detail_title(), rows.count(), size);
+void draw_list(OrderViewState& state, PolygonLinks& links, const HiddenResult& result, ImVec2 size) {
+    const OrderRows rows(result, links.tree);
+    PolygonTable table(links, result, "order", rows.detail_title(), rows.count(), size);
     if (!table.is_open()) return;
     // Once each: the place that the step has come to, and the polygon that was picked elsewhere.
-    if (rows.current() != std::exchange(state.order_current, rows.current()) && rows.current() >= 0)
+    if (rows.current() != std::exchange(state.current, rows.current()) && rows.current() >= 0)
         table.scroll_to(rows.current());
-    const int selected = state.link.selected_fragment;
-    if (selected != std::exchange(state.order_revealed, selected) && selected >= 0)
+    const int selected = links.now.selected_fragment;
+    if (selected != std::exchange(state.revealed, selected) && selected >= 0)
         if (const int place = place_of(result, selected); place >= 0) table.scroll_to(place);
     ImGuiListClipper clipper;
     clipper.Begin(rows.count(), PolygonTable::row_height());
     while (clipper.Step())
         for (int place = clipper.DisplayStart; place < clipper.DisplayEnd; ++place)
-            table.row(place + 1, rows.row(place));
+            if (table.row(place + 1, rows.row(place))) state.revealed = links.next.selected_fragment;
 }
 
-void draw_hits(LaboratoryState& state, const HiddenResult& result) {
+void draw_hits(PolygonLinks& links, const HiddenResult& result) {
     const std::vector<RayHitRow> hits = ray_rows(result);
     if (hits.empty()) return;
-    PolygonTable table(state, result, "hits", "distance", static_cast<int>(hits.size()),
+    PolygonTable table(links, result, "hits", "distance", static_cast<int>(hits.size()),
                        {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
     if (!table.is_open()) return;
     ImGuiListClipper clipper;
@@ -122,7 +119,7 @@ void draw_decided(const NewellCounters& counters) {
 }
 
 /// Beside the list where there is room, else above it.
-void draw_newell(LaboratoryState& state, const HiddenResult& result) {
+void draw_newell(OrderViewState& state, PolygonLinks& links, const HiddenResult& result) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(360.0F);
     const float gap = px(10.0F), list_width = beside ? std::floor(room.x * 0.5F) : room.x;
@@ -138,7 +135,7 @@ void draw_newell(LaboratoryState& state, const HiddenResult& result) {
         recorded_note("Polygons are sorted by their farthest vertices; no pair has been compared yet.");
     ImGui::EndChild();
     ImGui::SetCursorScreenPos(beside ? from : ImVec2(from.x, from.y + ladder_height + gap));
-    draw_list(state, result, {list_width, std::max(beside ? room.y : room.y - ladder_height - gap, px(40.0F))});
+    draw_list(state, links, result, {list_width, std::max(beside ? room.y : room.y - ladder_height - gap, px(40.0F))});
 }
 
 void draw_pixels_of(const HiddenResult& result) {
@@ -149,12 +146,12 @@ void draw_pixels_of(const HiddenResult& result) {
                   grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0)) + " written");
 }
 
-void draw_result(LaboratoryState& state, const HiddenResult& result) {
-    if (result.newell) return draw_newell(state, result);
+void draw_result(OrderViewState& state, PolygonLinks& links, const HiddenResult& result) {
+    if (result.newell) return draw_newell(state, links, result);
     switch (result.request.visibility.method) {
         case VisibilityMethod::ray_cast:
             recorded_note(ray_sentence(result));
-            return draw_hits(state, result);
+            return draw_hits(links, result);
         case VisibilityMethod::software_depth_buffer:
             draw_pixels_of(result);
             break;
@@ -169,17 +166,18 @@ void draw_result(LaboratoryState& state, const HiddenResult& result) {
         offer("There is nothing to draw.");
         return;
     }
-    draw_list(state, result, {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
+    draw_list(state, links, result, {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
 }
 
 }  // namespace
 
-void draw_order_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect) {
-    const LaboratoryView view("order view", rect);
+void draw_order_view(OrderViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,
+                     const Rect& rect) {
+    const ViewWindow view("order view", rect);
     const std::shared_ptr<const HiddenResult>& result = shown_result(hidden);
     if (result) {
-        if (state.tree_index.follow(result)) ++state.tree_revision;
-        return draw_result(state, *result);
+        links.tree.follow(result);
+        return draw_result(state, links, *result);
     }
     if (!is_drawn_by_gl_alone(session.params.visibility.method)) return tell_waiting(hidden);
     if (offer("GL draws the polygons in the order in which the scene has them.", "Show their numbers"))

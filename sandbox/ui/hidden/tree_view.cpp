@@ -1,23 +1,23 @@
 // The tree of a BSP build, linked with the pictures: it stays still while the camera moves, only the walk over it
-// changes. Read laboratory_order.cpp next.
+// changes. Read order_view.cpp next.
+#include "ui/hidden/tree_view.h"
+
 #include <algorithm>
 
-#include "ui/hidden/laboratory.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
 
 namespace viewing {
 namespace {
 
 /// The selected node: that of the selected polygon where there is one.
-int selected_node(const LaboratoryState& state) {
-    const int of_polygon = state.tree_index.node_of(state.link.selected_fragment);
-    return of_polygon >= 0 ? of_polygon : state.link.selected_node;
+int selected_node(const PolygonLinks& links) {
+    const int of_polygon = links.tree.node_of(links.now.selected_fragment);
+    return of_polygon >= 0 ? of_polygon : links.now.selected_node;
 }
 
 /// A node that was chosen, with the polygon of it that is seen.
-void select_node(LaboratoryState& state, const BspTree& tree, int node) {
-    PolygonLink& link = state.next_link;
+void select_node(PolygonLink& link, const BspTree& tree, int node) {
     link.selected_node = node;
     link.selected_fragment = -1;
     if (node < 0) return;
@@ -38,34 +38,35 @@ constexpr const char* longest_sentence =
     "node 1000: plane of small box, polygon 1000; 1000 in front, 1000 behind, 1000 cut; the eye is in front, so its "
     "back side is drawn first";
 
-void draw_diagram(LaboratoryState& state, const HiddenResult& result, float height) {
-    widgets::TreeDiagramState& diagram = state.tree;
+void draw_diagram(TreeViewState& state, PolygonLinks& links, const HiddenResult& result, float height) {
+    widgets::TreeDiagramState& diagram = state.diagram;
     const float width = ImGui::GetContentRegionAvail().x;
-    if (state.tree_size_px.x != width || state.tree_size_px.y != height) diagram.fit_next = true;
-    state.tree_size_px = {width, height};
-    int selected = selected_node(state);
-    if (selected >= static_cast<int>(state.tree_index.nodes().size())) selected = -1;
-    if (selected != state.tree_revealed && selected < result.built_nodes) diagram.reveal_next = selected;
-    state.tree_revealed = selected;
+    if (state.size_px.x != width || state.size_px.y != height) diagram.fit_next = true;
+    state.size_px = {width, height};
+    int selected = selected_node(links);
+    if (selected >= static_cast<int>(links.tree.nodes().size())) selected = -1;
+    if (selected != state.revealed && selected < result.built_nodes) diagram.reveal_next = selected;
+    state.revealed = selected;
     const int current = current_node(result);
-    if (current >= 0 && current != state.tree_current) diagram.reveal_next = current;
-    state.tree_current = current;
-    const int hovered = state.tree_index.node_of(state.link.hovered_fragment);
+    if (current >= 0 && current != state.current) diagram.reveal_next = current;
+    state.current = current;
+    const int hovered = links.tree.node_of(links.now.hovered_fragment);
     const widgets::TreeDiagramStyle style{.shown_count = result.built_nodes,
                                           .current = current,
-                                          .lit = hovered >= 0 ? hovered : state.link.hovered_node,
+                                          .lit = hovered >= 0 ? hovered : links.now.hovered_node,
                                           .size = {0.0F, height}};
-    if (widgets::TreeDiagram("tree", state.tree_index.nodes(), state.tree_revision, diagram, selected, style)) {
-        select_node(state, *result.tree, selected);
-        state.tree_revealed = selected;
+    if (widgets::TreeDiagram("tree", links.tree.nodes(), links.tree.revision(), diagram, selected, style)) {
+        select_node(links.next, *result.tree, selected);
+        state.revealed = selected;
     }
-    if (diagram.hovered >= 0) state.next_link.hovered_node = diagram.hovered;
+    if (diagram.hovered >= 0) links.next.hovered_node = diagram.hovered;
 }
 
 }  // namespace
 
-void draw_tree_view(LaboratoryState& state, Session& session, const HiddenStatus& hidden, const Rect& rect) {
-    const LaboratoryView view("tree view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session, const HiddenStatus& hidden,
+                    const Rect& rect) {
+    const ViewWindow view("tree view", rect, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     if (session.params.visibility.method != VisibilityMethod::bsp) {
         if (offer("Only the BSP tree has a tree to show.", "Use the BSP tree"))
             session.params.visibility.method = VisibilityMethod::bsp;
@@ -73,7 +74,7 @@ void draw_tree_view(LaboratoryState& state, Session& session, const HiddenStatus
     }
     const std::shared_ptr<const HiddenResult>& result = shown_result(hidden);
     if (!result || !result->tree) return tell_waiting(hidden);
-    if (state.tree_index.follow(result)) ++state.tree_revision;
+    links.tree.follow(result);
 
     // What there is no room for is left out, the node's sentence first.
     const std::string sentence = tree_sentence(*result);
@@ -81,20 +82,16 @@ void draw_tree_view(LaboratoryState& state, Session& session, const HiddenStatus
     float room = ImGui::GetContentRegionAvail().y;
     const float above = note_height(sentence.c_str()) + gap, below = note_height(longest_sentence) + gap;
     if (room - above >= least) {
-        widgets::Note(sentence.c_str());
-        widgets::Record(sentence.c_str());
+        recorded_note(sentence);
         room -= above;
     }
     const bool tells_node = room - below >= least;
-    draw_diagram(state, *result, tells_node ? room - below : room);
+    draw_diagram(state, links, *result, tells_node ? room - below : room);
     if (!tells_node) return;
-    int told = state.tree.hovered >= 0 ? state.tree.hovered : state.tree_index.node_of(state.link.hovered_fragment);
-    if (told < 0) told = selected_node(state);
+    int told = state.diagram.hovered >= 0 ? state.diagram.hovered : links.tree.node_of(links.now.hovered_fragment);
+    if (told < 0) told = selected_node(links);
     if (told < 0) told = current_node(*result);
-    const std::string about = node_sentence(*result, told, state.tree_index);
-    if (about.empty()) return;
-    widgets::Note(about.c_str());
-    widgets::Record(about.c_str());
+    recorded_note(node_sentence(*result, told, links.tree));
 }
 
 }  // namespace viewing

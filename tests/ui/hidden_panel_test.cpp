@@ -1,4 +1,5 @@
-// The laboratory's part of the panel and of the pictures: choosing methods, going through steps, searching, picking.
+// The hidden-surface methods in the panel and in the pictures: choosing methods, going through steps, searching,
+// picking.
 #include <chrono>
 #include <thread>
 
@@ -7,10 +8,10 @@
 namespace viewing::test {
 namespace {
 
-class LaboratoryTest : public UiTest {
+class HiddenPanel : public UiTest {
 protected:
-    LaboratoryTest() : LaboratoryTest("cyclic-overlap") {}
-    explicit LaboratoryTest(const std::string& scene) {
+    HiddenPanel() : HiddenPanel("cyclic-overlap") {}
+    explicit HiddenPanel(const std::string& scene) {
         params.scene = scene;
         desk.settle();
     }
@@ -21,7 +22,7 @@ protected:
     const HiddenResult& result() { return *desk.answer()->camera; }
 };
 
-TEST_F(LaboratoryTest, EveryMethodIsChosenByNameAndBringsItsOptions) {
+TEST_F(HiddenPanel, EveryMethodIsChosenByNameAndBringsItsOptions) {
     struct Case {
         const char* name;
         VisibilityMethod method;
@@ -45,7 +46,7 @@ TEST_F(LaboratoryTest, EveryMethodIsChosenByNameAndBringsItsOptions) {
     EXPECT_TRUE(ui.find("depth/Depth test").enabled);
 }
 
-TEST_F(LaboratoryTest, OptionsWriteTheirFields) {
+TEST_F(HiddenPanel, OptionsWriteTheirFields) {
     choose("painter");
     desk.choose("depth/sort key", "depth/sort key/centroid");
     EXPECT_EQ(params.visibility.sort_key, SortKey::centroid);
@@ -69,7 +70,7 @@ TEST_F(LaboratoryTest, OptionsWriteTheirFields) {
     EXPECT_GT(desk.answer()->different_pixels, 0);
 }
 
-TEST_F(LaboratoryTest, TheDepthBufferGoesStepByStepToo) {
+TEST_F(HiddenPanel, TheDepthBufferGoesStepByStepToo) {
     desk.click("depth/Steps");
     desk.settle();
     EXPECT_EQ(params.visibility.step, 0);
@@ -80,7 +81,7 @@ TEST_F(LaboratoryTest, TheDepthBufferGoesStepByStepToo) {
     EXPECT_EQ(result().drawn, 7);
 }
 
-TEST_F(LaboratoryTest, TheViewBelowFollowsTheMethod) {
+TEST_F(HiddenPanel, TheViewBelowFollowsTheMethod) {
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
     choose("BSP tree");
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::tree);
@@ -90,7 +91,7 @@ TEST_F(LaboratoryTest, TheViewBelowFollowsTheMethod) {
     EXPECT_EQ(topic_of(desk.params(), Slot::right), Topic::depth);
 }
 
-TEST_F(LaboratoryTest, AClickPicksThePolygonThatIsSeen) {
+TEST_F(HiddenPanel, AClickPicksThePolygonThatIsSeen) {
     choose("Newell");
     // The middle of each polygon in turn, where the picture says that it is seen.
     int picked = 0;
@@ -102,7 +103,7 @@ TEST_F(LaboratoryTest, AClickPicksThePolygonThatIsSeen) {
         const IdImage& image = result().image;
         if (x < 0 || y < 0 || x >= image.width || y >= image.height || image.id(x, y) != polygon.source) continue;
         desk.click_at(middle);
-        const int selected = desk.workbench.views.laboratory.link.selected_fragment;
+        const int selected = desk.workbench.views.hidden.links.now.selected_fragment;
         ASSERT_GE(selected, 0);
         EXPECT_EQ((*result().fragments)[static_cast<std::size_t>(selected)].source, polygon.source);
         ++picked;
@@ -110,31 +111,31 @@ TEST_F(LaboratoryTest, AClickPicksThePolygonThatIsSeen) {
     EXPECT_GT(picked, 5);
 }
 
-TEST_F(LaboratoryTest, PlayingGoesThroughTheStepsAndIsOneUndoStep) {
+TEST_F(HiddenPanel, PlayingGoesThroughTheStepsAndIsOneUndoStep) {
     choose("painter");
     params.visibility.step = 0;
     ui.frames(1);
-    LaboratoryState& laboratory = desk.workbench.views.laboratory;
-    laboratory.playing = true;
-    laboratory.steps_per_s = 1000.0F;
-    for (int frame = 0; frame < 100 && laboratory.playing; ++frame) ui.frames(1);
-    EXPECT_FALSE(laboratory.playing);
+    widgets::StepPlayer& player = desk.workbench.views.hidden.panel.player;
+    player.playing = true;
+    player.steps_per_s = 1000.0F;
+    for (int frame = 0; frame < 100 && player.playing; ++frame) ui.frames(1);
+    EXPECT_FALSE(player.playing);
     desk.settle();
     EXPECT_EQ(result().drawn, static_cast<int>(result().order.size()));
     desk.undo();
     EXPECT_EQ(params.visibility.step, 0);
 }
 
-class FailureSearchTest : public LaboratoryTest {
+class FailureSearchTest : public HiddenPanel {
 protected:
-    FailureSearchTest() : LaboratoryTest("sort-key-farthest") {}
+    FailureSearchTest() : HiddenPanel("sort-key-farthest") {}
 };
 
 TEST_F(FailureSearchTest, MovesTheCameraToAViewWhereTheKeyFails) {
     choose("painter");
     const glm::dvec3 before = params.camera.position;
     desk.click("depth/Find a view where this key fails");
-    for (int frame = 0; frame < 3000 && desk.workbench.views.laboratory.failure_search.is_running(); ++frame) {
+    for (int frame = 0; frame < 3000 && desk.workbench.views.hidden.panel.failure.search.is_running(); ++frame) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         ui.frames(1);
     }

@@ -1,10 +1,11 @@
-// What the laboratory draws over the pictures: numbers, the linked polygon and its node, and what the step is about.
+// Numbers, the linked polygon and its node, and what the step is about, over the pictures.
+#include "ui/hidden/hidden_overlay.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "frame/ground.h"
-#include "ui/hidden/laboratory.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -213,8 +214,8 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 p
     return -1;
 }
 
-void draw_laboratory_overlay(const LaboratoryState& state, const Session& session, const HiddenStatus& hidden,
-                             Overlay& overlay) {
+void draw_hidden_overlay(const PolygonLink& link, const Session& session, const HiddenStatus& hidden,
+                         Overlay& overlay) {
     if (hidden.fraction) {
         const std::string text =
             "The method is at work: " + std::to_string(static_cast<int>(*hidden.fraction * 100.0F)) + " %";
@@ -225,11 +226,10 @@ void draw_laboratory_overlay(const LaboratoryState& state, const Session& sessio
     const HiddenResult& result = *hidden.answer->camera;
     if (session.params.visibility.numbers) numbers(overlay, result);
     step_in_camera(overlay, result);
-    if (const Polygon* polygon = polygon_at(result, state.link.shown_fragment()))
-        marked(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
 }
 
-void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& hidden, Overlay& overlay) {
+void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, Overlay& overlay) {
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;
     if (result.tree) {
@@ -238,7 +238,7 @@ void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& 
         const int of_step = builds  ? result.built_nodes - 1
                             : walks ? result.walk->visits[static_cast<std::size_t>(result.visited_nodes - 1)].node
                                     : -1;
-        node_in_observer(overlay, result, state.link.shown_node() >= 0 ? state.link.shown_node() : of_step);
+        node_in_observer(overlay, result, link.shown_node() >= 0 ? link.shown_node() : of_step);
     }
     if (result.traced) {
         const TracedRay& traced = *result.traced;
@@ -248,8 +248,7 @@ void draw_laboratory_observer(const LaboratoryState& state, const HiddenStatus& 
             overlay.dot(traced.ray.at(hit.t), &hit == traced.hits.data() ? palette().accent : palette().quiet,
                         &hit == traced.hits.data() ? 5.0F : 3.5F);
     }
-    if (const Polygon* polygon = polygon_at(result, state.link.shown_fragment()))
-        marked(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
 }
 
 }  // namespace viewing

@@ -1,19 +1,13 @@
-#include "ui/hidden/laboratory_parts.h"
+#include "ui/parts/view_window.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "ui/parts/look.h"
 
 namespace viewing {
 
-const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden) {
-    static const std::shared_ptr<const HiddenResult> none;
-    return hidden.answer ? hidden.answer->camera : none;
-}
-
-LaboratoryView::LaboratoryView(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
     ImGui::SetCursorScreenPos(rect.min);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().view_ground);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(6.0F)});
@@ -21,7 +15,7 @@ LaboratoryView::LaboratoryView(const char* name, const Rect& rect, ImGuiWindowFl
     ImGui::PopStyleVar();
 }
 
-LaboratoryView::~LaboratoryView() {
+ViewWindow::~ViewWindow() {
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -32,6 +26,12 @@ float note_height(const char* text) {
     const float height = ImGui::CalcTextSize(text, nullptr, false, width).y;
     ImGui::PopFont();
     return height;
+}
+
+void recorded_note(const std::string& sentence) {
+    if (sentence.empty()) return;
+    widgets::Note(sentence.c_str());
+    widgets::Record(sentence.c_str());
 }
 
 bool offer(const char* sentence, const char* button) {
@@ -54,25 +54,6 @@ bool offer(const char* sentence, const char* button) {
     const float button_width = ImGui::CalcTextSize(button).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});
     return widgets::Button(button);
-}
-
-void tell_waiting(const HiddenStatus& hidden) {
-    const std::string percent =
-        hidden.fraction ? ": " + std::to_string(static_cast<int>(std::lround(100.0F * *hidden.fraction))) + " %" : "";
-    offer(("The method is at work" + percent + ".").c_str());
-}
-
-float width_of(const std::string& text, ImFont* font) {
-    ImGui::PushFont(font);
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::PopFont();
-    return width;
-}
-
-void text_at_right(const std::string& text) {
-    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
-    ImGui::TextUnformatted(text.c_str());
 }
 
 }  // namespace viewing

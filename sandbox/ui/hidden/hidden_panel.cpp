@@ -1,8 +1,8 @@
-// The method's options, its steps, what it counted, and the search for a view where a sort key fails.
+#include "ui/hidden/hidden_panel.h"
+
 #include <algorithm>
 
 #include "text/numbers.h"
-#include "ui/hidden/laboratory.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 
@@ -39,35 +39,8 @@ void options_of(VisibilityMethod method, Params& params) {
     }
 }
 
-void start_failure_search(LaboratoryState& state, const Params& params, const HiddenResult& result) {
-    const CameraParams& camera = params.camera;
-    const Orbit orbit{camera.target, std::max(1e-3, glm::distance(camera.position, camera.target)),
-                      result.request.viewpoint.clip_from_view};
-    state.failure_asked = {state.scene_version, params.visibility, params.camera, params.projection};
-    const FailureSearchOptions options{.key = static_cast<PainterKey>(params.visibility.sort_key),
-                                       .start = {camera.yaw, camera.pitch}};
-    state.failure_search.start([surface = result.surface, orbit, options](WorkProgress& progress) {
-        return find_failure(surface->polygons, orbit, options, &progress);
-    });
-}
-
-void failure_search(LaboratoryState& state, const Params& params, const HiddenResult& result) {
-    if (state.failure_search.is_running()) {
-        ImGui::ProgressBar(state.failure_search.fraction(), {px(choice_width), 0.0F}, "searching");
-        ImGui::SameLine();
-        if (widgets::SmallButton("Stop")) state.failure_search.cancel();
-        return;
-    }
-    ImGui::BeginDisabled(params.cull.enabled);
-    if (widgets::SmallButton("Find a view where this key fails")) start_failure_search(state, params, result);
-    widgets::Tooltip("Find a view where this key fails",
-                     "Turns the camera about its target and goes where the painter's picture differs from ray casting "
-                     "in the most pixels. All faces count: culling has to be off.");
-    ImGui::EndDisabled();
-}
-
 /// In the row of what stands before it, so that nothing moves when it comes and goes.
-void cancel_button(LaboratoryState& state, const HiddenStatus& hidden) {
+void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
     const bool was_cancelled = hidden.answer && hidden.answer->camera->is_cancelled;
     if (!hidden.fraction && !was_cancelled) return;
     ImGui::SameLine(px(118.0F));
@@ -142,7 +115,7 @@ void culling_counts(const HiddenResult& result) {
 
 }  // namespace
 
-void draw_laboratory_panel(LaboratoryState& state, Session& session, const HiddenStatus& hidden) {
+void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenStatus& hidden) {
     Params& params = session.params;
     const VisibilityMethod method = params.visibility.method;
     const bool is_open = !is_drawn_by_gl_alone(method) || params.view.shows == Shows::difference ||
@@ -155,7 +128,7 @@ void draw_laboratory_panel(LaboratoryState& state, Session& session, const Hidde
     }
     options_of(method, params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
-    if (result && method == VisibilityMethod::painter) failure_search(state, params, *result);
+    if (result && method == VisibilityMethod::painter) draw_failure_finder(state.failure, session, *result);
     ImGui::BeginDisabled(method == VisibilityMethod::ray_cast);  // rays draw no polygons
     control(params, "visibility.numbers", {.label = "Numbers"});
     ImGui::EndDisabled();
@@ -164,19 +137,22 @@ void draw_laboratory_panel(LaboratoryState& state, Session& session, const Hidde
         control(params, "visibility.compare_with", {.width = choice_width, .names = method_names, .label = "compare"});
     }
     if (!result) return;
-    widgets::StepBar("steps", params.visibility.step, result->step_count, state.playing, state.steps_per_s,
-                     ImGui::GetIO().DeltaTime, state.carry_steps);
+    widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
     if (result->newell && result->newell->steps_left_out > 0) {
         const std::string note = "Only the first " + grouped_number(result->step_count) + " of " +
                                  grouped_number(result->counters.comparisons) + " comparisons can be gone through.";
         widgets::Note(note.c_str());
     }
-    state.last_step = params.visibility.step;
-    state.has_step_bar = true;
+    state.left_step = params.visibility.step;
     counters(*result, hidden.shows_time);
     culling_counts(*result);
     if (params.visibility.step >= 0) widgets::Note("Shadow and mirror wait while steps are shown.");
     if (!hidden.answer->problem().empty()) widgets::Trouble(hidden.answer->problem().c_str());
+}
+
+void stop_at_other_step(HiddenPanelState& state, const Session& session) {
+    if (session.params.visibility.step != state.left_step) state.player.playing = false;
+    state.left_step = session.params.visibility.step;
 }
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-#include "ui/parts/section.h"
+#include "ui/parts/cross_section.h"
 
 #include <algorithm>
 
@@ -6,17 +6,17 @@
 
 namespace viewing {
 
-Section::Section(const Rect& rect, const glm::dvec3& foot_world, const glm::dvec3& across, const glm::dvec3& up,
-                 bool upright)
+CrossSection::CrossSection(const Rect& rect, const glm::dvec3& foot_world, const glm::dvec3& across,
+                           const glm::dvec3& up, bool upright)
     : rect_(rect), foot_world_(foot_world), across_(across), up_(up), upright_(upright) {}
 
-glm::dvec2 Section::flat(const glm::dvec3& point_world) const {
+glm::dvec2 CrossSection::flat(const glm::dvec3& point_world) const {
     const glm::dvec3 from_foot = point_world - foot_world_;
     const double along = glm::dot(from_foot, across_), above = glm::dot(from_foot, up_);
     return upright_ ? glm::dvec2(above, along) : glm::dvec2(along, above);
 }
 
-void Section::fit(std::span<const glm::dvec3> points_world, const Margins& margins_px) {
+void CrossSection::fit(std::span<const glm::dvec3> points_world, const Margins& margins_px) {
     glm::dvec2 least(0.0), most(0.0);  // the foot is always shown
     for (const glm::dvec3& point : points_world) {
         least = glm::min(least, flat(point));
@@ -31,7 +31,7 @@ void Section::fit(std::span<const glm::dvec3> points_world, const Margins& margi
     middle_px_ = {(inner.min.x + inner.max.x) * 0.5F, (inner.min.y + inner.max.y) * 0.5F};
 }
 
-ImVec2 Section::place(const glm::dvec2& flat) const {
+ImVec2 CrossSection::place(const glm::dvec2& flat) const {
     // Farther away than this nothing is seen, and lines keep their direction.
     constexpr double farthest_px = 1e6;
     glm::dvec2 offset = (flat - middle_) * scale_;
@@ -40,18 +40,18 @@ ImVec2 Section::place(const glm::dvec2& flat) const {
     return {middle_px_.x + static_cast<float>(offset.x), middle_px_.y - static_cast<float>(offset.y)};
 }
 
-ImVec2 Section::place(const glm::dvec3& point_world) const {
+ImVec2 CrossSection::place(const glm::dvec3& point_world) const {
     return place(flat(point_world));
 }
 
-Rect Section::plane_strip() const {
+Rect CrossSection::plane_strip() const {
     const ImVec2 foot = place(glm::dvec2(0.0));
     const float half = px(2.0F) * palette().stroke;
     if (upright_) return {{foot.x - half, rect_.min.y}, {foot.x + half, rect_.max.y}};
     return {{rect_.min.x, foot.y - half}, {rect_.max.x, foot.y + half}};
 }
 
-void Section::draw_plane(ImDrawList* draw, bool along_up) const {
+void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     const ImVec2 foot = place(glm::dvec2(0.0));
     const ImU32 color = palette().plane, shade = with_alpha(color, 30);
     const float thickness = px(2.0F) * palette().stroke, arrow = px(26.0F), head = px(7.0F);

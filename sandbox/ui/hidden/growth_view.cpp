@@ -1,4 +1,6 @@
 // Costs as they grow: measured beside the window, drawn as curves while it goes on, told in sentences, exported.
+#include "ui/hidden/growth_view.h"
+
 #include <algorithm>
 #include <array>
 #include <string>
@@ -6,10 +8,10 @@
 
 #include "frame/hidden/scene_surface.h"
 #include "platform/file.h"
-#include "ui/hidden/laboratory.h"
-#include "ui/hidden/laboratory_parts.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
+#include "ui/parts/view_window.h"
+#include "widgets/diagrams.h"
 
 namespace viewing {
 namespace {
@@ -39,8 +41,8 @@ private:
 
 constexpr int own_scene = static_cast<int>(GrowthScene::own_polygons);
 
-const std::vector<GrowthRow>& shown_rows(const LaboratoryState& state) {
-    return state.growth_rows[static_cast<std::size_t>(state.growth_scene)];
+const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
+    return state.rows[static_cast<std::size_t>(state.scene)];
 }
 
 int triangle_count(const Scene& scene) {
@@ -50,10 +52,10 @@ int triangle_count(const Scene& scene) {
 }
 
 /// Everything is made on the worker's thread; the scene shares its meshes.
-void start(LaboratoryState& state, const Scene& scene) {
-    state.growth_log = std::make_shared<GrowthLog>();
-    state.growth.start(
-        [log = state.growth_log, which = static_cast<GrowthScene>(state.growth_scene), scene](WorkProgress& progress) {
+void start(GrowthViewState& state, const Scene& scene) {
+    state.log = std::make_shared<GrowthLog>();
+    state.measuring.start(
+        [log = state.log, which = static_cast<GrowthScene>(state.scene), scene](WorkProgress& progress) {
             GrowthRequest request{.scene = which};
             if (which == GrowthScene::own_polygons) request.own_polygons = surface_of(scene).polygons;
             return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
@@ -71,7 +73,7 @@ std::filesystem::path free_file(const std::string& extension) {
     }
 }
 
-void save_csv(const LaboratoryState& state, Session& session) {
+void save_csv(const GrowthViewState& state, Session& session) {
     const std::string text = growth_csv(shown_rows(state));
     const std::filesystem::path file = free_file(".csv");
     const Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
@@ -79,13 +81,13 @@ void save_csv(const LaboratoryState& state, Session& session) {
 }
 
 /// What to measure, and the way to begin or end it.
-void measuring(LaboratoryState& state, const Session& session, Flow& flow) {
+void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     static constexpr const char* scenes[] = {"small random triangles", "large random triangles", "the current scene"};
-    const bool is_running = state.growth.is_running();
+    const bool is_running = state.measuring.is_running();
     const float choice_width = std::min(px(184.0F), ImGui::GetContentRegionAvail().x);
     flow.next(choice_width);
     ImGui::BeginDisabled(is_running);
-    widgets::Choice("##scene", state.growth_scene, scenes, 0, choice_width);
+    widgets::Choice("##scene", state.scene, scenes, 0, choice_width);
     ImGui::EndDisabled();
     widgets::Tooltip("Polygons",
                      "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
@@ -94,20 +96,20 @@ void measuring(LaboratoryState& state, const Session& session, Flow& flow) {
     flow.next(Flow::button_width(label));
     if (!widgets::SmallButton(label)) return;
     if (is_running)
-        state.growth.cancel();
+        state.measuring.cancel();
     else
         start(state, session.scene());
 }
 
-void quantity_words(LaboratoryState& state, Flow& flow) {
+void quantity_words(GrowthViewState& state, Flow& flow) {
     static constexpr std::array names{"time", "operations"};
     static constexpr std::array explanations{
         "Time to the finished picture; of a BSP tree also to the finished tree.",
         "How often a method does what it does most: comparisons, pixels tested, intersection tests."};
     flow.next(Flow::button_width(names[0]) + Flow::button_width(names[1]) + px(2.0F));
-    int index = state.growth_shows_operations ? 1 : 0;
+    int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-    if (words("##quantity", index, names, explanations, 0, right)) state.growth_shows_operations = index == 1;
+    if (words("##quantity", index, names, explanations, 0, right)) state.shows_operations = index == 1;
 }
 
 float saving_width() {
@@ -116,12 +118,12 @@ float saving_width() {
 
 /// How far it is; before and after that, the ways to keep the result. True when the picture is asked for, whose place
 /// is not known yet.
-bool progress_or_saving(const LaboratoryState& state, Session& session, Flow& flow) {
-    if (state.growth.is_running()) {
+bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& flow) {
+    if (state.measuring.is_running()) {
         const float width = std::min(saving_width(), flow.room());
         flow.next(width);
-        const std::string percent = std::to_string(static_cast<int>(100.0F * state.growth.fraction())) + " %";
-        ImGui::ProgressBar(state.growth.fraction(), {width, ImGui::GetTextLineHeight() + px(4.0F)}, percent.c_str());
+        const std::string percent = std::to_string(static_cast<int>(100.0F * state.measuring.fraction())) + " %";
+        ImGui::ProgressBar(state.measuring.fraction(), {width, ImGui::GetTextLineHeight() + px(4.0F)}, percent.c_str());
         widgets::Record("progress");
         return false;
     }
@@ -159,15 +161,15 @@ private:
 };
 
 /// Where it is, without what lies below the view.
-Rect draw_chart(const LaboratoryState& state, const Scene& scene, float height) {
-    const Curves curves(shown_rows(state), state.growth_shows_operations);
-    const bool is_own = state.growth_scene == own_scene;
+Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) {
+    const Curves curves(shown_rows(state), state.shows_operations);
+    const bool is_own = state.scene == own_scene;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     // A fixed range, so that the curves grow and not the axis; a scene of one's own may have fewer polygons.
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = "polygons", .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
-                       .y = {.title = state.growth_shows_operations ? "operations" : "time in ms"},
+                       .y = {.title = state.shows_operations ? "operations" : "time in ms"},
                        .marker_x = static_cast<double>(triangle_count(scene)),
                        .marker_label = "this scene",
                        .size = {width, height}});
@@ -176,7 +178,7 @@ Rect draw_chart(const LaboratoryState& state, const Scene& scene, float height) 
 }
 
 /// Who wins where, and where each curve ended early.
-std::vector<std::string> sentences(const LaboratoryState& state) {
+std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
     for (const GrowthRow& row : shown_rows(state))
@@ -184,7 +186,7 @@ std::vector<std::string> sentences(const LaboratoryState& state) {
     return told;
 }
 
-void draw_results(LaboratoryState& state, const Session& session, bool wants_picture) {
+void draw_results(GrowthViewState& state, const Session& session, bool wants_picture) {
     const std::vector<std::string> told = sentences(state);
     float below = 0.0F;
     for (const std::string& sentence : told) below += note_height(sentence.c_str()) + ImGui::GetStyle().ItemSpacing.y;
@@ -193,28 +195,25 @@ void draw_results(LaboratoryState& state, const Session& session, bool wants_pic
     const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
     const Rect chart = draw_chart(state, session.scene(), height);
     // Scrolled back first: the picture is taken of what the window shows in the next frame.
-    if (std::exchange(state.growth_wants_picture, wants_picture)) state.wanted_picture = {chart, free_file(".png")};
+    if (std::exchange(state.wants_picture, wants_picture)) state.wanted_picture = {chart, free_file(".png")};
     if (wants_picture) ImGui::SetScrollY(0.0F);
-    for (const std::string& sentence : told) {
-        widgets::Note(sentence.c_str());
-        widgets::Record(sentence.c_str());
-    }
+    for (const std::string& sentence : told) recorded_note(sentence);
 }
 
 }  // namespace
 
-void take_growth_rows(LaboratoryState& state) {
-    if (!state.growth_log) return;
+void take_growth_rows(GrowthViewState& state) {
+    if (!state.log) return;
     // Asked first: what is in the log afterwards is all that the result has.
-    const bool is_finished = state.growth.take().has_value();
-    state.growth_rows[static_cast<std::size_t>(state.growth_scene)] = state.growth_log->rows();
-    if (is_finished) state.growth_log.reset();
+    const bool is_finished = state.measuring.take().has_value();
+    state.rows[static_cast<std::size_t>(state.scene)] = state.log->rows();
+    if (is_finished) state.log.reset();
 }
 
-void draw_growth_view(LaboratoryState& state, Session& session, const Rect& rect) {
-    if (state.growth_of_version != session.scene_version() && !state.growth.is_running()) {
-        state.growth_rows[own_scene].clear();  // it was another scene
-        state.growth_of_version = session.scene_version();
+void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect) {
+    if (state.of_version != session.scene_version() && !state.measuring.is_running()) {
+        state.rows[own_scene].clear();  // it was another scene
+        state.of_version = session.scene_version();
     }
     // At the right end of the headline, where there is room beside the choice of the topic.
     bool wants_picture = false;
@@ -225,15 +224,15 @@ void draw_growth_view(LaboratoryState& state, Session& session, const Rect& rect
         Flow above(saving_width());
         wants_picture = progress_or_saving(state, session, above);
     }
-    const LaboratoryView view("growth view", rect);
+    const ViewWindow view("growth view", rect);
     Flow flow(ImGui::GetContentRegionAvail().x);
     measuring(state, session, flow);
     quantity_words(state, flow);
     if (!fits_above) wants_picture = progress_or_saving(state, session, flow);
     if (shown_rows(state).empty()) {
-        offer(state.growth.is_running() ? "The first method is being measured."
-                                        : "Every method is measured on more and more polygons, up to 100,000, while "
-                                          "the window stays live.");
+        offer(state.measuring.is_running() ? "The first method is being measured."
+                                           : "Every method is measured on more and more polygons, up to 100,000, while "
+                                             "the window stays live.");
         return;
     }
     draw_results(state, session, wants_picture);

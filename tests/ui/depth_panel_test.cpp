@@ -1,4 +1,4 @@
-// The depth laboratory's controls: what the panel's section edits, the second picture, the topics below, the pinned
+// The depth buffer's controls: what the panel's section edits, the second picture, the topics below, the pinned
 // pixel and the range of the histogram.
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace viewing::test {
 namespace {
 
-class DepthLaboratory : public UiTest {
+class DepthPanel : public UiTest {
 protected:
     /// One use of a control changes this field and no other.
     void expect_edits(const std::string& label, const std::string& field, bool is_number = false) {
@@ -23,7 +23,7 @@ protected:
     }
 };
 
-TEST_F(DepthLaboratory, EachMappingHasItsSwitches) {
+TEST_F(DepthPanel, EachMappingHasItsSwitches) {
     params.depth.mapping = DepthMapping::reversed;
     open_section();
     expect_edits("buffer/Clip range 0 … 1", "depth.reversed_zero_to_one");
@@ -36,7 +36,7 @@ TEST_F(DepthLaboratory, EachMappingHasItsSwitches) {
     EXPECT_FALSE(ui.has("buffer/Clear to 0"));
 }
 
-TEST_F(DepthLaboratory, ASwitchThatBreaksThePictureSaysWhy) {
+TEST_F(DepthPanel, ASwitchThatBreaksThePictureSaysWhy) {
     const auto sentences = [&] {
         desk.settle();
         std::vector<std::string> all;
@@ -61,7 +61,7 @@ TEST_F(DepthLaboratory, ASwitchThatBreaksThePictureSaysWhy) {
     }
 }
 
-TEST_F(DepthLaboratory, TheCoplanarSceneHasItsSliders) {
+TEST_F(DepthPanel, TheCoplanarSceneHasItsSliders) {
     open_section();
     EXPECT_FALSE(ui.has("buffer/gap"));
     params.scene = std::string("coplanar");
@@ -71,7 +71,7 @@ TEST_F(DepthLaboratory, TheCoplanarSceneHasItsSliders) {
     expect_edits("buffer/distance", "coplanar.distance", true);
 }
 
-TEST_F(DepthLaboratory, DecalsHaveThreeWays) {
+TEST_F(DepthPanel, DecalsHaveThreeWays) {
     params.scene = std::string("decals");
     open_section();
     expect_edits("buffer/decals/GL_EQUAL", "depth.decals");
@@ -81,7 +81,7 @@ TEST_F(DepthLaboratory, DecalsHaveThreeWays) {
     EXPECT_EQ(params.depth.decals, DecalMethod::stencil);
 }
 
-TEST_F(DepthLaboratory, ASecondPictureHasAHalfOfItsOwn) {
+TEST_F(DepthPanel, ASecondPictureHasAHalfOfItsOwn) {
     const Rect whole = desk.layout().camera;
     params.view.beside.shows = Beside::depth;
     desk.settle();
@@ -97,7 +97,7 @@ TEST_F(DepthLaboratory, ASecondPictureHasAHalfOfItsOwn) {
     EXPECT_EQ(desk.layout().camera.size_px(), whole.size_px());
 }
 
-TEST_F(DepthLaboratory, TheDividerIsDraggedAndTheCameraStays) {
+TEST_F(DepthPanel, TheDividerIsDraggedAndTheCameraStays) {
     params.view.beside.shows = Beside::other_depth;
     params.view.beside.layout = BesideLayout::divider;
     desk.settle();
@@ -108,7 +108,7 @@ TEST_F(DepthLaboratory, TheDividerIsDraggedAndTheCameraStays) {
     EXPECT_NEAR(params.view.beside.share, 0.5 + 100.0 / rect.width(), 0.01);
 }
 
-TEST_F(DepthLaboratory, AClickPinsThePixelWhileAViewTellsOfIt) {
+TEST_F(DepthPanel, AClickPinsThePixelWhileAViewTellsOfIt) {
     const Rect rect = desk.layout().camera;
     const ImVec2 place(rect.min.x + 40.0F, rect.max.y - 30.0F);
     desk.click_at(place);
@@ -124,7 +124,7 @@ TEST_F(DepthLaboratory, AClickPinsThePixelWhileAViewTellsOfIt) {
     EXPECT_EQ(params.view.pixel, std::nullopt);
 }
 
-TEST_F(DepthLaboratory, EveryTopicFitsInBothSlots) {
+TEST_F(DepthPanel, EveryTopicFitsInBothSlots) {
     for (const Slot slot : {Slot::left, Slot::right}) {
         for (int topic = 0; topic < static_cast<int>(topic_names().size()); ++topic) {
             SCOPED_TRACE(topic_names()[static_cast<std::size_t>(topic)]);
@@ -136,14 +136,14 @@ TEST_F(DepthLaboratory, EveryTopicFitsInBothSlots) {
     }
 }
 
-TEST_F(DepthLaboratory, WhatTheOtherViewShowsComesOver) {
+TEST_F(DepthPanel, WhatTheOtherViewShowsComesOver) {
     params.view.lower_left = Topic::precision;
     choose_topic(params, Slot::right, Topic::precision);
     EXPECT_EQ(topic_of(params, Slot::right), Topic::precision);
     EXPECT_EQ(topic_of(params, Slot::left), Topic::depth);  // what the right one showed
 }
 
-TEST_F(DepthLaboratory, AnotherMethodBringsItsTopicBack) {
+TEST_F(DepthPanel, AnotherMethodBringsItsTopicBack) {
     params.view.lower_right = Topic::codes;
     desk.settle();
     desk.click("depth/method");

@@ -1,0 +1,30 @@
+#include "ui/parts/table_parts.h"
+
+#include <algorithm>
+
+namespace viewing {
+
+float width_of(const std::string& text, ImFont* font) {
+    ImGui::PushFont(font);
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::PopFont();
+    return width;
+}
+
+void text_at_right(const std::string& text) {
+    const float indent = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(indent, 0.0F));
+    ImGui::TextUnformatted(text.c_str());
+}
+
+std::string shortened(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
+        // The bytes that continue a letter go with it.
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "…";
+}
+
+}  // namespace viewing
