@@ -1,12 +1,8 @@
 // The depth buffer as a picture: black near, white far, or bands of colour; pixels that were never written are tinted.
 in vec2 position_texture;
 
-// The values of DepthMapping in geometry/projection.h. BANDS is defined in front of this source: how many there are.
-#define MAPPING_REVERSED 1
-#define MAPPING_LOGARITHMIC 2
-
 uniform highp sampler2D depth_texture;
-uniform int mapping;
+uniform int mapping;  // a DepthMapping
 uniform bool linear_scale;
 uniform bool orthographic;
 uniform vec2 near_far;

@@ -2,11 +2,11 @@
 in vec2 position_texture;
 
 uniform sampler2D value_texture;
-uniform vec3 overdraw_colors[9];  // sRGB: 0, 1, 2, … 7, and 8 or more
+uniform vec3 colors[OVERDRAW_COLORS];  // sRGB: of 0, 1, 2 …, the last one of so many or more
 
 out vec4 color;
 
 void main() {
     int count = int(texture(value_texture, position_texture).r * 255.0 + 0.5);
-    color = vec4(overdraw_colors[min(count, 8)], 1.0);
+    color = vec4(colors[min(count, OVERDRAW_COLORS - 1)], 1.0);
 }

@@ -10,7 +10,7 @@ uniform highp sampler2D surface_colors;     // linear; w the object's number fro
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
 uniform mat4 world_from_model;
 uniform mat3 world_from_normal;
-uniform vec4 clip_plane_model[2];
+uniform vec4 clip_plane_model[CLIP_PLANES];
 vec3 position_world = vec3(0.0), normal_world = vec3(0.0), albedo = vec3(0.0);
 bool is_front = false;
 #else
@@ -26,15 +26,7 @@ flat in vec2 ids;
 #endif
 
 // SHADING and IS_PATCH are defined in front of this source: a small program for each way to draw compiles faster than
-// one that can do everything. The values of Shading in frame/plan.h, and more for reading back.
-#define SHADING_LIT 0
-#define SHADING_UNLIT 1
-#define SHADING_FLAT 2
-#define SHADING_FACING 3
-#define SHADING_HEAT 4
-#define SHADING_CASTER_W 5
-#define SHADING_IDENTITY 6
-#define SHADING_POLYGON_IDENTITY 7
+// one that can do everything. So are all constants that C++ has too: render/shader_constants.cpp.
 
 #ifdef LIGHTS
 uniform vec4 lights_world[LIGHTS];  // w = 1 point light, w = 0 parallel light
@@ -44,19 +36,20 @@ uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this directi
 uniform vec3 sky_world;     // unit: where ambient light is strongest
 uniform vec4 base_color;    // linear; flat shading: sRGB
 uniform float alpha;
-uniform vec3 patch_tones[3];  // linear: light square, dark square, line
+uniform vec3 patch_tones[PATCH_TONES];  // linear: light square, dark square, line
 uniform float patch_extent;
-uniform vec3 facing_colors[2];  // sRGB: front, back
+uniform vec3 front_color;  // sRGB
+uniform vec3 back_color;
 uniform vec4 caster_w;          // . p is the w that S gives a point
 uniform vec4 caster_side;       // . p is positive on the light's side of the plane
-uniform vec3 caster_colors[3];  // sRGB: casts a shadow, behind the plane, beyond the light
+uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the plane, beyond the light
 
 // The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/depth/heat_map.h.
 #if SHADING == SHADING_HEAT
 uniform mat4 heat_view_from_world;
 uniform vec2 heat_near_far;
 uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, by the logarithm of the eye distance from near to far
-uniform vec3 heat_colors[6];                 // sRGB: ratio 0, 1/2, below 1; then 1, 2, 4 and more
+uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: one half from ratio 0 to below 1, the other by its powers of 2
 uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
 
 vec3 heat_color() {
@@ -72,9 +65,11 @@ vec3 heat_color() {
                       clamp(place - float(entry), 0.0, 1.0));
     float ratio = gap / exp(onset);
 
-    float stop = ratio < 1.0 ? 2.0 * ratio : 3.0 + min(log2(ratio), 2.0);
-    int first = min(int(stop), ratio < 1.0 ? 1 : 4);
-    return mix(heat_colors[first], heat_colors[first + 1], stop - float(first));
+    const int middle = HEAT_COLORS / 2;
+    const float steps = float(middle - 1);
+    float stop = ratio < 1.0 ? steps * ratio : float(middle) + min(log2(ratio), steps);
+    int first = min(int(stop), ratio < 1.0 ? middle - 2 : HEAT_COLORS - 2);
+    return mix(heat_tones[first], heat_tones[first + 1], stop - float(first));
 }
 #endif
 
@@ -104,10 +99,10 @@ int mask_before() {
 uniform int mask_func;  // a CompareFunc
 uniform int mask_read_bits;
 
-// GL numbers the comparisons as sets of less (1), equal (2) and greater (4).
+// The comparisons are numbered as sets of less, equal and greater, in GL too.
 bool passes_mask() {
     int value = mask_before() & mask_read_bits, reference = mask_reference & mask_read_bits;
-    int relation = reference < value ? 1 : reference == value ? 2 : 4;
+    int relation = reference < value ? COMPARE_LESS : reference == value ? COMPARE_EQUAL : COMPARE_GREATER;
     return (mask_func & relation) != 0;
 }
 #endif
@@ -118,10 +113,10 @@ layout(location = 1) out vec4 mask;
 
 int mask_after() {
     int before = mask_before(), after = mask_reference;  // replace
-    if (mask_op == 2) after = min(before + 1, 255);
-    if (mask_op == 3) after = max(before - 1, 0);
-    if (mask_op == 4) after = 255 - before;
-    if (mask_op == 5) after = 0;
+    if (mask_op == STENCIL_INCREMENT) after = min(before + 1, 255);
+    if (mask_op == STENCIL_DECREMENT) after = max(before - 1, 0);
+    if (mask_op == STENCIL_INVERT) after = 255 - before;
+    if (mask_op == STENCIL_ZERO) after = 0;
     return (before & (255 - mask_write_bits)) | (after & mask_write_bits);
 }
 #endif
@@ -246,7 +241,7 @@ void main() {
     vec3 normal = normalize(normal_world);
     float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
     float stripe = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
-    color = vec4(FRONT_FACING ? facing_colors[0] * shade : facing_colors[1] * mix(0.72, 1.0, stripe), alpha);
+    color = vec4(FRONT_FACING ? front_color * shade : back_color * mix(0.72, 1.0, stripe), alpha);
 #elif SHADING == SHADING_HEAT
     vec3 normal = normalize(normal_world);
     float shade = 0.30 + 0.16 * abs(normal.y * 0.35 + normal.z * 0.65);
@@ -256,7 +251,7 @@ void main() {
     vec3 normal = normalize(normal_world);
     float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
     int kind = dot(caster_w, point) <= 0.0 ? 2 : dot(caster_side, point) < 0.0 ? 1 : 0;
-    color = vec4(caster_colors[kind] * shade, alpha);
+    color = vec4(caster_tones[kind] * shade, alpha);
 #elif defined(IS_PATCH)
     color = vec4(srgb_from_linear(lit_color(patch_color())), alpha);
 #else

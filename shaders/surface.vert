@@ -22,13 +22,13 @@ out vec2 position_patch;
 
 // For passes that clip, one of the two: CLIP_BY_DISCARD where GL has no clip distances.
 #ifdef CLIP_DISTANCE
-out float gl_ClipDistance[2];
+out float gl_ClipDistance[CLIP_PLANES];
 #endif
 #ifdef CLIP_BY_DISCARD
 out vec2 clip_distance;
 #endif
 #if defined(CLIP_DISTANCE) || defined(CLIP_BY_DISCARD)
-uniform vec4 clip_plane_model[2];  // kept where dot(plane, position) >= 0
+uniform vec4 clip_plane_model[CLIP_PLANES];  // kept where dot(plane, position) >= 0
 #endif
 
 #if defined(WRITE_DEPTH) || defined(LOGARITHM_PER_VERTEX)
@@ -64,7 +64,7 @@ void main() {
     if (placed.w < 0.0) gl_Position = -gl_Position;
 #endif
 #ifdef CLIP_DISTANCE
-    for (int plane = 0; plane < 2; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
+    for (int plane = 0; plane < CLIP_PLANES; ++plane) gl_ClipDistance[plane] = dot(clip_plane_model[plane], position);
 #endif
 #ifdef CLIP_BY_DISCARD
     clip_distance = vec2(dot(clip_plane_model[0], position), dot(clip_plane_model[1], position));

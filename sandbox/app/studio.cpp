@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "gl/dialect.h"
 #include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
 #include "state/fields.h"
@@ -62,7 +63,7 @@ Studio::Studio(Renderer& renderer, Session opened)
     io.IniFilename = nullptr;  // no file is touched that was not named
     io.LogFilename = nullptr;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_Init(gl::shader_version());
 }
 
 Studio::~Studio() {

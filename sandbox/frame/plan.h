@@ -25,12 +25,16 @@ enum class Subject {
 
 /// How its fragments get their colour.
 enum class Shading {
-    lit,      ///< ambient, diffuse and a modest highlight
-    unlit,    ///< ambient only
-    flat,     ///< one colour
-    facing,   ///< front and back faces in two colours
-    heat,     ///< gaps of flat pairs, divided by the smallest that depth tells for sure
-    caster_w  ///< what S makes of w: casts a shadow, lies behind the plane, or beyond the light
+    lit,       ///< ambient, diffuse and a modest highlight
+    unlit,     ///< ambient only
+    flat,      ///< one colour
+    facing,    ///< front and back faces in two colours
+    heat,      ///< gaps of flat pairs, divided by the smallest that depth tells for sure
+    caster_w,  ///< what S makes of w: casts a shadow, lies behind the plane, or beyond the light
+
+    // Numbers in place of colours, which the renderer reads back: in no plan.
+    identity,         ///< of objects and patches
+    polygon_identity  ///< of polygons that are drawn in order
 };
 
 /// Which of the scene's objects a pass draws.
@@ -40,6 +44,9 @@ enum class Blend { none, alpha, add };
 
 /// A plane in world space; what lies on its negative side is cut off, before the pass's own matrix is applied.
 using ClipPlane = glm::dvec4;
+
+/// Of one pass.
+inline constexpr std::size_t most_clip_planes = 2;
 
 struct Pass {
     std::string name;
@@ -55,7 +62,7 @@ struct Pass {
     glm::dmat4 clip_from_world{1.0};
     glm::dmat4 view_from_world{1.0};
     bool is_mirror_image = false;        ///< or belongs to one
-    std::vector<ClipPlane> clip_planes;  ///< at most two
+    std::vector<ClipPlane> clip_planes;  ///< at most most_clip_planes
     DepthState depth;
     StencilState stencil;
     CullParams cull;

@@ -1,5 +1,6 @@
 #include "gl/debug.h"
 
+#include "gl/dialect.h"
 #include "gl/gl.h"
 
 namespace viewing::gl {
@@ -16,7 +17,7 @@ void GLAPIENTRY receive(GLenum, GLenum type, GLuint, GLenum severity, GLsizei le
 }  // namespace
 
 DebugLog::DebugLog() {
-    if (epoxy_gl_version() < 43 && !epoxy_has_gl_extension("GL_KHR_debug")) return;
+    if (!has_debug_output()) return;
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(receive, this);

@@ -1,5 +1,6 @@
 #include "gl/facts.h"
 
+#include "gl/dialect.h"
 #include "gl/gl.h"
 
 namespace viewing::gl {
@@ -14,7 +15,7 @@ std::string gl_string(GLenum name) {
 
 ContextFacts context_facts() {
     return {gl_string(GL_VERSION), gl_string(GL_RENDERER), gl_string(GL_VENDOR), gl_string(GL_SHADING_LANGUAGE_VERSION),
-            epoxy_gl_version() >= 43 || epoxy_has_gl_extension("GL_KHR_debug")};
+            has_debug_output()};
 }
 
 }  // namespace viewing::gl

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "gl/dialect.h"
+
 namespace viewing::gl {
 namespace {
 
@@ -22,9 +24,9 @@ std::string log_of(GLuint name, Get get, Log log) {
 
 Result<Shader> compile(GLenum stage, std::string_view defines, std::string_view source) {
     Shader shader(glCreateShader(stage));
-    static constexpr std::string_view version = "#version 330 core\n";
-    const GLchar* parts[] = {version.data(), defines.data(), source.data()};
-    const GLint lengths[] = {static_cast<GLint>(version.size()), static_cast<GLint>(defines.size()),
+    const std::string_view opening = shader_opening();
+    const GLchar* parts[] = {opening.data(), defines.data(), source.data()};
+    const GLint lengths[] = {static_cast<GLint>(opening.size()), static_cast<GLint>(defines.size()),
                              static_cast<GLint>(source.size())};
     glShaderSource(shader.name(), 3, parts, lengths);
     glCompileShader(shader.name());
@@ -81,12 +83,9 @@ Result<Program> make_program(std::string_view vertex_source, std::string_view fr
 }
 
 Capabilities Capabilities::of_current_context() {
-    Capabilities found;
-    const bool desktop = epoxy_is_desktop_gl();
-    found.clip_control = desktop && (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"));
-    found.clip_distance = desktop;
-    found.read_depth_stencil = desktop;
-    return found;
+    return {.clip_control = has_clip_control(),
+            .clip_distance = has_clip_distance(),
+            .read_depth_stencil = can_read_depth_stencil()};
 }
 
 }  // namespace viewing::gl

@@ -66,15 +66,15 @@ Texture make_texture();
 Renderbuffer make_renderbuffer();
 Framebuffer make_framebuffer();
 
-/// Compiles and links; `defines` are lines put behind #version. The error holds the driver's log.
+/// Compiles and links; `defines` are lines put behind shader_opening(). The error holds the driver's log.
 Result<Program> make_program(std::string_view vertex_source, std::string_view fragment_source,
                              std::string_view defines = "");
 
-/// What this driver has beyond the common subset of GL 3.3 and WebGL 2.
+/// What this driver has beyond the common subset of GL 3.3 and WebGL 2: gl/dialect.h.
 struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;
-    bool read_depth_stencil = false;  ///< glReadPixels gives depth and stencil
+    bool read_depth_stencil = false;
     static Capabilities of_current_context();
 };
 

@@ -53,7 +53,7 @@ double levels_of(const DepthPrecision& precision) {
 Result<BufferReader> BufferReader::make(const gl::Capabilities& capabilities) {
     BufferReader reader(capabilities);
     if (capabilities.read_depth_stencil) return reader;
-    if (Result<const gl::Program*> depths = reader.programs_.read_depth(); !depths) return Error{depths.error()};
+    if (Result<const ReadDepthProgram*> depths = reader.programs_.read_depth(); !depths) return Error{depths.error()};
     if (Result<const ConstantProgram*> constant = reader.programs_.constant(); !constant)
         return Error{constant.error()};
     return reader;
@@ -153,7 +153,10 @@ void BufferReader::draw_depths(const View& view, const PixelRect& rect) {
     glBindFramebuffer(GL_FRAMEBUFFER, bytes_.framebuffer());
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, view.target().depth_texture());
-    fullscreen_.draw(**programs_.read_depth());
+    const ReadDepthProgram& program = **programs_.read_depth();
+    program.use();
+    program.depth_texture.set(Sampler{0});
+    fullscreen_.draw(program);
     glDisable(GL_SCISSOR_TEST);
     restore_defaults(capabilities_);
 }

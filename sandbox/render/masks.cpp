@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "render/pass_state.h"
-#include "render/uniforms.h"
 
 namespace viewing {
 namespace {
@@ -43,12 +42,12 @@ void begin_mask(const Pass& pass, const MaskUse& use, const gl::Target& target) 
 }
 
 void set_mask(const SurfaceProgram& program, const StencilState& stencil, int reference) {
-    glUniform1i(program.mask_texture, mask_unit);
-    glUniform1i(program.mask_func, static_cast<int>(stencil.func));
-    glUniform1i(program.mask_reference, std::clamp(reference, 0, 255));
-    glUniform1i(program.mask_read_bits, stencil.read_bits);
-    glUniform1i(program.mask_write_bits, stencil.write_bits);
-    glUniform1i(program.mask_op, static_cast<int>(stencil.on_pass));
+    program.mask_texture.set(Sampler{mask_unit});
+    program.mask_func.set(stencil.func);
+    program.mask_reference.set(std::clamp(reference, 0, 255));
+    program.mask_read_bits.set(stencil.read_bits);
+    program.mask_write_bits.set(stencil.write_bits);
+    program.mask_op.set(stencil.on_pass);
 }
 
 void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram& program, const Fullscreen& fullscreen,
@@ -62,11 +61,11 @@ void fill_changed(const Pass& pass, const gl::Target& target, const FillProgram&
     glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
     bind(mask_unit, target.mask().previous());
     bind(changed_mask_unit, target.mask().texture());
-    glUseProgram(program.program.name());
-    glUniform1i(program.previous_mask, mask_unit);
-    glUniform1i(program.changed_mask, changed_mask_unit);
-    set_vector(program.value, glm::vec4(pass.color));
-    fullscreen.draw(program.program);
+    program.use();
+    program.previous_mask.set(Sampler{mask_unit});
+    program.changed_mask.set(Sampler{changed_mask_unit});
+    program.value.set(pass.color);
+    fullscreen.draw(program);
 }
 
 }  // namespace viewing

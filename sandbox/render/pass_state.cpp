@@ -1,10 +1,60 @@
 #include "render/pass_state.h"
 
+#include "gl/dialect.h"
+
 namespace viewing {
 namespace {
 
 GLenum gl_enum(CompareFunc func) {
-    return GL_NEVER + static_cast<GLenum>(func);
+    switch (func) {
+        case CompareFunc::never:
+            return GL_NEVER;
+        case CompareFunc::less:
+            return GL_LESS;
+        case CompareFunc::equal:
+            return GL_EQUAL;
+        case CompareFunc::lequal:
+            return GL_LEQUAL;
+        case CompareFunc::greater:
+            return GL_GREATER;
+        case CompareFunc::notequal:
+            return GL_NOTEQUAL;
+        case CompareFunc::gequal:
+            return GL_GEQUAL;
+        case CompareFunc::always:
+            break;
+    }
+    return GL_ALWAYS;
+}
+
+GLenum gl_enum(StencilOp op) {
+    switch (op) {
+        case StencilOp::keep:
+            break;
+        case StencilOp::replace:
+            return GL_REPLACE;
+        case StencilOp::increment:
+            return GL_INCR;
+        case StencilOp::decrement:
+            return GL_DECR;
+        case StencilOp::invert:
+            return GL_INVERT;
+        case StencilOp::zero:
+            return GL_ZERO;
+    }
+    return GL_KEEP;
+}
+
+GLenum gl_enum(CullFace face) {
+    switch (face) {
+        case CullFace::front:
+            return GL_FRONT;
+        case CullFace::back:
+            return GL_BACK;
+        case CullFace::front_and_back:
+            break;
+    }
+    return GL_FRONT_AND_BACK;
 }
 
 }  // namespace
@@ -17,8 +67,7 @@ void apply_stencil(const StencilState& stencil, int reference) {
     enable(GL_STENCIL_TEST, stencil.test);
     glStencilFunc(gl_enum(stencil.func), reference, static_cast<GLuint>(stencil.read_bits));
     glStencilMask(static_cast<GLuint>(stencil.write_bits));
-    static constexpr GLenum ops[] = {GL_KEEP, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT, GL_ZERO};
-    glStencilOp(GL_KEEP, GL_KEEP, ops[static_cast<std::size_t>(stencil.on_pass)]);
+    glStencilOp(GL_KEEP, GL_KEEP, gl_enum(stencil.on_pass));
 }
 
 void apply_state(const Pass& pass, const gl::Capabilities& capabilities) {
@@ -27,8 +76,7 @@ void apply_state(const Pass& pass, const gl::Capabilities& capabilities) {
     glDepthMask(pass.depth.write ? GL_TRUE : GL_FALSE);
 
     enable(GL_CULL_FACE, pass.cull.enabled);
-    static constexpr GLenum faces[] = {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK};
-    glCullFace(faces[static_cast<std::size_t>(pass.cull.face)]);
+    glCullFace(gl_enum(pass.cull.face));
     glFrontFace(pass.cull.front_face == FrontFace::ccw ? GL_CCW : GL_CW);
 
     apply_stencil(pass.stencil, pass.stencil.reference);
@@ -42,7 +90,7 @@ void apply_state(const Pass& pass, const gl::Capabilities& capabilities) {
     glColorMask(writes, writes, writes, writes);
 
     if (capabilities.clip_distance)
-        for (std::size_t plane = 0; plane < 2; ++plane)
+        for (std::size_t plane = 0; plane < most_clip_planes; ++plane)
             enable(GL_CLIP_DISTANCE0 + static_cast<GLenum>(plane), plane < pass.clip_planes.size());
 }
 
@@ -55,7 +103,7 @@ void restore_defaults(const gl::Capabilities& capabilities) {
     glPolygonOffset(0.0F, 0.0F);
     glBlendFunc(GL_ONE, GL_ZERO);
     glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
-    glClearDepth(1.0);
+    gl::set_clear_depth(1.0);
     if (capabilities.clip_control) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     glBindVertexArray(0);
     glUseProgram(0);

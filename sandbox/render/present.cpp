@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "frame/depth/depth_colors.h"
-#include "frame/ground.h"
 #include "render/pass_state.h"
-#include "render/uniforms.h"
 
 namespace viewing {
 namespace {
@@ -29,8 +26,8 @@ GreyScale grey_scale(const FramePlan& plan) {
 
 }  // namespace
 
-void Fullscreen::draw(const gl::Program& program) const {
-    glUseProgram(program.name());
+void Fullscreen::draw(const ShaderProgram& program) const {
+    program.use();
     glBindVertexArray(no_vertices_.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -42,15 +39,15 @@ void gather_stencil(GLuint framebuffer, const ConstantProgram& constant, const F
     glEnable(GL_STENCIL_TEST);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    glUseProgram(constant.program.name());
+    constant.use();
     for (int bit = 1; bit <= 128; bit *= 2) {
         glStencilFunc(GL_EQUAL, bit, static_cast<GLuint>(bit));
-        glUniform4f(constant.value, static_cast<float>(bit) / 255.0F, 0.0F, 0.0F, 0.0F);
-        fullscreen.draw(constant.program);
+        constant.value.set(glm::vec4(static_cast<float>(bit) / 255.0F, 0.0F, 0.0F, 0.0F));
+        fullscreen.draw(constant);
     }
 }
 
-void Presenter::draw_into(const gl::ColorTarget& into, GLuint texture, const gl::Program& program) const {
+void Presenter::draw_into(const gl::ColorTarget& into, GLuint texture, const ShaderProgram& program) const {
     glBindFramebuffer(GL_FRAMEBUFFER, into.framebuffer());
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture);
@@ -62,19 +59,20 @@ Status Presenter::depth(const FramePlan& plan, const gl::Target& from, const gl:
     Result<const ShowDepthProgram*> found = programs_.show_depth();
     if (!found) return Error{found.error()};
     const ShowDepthProgram& program = **found;
-    glUseProgram(program.program.name());
-    glUniform1i(program.mapping, static_cast<int>(plan.depth_mapping));
-    glUniform1i(program.linear_scale, plan.depth_scale == DepthScale::linear);
-    glUniform1i(program.orthographic, plan.lens.orthographic);
-    glUniform2f(program.near_far, static_cast<float>(plan.lens.near), static_cast<float>(plan.lens.far));
+    program.use();
+    program.depth_texture.set(Sampler{0});
+    program.mapping.set(plan.depth_mapping);
+    program.linear_scale.set(plan.depth_scale == DepthScale::linear);
+    program.orthographic.set(plan.lens.orthographic);
+    program.near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
     const GreyScale scale = grey_scale(plan);
-    glUniform1f(program.shown_first, scale.first);
-    glUniform1f(program.shown_slope, scale.slope);
-    glUniform1i(program.shows_bands, plan.depth_colors == DepthColors::bands);
-    set_colors(program.bands, depth_bands);
-    glUniform1f(program.cleared, static_cast<float>(plan.clear_depth_value));
-    set_vector(program.unwritten_color, srgb(plan.unwritten));
-    draw_into(into, from.depth_texture(), program.program);
+    program.shown_first.set(scale.first);
+    program.shown_slope.set(scale.slope);
+    program.shows_bands.set(plan.depth_colors == DepthColors::bands);
+    program.bands.set_first(srgb(depth_bands));
+    program.cleared.set(plan.clear_depth_value);
+    program.unwritten_color.set(srgb(plan.unwritten));
+    draw_into(into, from.depth_texture(), program);
     return std::monostate{};
 }
 
@@ -87,18 +85,20 @@ Status Presenter::stencil(const gl::Target& from, const gl::ColorTarget& into) {
         gather_stencil(from.draw_framebuffer(), **constant, fullscreen_);
         restore_defaults(capabilities_);
     }
-    glUseProgram((*show)->program.name());
-    set_colors((*show)->stencil_colors, stencil_colors);
-    draw_into(into, from.has_stencil() ? from.color_texture() : from.mask().texture(), (*show)->program);
+    (*show)->use();
+    (*show)->value_texture.set(Sampler{0});
+    (*show)->colors.set_first(srgb(stencil_colors));
+    draw_into(into, from.has_stencil() ? from.color_texture() : from.mask().texture(), **show);
     return std::monostate{};
 }
 
 Status Presenter::overdraw(const gl::Target& from, const gl::ColorTarget& into) {
     Result<const ShowOverdrawProgram*> show = programs_.show_overdraw();
     if (!show) return Error{show.error()};
-    glUseProgram((*show)->program.name());
-    set_colors((*show)->overdraw_colors, overdraw_colors);
-    draw_into(into, from.color_texture(), (*show)->program);
+    (*show)->use();
+    (*show)->value_texture.set(Sampler{0});
+    (*show)->colors.set_first(srgb(overdraw_colors));
+    draw_into(into, from.color_texture(), **show);
     return std::monostate{};
 }
 

@@ -11,7 +11,7 @@ namespace viewing {
 /// Draws without a mesh: one triangle over the whole target.
 class Fullscreen {
 public:
-    void draw(const gl::Program& program) const;
+    void draw(const ShaderProgram& program) const;  ///< which is in use then
 
 private:
     gl::VertexArray no_vertices_ = gl::make_vertex_array();
@@ -35,8 +35,8 @@ public:
     Status overdraw(const gl::Target& from, const gl::ColorTarget& into);
 
 private:
-    /// For a program that is in use.
-    void draw_into(const gl::ColorTarget& into, GLuint texture, const gl::Program& program) const;
+    /// With the texture in unit 0.
+    void draw_into(const gl::ColorTarget& into, GLuint texture, const ShaderProgram& program) const;
 
     const gl::Capabilities& capabilities_;
     Programs& programs_;

@@ -1,36 +1,19 @@
 // Plan in, pixels out: each pass as draw calls. Read pass_state.h and programs.h for what they are drawn with.
 #include "render/renderer.h"
 
-#include <algorithm>
-
 #include "frame/draw_calls.h"
 #include "frame/ground.h"
-#include "geometry/normals.h"
 #include "geometry/shapes.h"
+#include "gl/dialect.h"
 #include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
-#include "render/heat.h"
 #include "render/masks.h"
 #include "render/pass_state.h"
 #include "render/present.h"
-#include "render/programs.h"
-#include "render/uniforms.h"
-#include "state/fields.h"
+#include "render/surface_uniforms.h"
 
 namespace viewing {
 namespace {
-
-constexpr std::size_t most_lights = 1 + max_further_lights;
-
-/// A number below 2^16 in the bytes of red and green.
-void set_identity(const SurfaceProgram& program, int identity) {
-    set_vector(program.base_color, glm::vec4(glm::vec2(identity % 256, identity / 256) / 255.0F, 0.0F, 1.0F));
-}
-
-/// Formats that GL does not have are kept exactly inside 24 bits.
-bool stores_fewer_bits(DepthFormat format) {
-    return precision_of(format).bits < 16;
-}
 
 gl::DepthKind kind_of(DepthFormat format) {
     if (format == DepthFormat::d16) return gl::DepthKind::d16;
@@ -53,41 +36,29 @@ struct Renderer::Implementation {
     GpuMesh quad = upload(quad_mesh());
     Presenter presenter{capabilities, programs};
 
-    /// What stays the same for all passes of a frame.
-    struct FrameState {
-        const FramePlan& plan;
-        const Scene& scene;
-        const gl::Target& target;
-        bool writes_depth;
-        int identify;  ///< a SurfaceKind's identity, in place of colours, for reading back; 0: colours
-    };
-
-    Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view, int identify);
+    Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
+                      std::optional<Shading> identify = {});
     Status draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target, bool clear_depth,
-                       int identify);
+                       std::optional<Shading> identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
     Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
     void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
-    void set_uniforms(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) const;
-    void set_placement(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
-                       const glm::dmat4& world_from_model) const;
     void draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
     void draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
     Status draw_difference(const FramePlan& plan);
     void draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
                   const glm::dmat4& world_from_model, const GpuMesh& mesh, const DepthOffset& own_offset,
                   int call) const;
-    void set_offset(const FrameState& frame, const SurfaceProgram& program, const DepthOffset& offset) const;
 };
 
 void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
     glViewport(0, 0, target.size_px().x, target.size_px().y);
     restore_defaults(capabilities);
-    const bool counts = frame.identify != 0 || frame.plan.shows == Shows::overdraw;
+    const bool counts = frame.identify || frame.plan.shows == Shows::overdraw;
     const glm::vec3 background = counts ? glm::vec3(0.0F) : srgb(frame.plan.background);
     glClearColor(background.r, background.g, background.b, 1.0F);
-    glClearDepth(frame.plan.clear_depth_value);
+    gl::set_clear_depth(frame.plan.clear_depth_value);
     glClearStencil(0);
     glStencilMask(0xFF);
     glDepthMask(clear_depth ? GL_TRUE : GL_FALSE);  // which a clear obeys
@@ -97,115 +68,47 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
     if (capabilities.clip_control && frame.plan.clip_zero_to_one) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
-void Renderer::Implementation::set_uniforms(const FrameState& frame, const Pass& pass,
-                                            const SurfaceProgram& program) const {
-    glUseProgram(program.program.name());
-    glm::vec4 lights_world[most_lights];
-    for (std::size_t light = 0; light < pass.lights_world.size(); ++light)
-        lights_world[light] = glm::vec4(pass.lights_world[light]);
-    glUniform4fv(program.lights_world, static_cast<GLsizei>(pass.lights_world.size()), glm::value_ptr(lights_world[0]));
-    glUniform1f(program.light_strength, static_cast<float>(pass.light_strength));
-    set_vector(program.eye_world, glm::vec4(pass.eye_world));
-    set_vector(program.sky_world, glm::vec3(pass.sky_world));
-    set_vector(program.base_color, glm::vec4(pass.color));
-    glUniform1f(program.alpha, static_cast<float>(pass.color.a));
-    const glm::vec3 tones[] = {linear_from_srgb(frame.plan.patch_light), linear_from_srgb(frame.plan.patch_dark),
-                               linear_from_srgb(frame.plan.patch_line)};
-    glUniform3fv(program.patch_tones, 3, glm::value_ptr(tones[0]));
-    const glm::vec3 facing[] = {srgb(front_color), srgb(back_color)};
-    glUniform3fv(program.facing_colors, 2, glm::value_ptr(facing[0]));
-    if (pass.subject == Subject::patch)
-        glUniform1f(program.patch_extent, static_cast<float>(frame.plan.patches[pass.plane].extent));
-    if (pass.shading == Shading::caster_w) {
-        set_vector(program.caster_w, glm::vec4(frame.plan.caster_w));
-        set_vector(program.caster_side, glm::vec4(frame.plan.caster_side));
-        set_colors(program.caster_colors, caster_colors);
-    }
-    const Lens& lens = frame.plan.lens;
-    glUniform2f(program.vertex_near_far, static_cast<float>(lens.near), static_cast<float>(lens.far));
-    if (frame.identify == 0 && pass.shading == Shading::heat) set_heat(program, frame.plan, pass);
-    if (!frame.writes_depth) return;
-    const bool logarithmic =
-        frame.plan.depth_mapping == DepthMapping::logarithmic && !frame.plan.has_logarithm_per_vertex();
-    const int bits = precision_of(frame.plan.depth_format).bits;
-    glUniform1f(program.depth_levels,
-                stores_fewer_bits(frame.plan.depth_format) ? static_cast<float>((1 << bits) - 1) : 0.0F);
-    glUniform2f(program.logarithmic_range, logarithmic ? static_cast<float>(lens.near) : 0.0F,
-                static_cast<float>(lens.far));
-}
-
-void Renderer::Implementation::set_offset(const FrameState& frame, const SurfaceProgram& program,
-                                          const DepthOffset& offset) const {
-    const bool on = offset.factor != 0.0 || offset.units != 0.0;
-    if (frame.writes_depth) {
-        const double step = 1.0 / ((1 << std::min(precision_of(frame.plan.depth_format).bits, 24)) - 1);
-        glUniform2f(program.depth_offset, static_cast<float>(offset.factor), static_cast<float>(offset.units * step));
-        return;
-    }
-    enable(GL_POLYGON_OFFSET_FILL, on);
-    glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
-}
-
-void Renderer::Implementation::set_placement(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
-                                             const glm::dmat4& world_from_model) const {
-    const glm::dmat4 placed_from_model = pass.world_from_scene * world_from_model;
-    set_matrix(program.clip_from_model, pass.clip_from_world * placed_from_model);
-    set_matrix(program.world_from_model, placed_from_model);
-    if (pass.shading != Shading::flat) {
-        const glm::mat3 world_from_normal(normal_matrix(glm::dmat3(placed_from_model)));
-        glUniformMatrix3fv(program.world_from_normal, 1, GL_FALSE, glm::value_ptr(world_from_normal));
-    }
-    glm::vec4 planes_model[2] = {glm::vec4(0.0F, 0.0F, 0.0F, 1.0F), glm::vec4(0.0F, 0.0F, 0.0F, 1.0F)};
-    for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
-        planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
-    glUniform4fv(program.clip_plane_model, 2, glm::value_ptr(planes_model[0]));
-    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex()) return;
-    const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
-    set_vector(program.view_z_of_model, glm::vec4(rows[2]));
-    set_vector(program.view_w_of_model, glm::vec4(rows[3]));
-}
-
 void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
                                         const glm::dmat4& world_from_model, const GpuMesh& mesh,
                                         const DepthOffset& own_offset, int call) const {
     const int triangles = triangles_drawn(frame.plan.limit, call, mesh.triangle_count());
     if (triangles == 0) return;
-    set_placement(frame, pass, program, world_from_model);
-    set_offset(frame, program, pass.offset.value_or(own_offset));
+    set_placement(program, frame, pass, world_from_model);
+    set_offset(program, frame, pass.offset.value_or(own_offset));
     mesh.draw(triangles);
 }
 
 void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
     const std::shared_ptr<const HiddenDrawing>& hidden = drawing_of(frame.plan, pass);
     const GpuDrawing& drawing = drawings.of(hidden);
-    set_placement(frame, pass, program, glm::dmat4(1.0));
+    set_placement(program, frame, pass, glm::dmat4(1.0));
     for (const HiddenDrawing::Run& run : hidden->runs) {
-        set_offset(frame, program, pass.offset.value_or(run.is_decal ? frame.plan.decal_offset : DepthOffset{}));
+        set_offset(program, frame, pass.offset.value_or(run.is_decal ? frame.plan.decal_offset : DepthOffset{}));
         drawing.draw(run.first_vertex, run.vertex_count);
     }
 }
 
 void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
     drawings.of(drawing_of(frame.plan, pass)).bind_textures();
-    const GLint samplers[] = {program.surface_positions, program.surface_normals, program.surface_colors,
-                              program.surface_counts};
-    for (int unit = 0; unit < 4; ++unit) glUniform1i(samplers[unit], unit);
-    set_placement(frame, pass, program, glm::dmat4(1.0));
-    // The normals are turned towards the eye already: cofactors of a mirror would turn them around.
-    const glm::dmat3 scene(pass.world_from_scene);
-    const glm::mat3 world_from_normal(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
-    glUniformMatrix3fv(program.world_from_normal, 1, GL_FALSE, glm::value_ptr(world_from_normal));
+    int unit = 0;
+    for (const auto* sampler :
+         {&program.surface_positions, &program.surface_normals, &program.surface_colors, &program.surface_counts})
+        sampler->set(Sampler{unit++});
+    set_placement(program, frame, pass, glm::dmat4(1.0));
+    set_turned_normals(program, pass);
     glDisable(GL_CULL_FACE);           // the method has culled already; this triangle only brings its pixels
     if (capabilities.clip_distance) {  // and the shader clips by itself
         glDisable(GL_CLIP_DISTANCE0);
         glDisable(GL_CLIP_DISTANCE1);
     }
-    presenter.fullscreen().draw(program.program);
+    presenter.fullscreen().draw(program);
 }
 
 Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
-    Result<const gl::Program*> program = programs.show_picture();
+    Result<const ShowPictureProgram*> program = programs.show_picture();
     if (!program) return Error{program.error()};
+    (*program)->use();
+    (*program)->picture.set(Sampler{0});
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, drawings.texture_of(plan.hidden.difference));
     presenter.fullscreen().draw(**program);
@@ -215,28 +118,37 @@ Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
 Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask,
                                            int first_call) {
     if (pass.subject == Subject::difference)
-        return frame.identify != 0 ? Status(std::monostate{}) : draw_difference(frame.plan);
+        return frame.identify ? Status(std::monostate{}) : draw_difference(frame.plan);
     const bool is_patch = pass.subject == Subject::patch;
     using Source = SurfaceKind::Source;
     const Source source = pass.subject == Subject::ordered  ? Source::vertices
                           : pass.subject == Subject::pixels ? Source::picture
                                                             : Source::object;
-    const int shading = frame.identify != 0 ? frame.identify : static_cast<int>(pass.shading);
-    const bool is_lit = frame.identify == 0 && pass.shading == Shading::lit;
-    const int lights = is_lit ? static_cast<int>(pass.lights_world.size()) : 0;
-    Result<const SurfaceProgram*> found = programs.surface(
-        {shading, is_patch, !pass.clip_planes.empty(), frame.writes_depth && source != Source::picture, source,
-         mask.tests, mask.writes, frame.plan.has_logarithm_per_vertex() && source != Source::picture, lights,
-         is_patch && lights > 0 && pass.has_gloss, pass.forces_sign});
+    const bool has_vertices = source != Source::picture;
+    const Shading shading = frame.shading_of(pass);
+    const std::size_t lights = shading == Shading::lit ? pass.lights_world.size() : 0;
+    Result<const SurfaceProgram*> found =
+        programs.surface({.shading = shading,
+                          .is_patch = is_patch,
+                          .clips = !pass.clip_planes.empty(),
+                          .write_depth = frame.writes_depth && has_vertices,
+                          .source = source,
+                          .mask_test = mask.tests,
+                          .mask_write = mask.writes,
+                          .logarithm_per_vertex = frame.plan.has_logarithm_per_vertex() && has_vertices,
+                          .lights = lights,
+                          .has_gloss = is_patch && lights > 0 && pass.has_gloss,
+                          .forces_sign = pass.forces_sign});
     if (!found) return Error{found.error()};
     const SurfaceProgram& program = **found;
-    set_uniforms(frame, pass, program);
+    program.use();
+    set_uniforms(program, frame, pass);
     set_mask(program, pass.stencil, pass.stencil.reference);
     if (source == Source::vertices) draw_ordered(frame, pass, program);
     if (source == Source::picture) draw_pixels(frame, pass, program);
     if (source != Source::object) return std::monostate{};
     if (is_patch) {
-        if (frame.identify != 0) set_identity(program, patch_identity + static_cast<int>(pass.plane));
+        if (frame.identify) set_identity(program, patch_identity + static_cast<int>(pass.plane));
         draw_one(frame, pass, program, frame.plan.patches[pass.plane].world_from_patch(), quad, {}, first_call);
         return std::monostate{};
     }
@@ -258,19 +170,19 @@ void Renderer::Implementation::draw_objects(const FrameState& frame, const Pass&
             apply_stencil(pass.stencil, frame.plan.mark_of(index));
             set_mask(program, pass.stencil, frame.plan.mark_of(index));
         }
-        if (frame.identify != 0) {
+        if (frame.identify) {
             set_identity(program, static_cast<int>(index + 1));
         } else if (pass.shading != Shading::flat) {
-            set_vector(program.base_color, glm::vec4(linear_from_srgb(object.description.color), 1.0F));
+            program.base_color.set(glm::vec4(linear_from_srgb(object.description.color), 1.0F));
         }
-        if (frame.identify == 0 && pass.shading == Shading::heat) set_heat_gap(program, frame.plan, index);
+        if (frame.shading_of(pass) == Shading::heat) set_heat_gap(program, frame.plan, index);
         draw_one(frame, pass, program, object.world_from_model, meshes.of(object.mesh),
                  object.description.decal ? frame.plan.decal_offset : DepthOffset{}, call++);
     }
 }
 
 Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target,
-                                             bool clear_depth, int identify) {
+                                             bool clear_depth, std::optional<Shading> identify) {
     const bool writes_depth = stores_fewer_bits(plan.depth_format) ||
                               (plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex());
     const FrameState frame{plan, scene, target, writes_depth, identify};
@@ -280,7 +192,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
         if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
         const int first_call = next_call;
         next_call += call_count(pass, scene);
-        if (identify != 0 && pass.is_mirror_image) continue;  // what is there is the mirror
+        if (identify && pass.is_mirror_image) continue;  // what is there is the mirror
         const MaskUse mask = mask_use(pass, target);
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);
@@ -312,7 +224,7 @@ const gl::Capabilities& Renderer::capabilities() const {
 }
 
 Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
-                                            int identify) {
+                                            std::optional<Shading> identify) {
     const gl::TargetSpec spec{size_px, plan.samples, kind_of(plan.depth_format)};
     const bool fresh = view.target_.spec() != spec;
     if (fresh) view.target_ = gl::Target(spec);
@@ -328,7 +240,7 @@ Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& 
 Status Renderer::draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
     view.presents_ = plan.shows == Shows::depth || plan.shows == Shows::stencil || plan.shows == Shows::overdraw;
     if (view.presents_ && view.shown_.size_px() != size_px) view.shown_ = gl::ColorTarget(size_px);
-    if (Status drawn = implementation_->draw_frame(plan, scene, size_px, view, 0); !drawn) return drawn;
+    if (Status drawn = implementation_->draw_frame(plan, scene, size_px, view); !drawn) return drawn;
     Presenter& presenter = implementation_->presenter;
     if (plan.shows == Shows::depth) return presenter.depth(plan, view.target_, view.shown_);
     if (plan.shows == Shows::stencil) return presenter.stencil(view.target_, view.shown_);
@@ -348,7 +260,7 @@ Status Renderer::draw_identities(const FramePlan& plan, const Scene& scene, glm:
         if (pass.shading == Shading::flat) pass.color_write = false;  // masks and shadows are nobody
         pass.blend = Blend::none;
     }
-    return implementation_->draw_frame(plain, scene, size_px, view, SurfaceKind::identity);
+    return implementation_->draw_frame(plain, scene, size_px, view, Shading::identity);
 }
 
 Result<IdImage> Renderer::read_polygon_ids(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
@@ -356,7 +268,7 @@ Result<IdImage> Renderer::read_polygon_ids(const FramePlan& plan, const Scene& s
     plain.samples = 0;
     plain.shows = Shows::color;
     std::erase_if(plain.passes, [](const Pass& pass) { return pass.subject != Subject::ordered; });
-    if (Status drawn = implementation_->draw_frame(plain, scene, size_px, view, SurfaceKind::polygon_identity); !drawn)
+    if (Status drawn = implementation_->draw_frame(plain, scene, size_px, view, Shading::polygon_identity); !drawn)
         return Error{drawn.error()};
     const Image bytes = read(view);
     IdImage image(bytes.width, bytes.height);

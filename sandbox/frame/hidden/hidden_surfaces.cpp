@@ -5,6 +5,8 @@
 #include <chrono>
 #include <numeric>
 
+#include "frame/hidden/hidden_steps.h"
+
 namespace viewing {
 namespace {
 
@@ -48,81 +50,6 @@ void take_counters(HiddenCounters& counters, const RasterCounters& raster) {
     counters.pixels_covered = raster.pixels_covered;
 }
 
-/// How many polygons are drawn after so many rungs of the ladder.
-int drawn_after(const NewellOrder& newell, int steps) {
-    const auto end = newell.steps.begin() + steps;
-    return static_cast<int>(std::count_if(newell.steps.begin(), end, [](const NewellStep& step) {
-        return step.action == NewellAction::draws || step.action == NewellAction::forces;
-    }));
-}
-
-/// How many polygons are drawn by the visits so far; `order` is the walk's without those that are culled.
-int drawn_by_visits(const HiddenResult& result) {
-    int passed = 0, drawn = 0;
-    for (int visit = 0; visit < result.visited_nodes; ++visit) {
-        const int node = result.walk->visits[static_cast<std::size_t>(visit)].node;
-        passed += result.tree->nodes[static_cast<std::size_t>(node)].fragment_count;
-    }
-    const auto order_count = static_cast<int>(result.order.size());
-    for (int place = 0; place < passed && drawn < order_count; ++place)
-        if (result.order[static_cast<std::size_t>(drawn)] == result.walk->fragments[static_cast<std::size_t>(place)])
-            ++drawn;
-    return drawn;
-}
-
-/// What Newell's ladder and the tree's build have done by the step; the other numbers are those of all steps.
-void count_to_step(HiddenResult& result) {
-    HiddenCounters& counters = result.counters;
-    if (result.newell) {
-        const NewellOrder& newell = *result.newell;
-        counters.comparisons = newell.counters.pairs;
-        counters.swaps = newell.counters.swaps;
-        counters.splits = newell.counters.splits;
-        if (result.step < 0) return;
-        const std::span<const NewellStep> done(newell.steps.data(), static_cast<std::size_t>(result.step));
-        const auto count = [&](NewellAction action) {
-            return std::count_if(done.begin(), done.end(),
-                                 [&](const NewellStep& step) { return step.action == action; });
-        };
-        counters.comparisons =
-            std::count_if(done.begin(), done.end(), [](const NewellStep& step) { return step.q >= 0; });
-        counters.swaps = count(NewellAction::swaps);
-        counters.splits = count(NewellAction::splits);
-    } else if (result.tree) {
-        counters.splits = 0;
-        for (const BspNode& node : std::span(result.tree->nodes).first(static_cast<std::size_t>(result.built_nodes)))
-            counters.splits += node.split_count;
-    }
-}
-
-/// Counts steps and says how far the wanted one reaches into the order.
-void find_step(HiddenResult& result) {
-    const VisibilityMethod method = result.request.visibility.method;
-    const int order_count = static_cast<int>(result.order.size());
-    if (result.newell) result.step_count = static_cast<int>(result.newell->steps.size());
-    if (!result.newell && !result.tree) result.step_count = order_count;
-    if (result.tree) result.step_count = static_cast<int>(result.tree->nodes.size() + result.walk->visits.size());
-    if (method == VisibilityMethod::software_depth_buffer)
-        result.step_count = static_cast<int>(std::min<std::int64_t>(result.counters.pixels_tested, 1'000'000'000));
-    if (method == VisibilityMethod::ray_cast) result.step_count = result.request.size_px.x * result.request.size_px.y;
-
-    const int wanted = result.request.visibility.step;
-    result.step = wanted >= result.step_count ? -1 : wanted;
-    result.drawn = order_count;
-    if (result.tree) {
-        const int nodes = static_cast<int>(result.tree->nodes.size());
-        result.built_nodes = result.step < 0 ? nodes : std::min(result.step, nodes);
-        result.visited_nodes =
-            result.step < 0 ? static_cast<int>(result.walk->visits.size()) : std::max(0, result.step - nodes);
-        if (result.step >= 0) {
-            result.drawn = drawn_by_visits(result);
-        }
-    } else if (result.step >= 0) {
-        result.drawn = result.newell ? drawn_after(*result.newell, result.step) : std::min(result.step, order_count);
-        if (draws_pixels(result.request.visibility)) result.drawn = order_count;
-    }
-}
-
 PaintRule rule_of(const VisibilityParams& visibility) {
     if (visibility.method == VisibilityMethod::software_depth_buffer) return PaintRule::depth_test;
     return draws_pixels(visibility) ? PaintRule::keep_first : PaintRule::overwrite;
@@ -146,39 +73,6 @@ void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress
 }
 
 }  // namespace
-
-HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
-    return {params.visibility,
-            params.cull,
-            {derived.view_from_world, clip_from_view(params.projection.lens(), derived.aspect)},
-            size_px};
-}
-
-HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
-    HiddenRequest request = hidden_request(params, derived, size_px);
-    request.viewpoint.view_from_world = derived.view_from_world * derived.mirror_from_world;
-    request.visibility.step = -1;
-    if (params.reflection.clip != MirrorClip::none) {
-        // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
-        const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
-        request.viewpoint.clip_from_view = with_oblique_near_plane(
-            request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));
-    }
-    if (params.reflection.flip_winding)
-        request.cull.front_face = request.cull.front_face == FrontFace::ccw ? FrontFace::cw : FrontFace::ccw;
-    return request;
-}
-
-bool uses_exact_curves(const HiddenRequest& request) {
-    return request.visibility.method == VisibilityMethod::ray_cast && request.visibility.exact_curves &&
-           !request.cull.enabled;
-}
-
-bool draws_pixels(const VisibilityParams& visibility) {
-    return visibility.method == VisibilityMethod::software_depth_buffer ||
-           visibility.method == VisibilityMethod::ray_cast ||
-           (visibility.method == VisibilityMethod::bsp && visibility.walk == BspWalkOrder::front_to_back);
-}
 
 HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene)
     : surface_(std::make_shared<const SceneSurface>(surface_of(scene))) {}

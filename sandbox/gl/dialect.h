@@ -1,0 +1,23 @@
+// Where OpenGL 3.3 and OpenGL ES 3.0 (WebGL 2) say the same in other words, and what the current context has beyond
+// what both have: the only place that asks which of the two it is.
+#pragma once
+
+#include <string_view>
+
+namespace viewing::gl {
+
+/// "#version 330 core" or "#version 300 es", without a newline: for those who bring shaders of their own.
+const char* shader_version();
+
+/// What every shader begins with: its version, and where numbers have none by themselves, their precision.
+std::string_view shader_opening();
+
+/// What a clear of depth writes, from 0 to 1.
+void set_clear_depth(double depth);
+
+bool has_clip_control();        ///< glClipControl: clip depths from 0 to 1
+bool has_clip_distance();       ///< gl_ClipDistance
+bool can_read_depth_stencil();  ///< glReadPixels gives depth and stencil
+bool has_debug_output();        ///< GL tells its errors as they happen
+
+}  // namespace viewing::gl

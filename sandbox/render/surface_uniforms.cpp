@@ -1,0 +1,110 @@
+#include "render/surface_uniforms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/normals.h"
+#include "render/pass_state.h"
+
+namespace viewing {
+namespace {
+
+void set_lights(const SurfaceProgram& program, const Pass& pass) {
+    std::array<glm::vec4, most_lights> lights;
+    const std::size_t count = pass.lights_world.size();
+    std::copy(pass.lights_world.begin(), pass.lights_world.end(), lights.begin());
+    program.lights_world.set_first(std::span(lights).first(count));
+    program.light_strength.set(pass.light_strength);
+    program.eye_world.set(pass.eye_world);
+    program.sky_world.set(pass.sky_world);
+}
+
+/// A plan without a heat map has no pairs either. Read frame/depth/heat_map.h for its numbers.
+void set_heat(const SurfaceProgram& program, const FramePlan& plan, const Pass& pass) {
+    program.heat_view_from_world.set(pass.view_from_world);
+    program.heat_tones.set_first(srgb(heat_colors));
+    if (!plan.heat) return;
+    program.heat_near_far.set(glm::dvec2(plan.heat->near, plan.heat->far));
+    std::array<glm::vec4, HeatMap::entry_count / 4> logarithms;
+    for (std::size_t entry = 0; entry < HeatMap::entry_count; ++entry)
+        logarithms[entry / 4][static_cast<int>(entry % 4)] = static_cast<float>(std::log(plan.heat->onsets[entry]));
+    program.heat_onsets.set_first(logarithms);
+}
+
+void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
+    const bool logarithmic = plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex();
+    const int levels = (1 << precision_of(plan.depth_format).bits) - 1;
+    program.depth_levels.set(stores_fewer_bits(plan.depth_format) ? levels : 0);
+    program.logarithmic_range.set(glm::dvec2(logarithmic ? plan.lens.near : 0.0, plan.lens.far));
+}
+
+}  // namespace
+
+bool stores_fewer_bits(DepthFormat format) {
+    return precision_of(format).bits < 16;
+}
+
+void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const Pass& pass) {
+    const FramePlan& plan = frame.plan;
+    set_lights(program, pass);
+    program.base_color.set(pass.color);
+    program.alpha.set(pass.color.a);
+    const std::array<glm::vec3, patch_tone_count> tones{
+        linear_from_srgb(plan.patch_light), linear_from_srgb(plan.patch_dark), linear_from_srgb(plan.patch_line)};
+    program.patch_tones.set_first(tones);
+    program.front_color.set(srgb(front_color));
+    program.back_color.set(srgb(back_color));
+    if (pass.subject == Subject::patch) program.patch_extent.set(plan.patches[pass.plane].extent);
+    if (pass.shading == Shading::caster_w) {
+        program.caster_w.set(plan.caster_w);
+        program.caster_side.set(plan.caster_side);
+        program.caster_tones.set_first(srgb(caster_colors));
+    }
+    program.vertex_near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
+    if (frame.shading_of(pass) == Shading::heat) set_heat(program, plan, pass);
+    if (frame.writes_depth) set_depth(program, plan);
+}
+
+void set_placement(const SurfaceProgram& program, const FrameState& frame, const Pass& pass,
+                   const glm::dmat4& world_from_model) {
+    const glm::dmat4 placed_from_model = pass.world_from_scene * world_from_model;
+    program.clip_from_model.set(pass.clip_from_world * placed_from_model);
+    program.world_from_model.set(placed_from_model);
+    if (pass.shading != Shading::flat) program.world_from_normal.set(normal_matrix(glm::dmat3(placed_from_model)));
+    std::array<glm::vec4, most_clip_planes> planes_model;
+    planes_model.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));  // which nothing lies behind
+    for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
+        planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
+    program.clip_plane_model.set_first(planes_model);
+    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex()) return;
+    const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
+    program.view_z_of_model.set(rows[2]);
+    program.view_w_of_model.set(rows[3]);
+}
+
+void set_turned_normals(const SurfaceProgram& program, const Pass& pass) {
+    const glm::dmat3 scene(pass.world_from_scene);
+    program.world_from_normal.set(normal_matrix(scene) * (glm::determinant(scene) < 0.0 ? -1.0 : 1.0));
+}
+
+void set_offset(const SurfaceProgram& program, const FrameState& frame, const DepthOffset& offset) {
+    if (frame.writes_depth) {
+        const double step = 1.0 / ((1 << std::min(precision_of(frame.plan.depth_format).bits, 24)) - 1);
+        program.depth_offset.set(glm::dvec2(offset.factor, offset.units * step));
+        return;
+    }
+    enable(GL_POLYGON_OFFSET_FILL, offset != DepthOffset{});
+    glPolygonOffset(static_cast<float>(offset.factor), static_cast<float>(offset.units));
+}
+
+void set_identity(const SurfaceProgram& program, int identity) {
+    program.base_color.set(glm::vec4(glm::vec2(identity % 256, identity / 256) / 255.0F, 0.0F, 1.0F));
+}
+
+void set_heat_gap(const SurfaceProgram& program, const FramePlan& plan, std::size_t object) {
+    const bool is_known = plan.heat && object < plan.heat->gap_of_object.size();
+    const std::optional<FlatGap> flat = is_known ? plan.heat->gap_of_object[object] : std::nullopt;
+    program.heat_gap.set(flat ? glm::dvec4(flat->normal_view, flat->gap) : glm::dvec4(0.0, 0.0, 0.0, -1.0));
+}
+
+}  // namespace viewing

@@ -1,0 +1,186 @@
+// C++ and GLSL agree: the tables of uniforms are what the driver finds in the programs, constants are typed on one side
+// only, and all programs compile as GLSL ES 3.00 too, where WebGL 2 will want them.
+#include <epoxy/egl.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "gl_test.h"
+#include "render/programs.h"
+#include "render/shader_constants.h"
+
+namespace viewing {
+namespace {
+
+using testing::params_with;
+using testing::scene_named;
+
+constexpr Shading all_shadings[] = {Shading::lit,  Shading::unlit,    Shading::flat,     Shading::facing,
+                                    Shading::heat, Shading::caster_w, Shading::identity, Shading::polygon_identity};
+
+/// Programs of every sort: plain ones, and ones with everything that goes together.
+std::vector<SurfaceKind> surface_kinds() {
+    using Source = SurfaceKind::Source;
+    std::vector<SurfaceKind> kinds;
+    for (const Source source : {Source::object, Source::vertices, Source::picture}) {
+        for (const Shading shading : all_shadings) {
+            if (shading == Shading::polygon_identity && source != Source::vertices) continue;
+            SurfaceKind kind{.shading = shading, .source = source, .lights = shading == Shading::lit ? 1U : 0U};
+            kinds.push_back(kind);
+            kind.clips = kind.mask_test = kind.mask_write = true;
+            kind.write_depth = kind.logarithm_per_vertex = kind.forces_sign = source != Source::picture;
+            kinds.push_back(kind);
+        }
+    }
+    kinds.push_back({.shading = Shading::unlit, .is_patch = true});
+    for (std::size_t lights = 1; lights <= most_lights; ++lights)
+        for (const bool has_gloss : {false, true})
+            kinds.push_back({.is_patch = true, .lights = lights, .has_gloss = has_gloss});
+    return kinds;
+}
+
+/// Tables of one sort of program, and what was found active of them.
+using Found = std::map<std::string, GLint>;
+
+void expect_agreement(const ShaderProgram& program, Found& found) {
+    GLint active = 0;
+    glGetProgramiv(program.program().name(), GL_ACTIVE_UNIFORMS, &active);
+    for (GLint index = 0; index < active; ++index) {
+        char text[80] = {};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program.program().name(), static_cast<GLuint>(index), sizeof text, nullptr, &size, &type,
+                           text);
+        const std::string name(text, std::string_view(text).substr(0, std::string_view(text).find('[')).size());
+        const auto entry = std::find_if(program.uniforms().begin(), program.uniforms().end(),
+                                        [&](const UniformEntry& each) { return each.name == name; });
+        ASSERT_NE(entry, program.uniforms().end()) << name << " is missing in the table";
+        EXPECT_EQ(entry->type, type) << name;
+        EXPECT_LE(size, entry->count) << name;
+        EXPECT_EQ(*entry->location, glGetUniformLocation(program.program().name(), text)) << name;
+        found[name] = std::max(found[name], size);
+    }
+}
+
+void expect_all_found(const ShaderProgram& program, const Found& found) {
+    for (const UniformEntry& entry : program.uniforms()) {
+        ASSERT_TRUE(found.count(entry.name)) << entry.name << " is active in no program";
+        EXPECT_EQ(found.at(entry.name), entry.count) << entry.name;
+    }
+}
+
+template <typename Program>
+void expect_table(const Result<const Program*>& program) {
+    ASSERT_TRUE(program) << program.error();
+    Found found;
+    expect_agreement(**program, found);
+    expect_all_found(**program, found);
+}
+
+void expect_all_tables(Programs& programs) {
+    Found found;
+    const ShaderProgram* last = nullptr;
+    for (const SurfaceKind& kind : surface_kinds()) {
+        SCOPED_TRACE("shading " + std::to_string(static_cast<int>(kind.shading)) + ", source " +
+                     std::to_string(static_cast<int>(kind.source)));
+        const Result<const SurfaceProgram*> program = programs.surface(kind);
+        ASSERT_TRUE(program) << program.error();
+        expect_agreement(**program, found);
+        last = *program;
+    }
+    expect_all_found(*last, found);
+    expect_table(programs.show_depth());
+    expect_table(programs.show_stencil());
+    expect_table(programs.show_overdraw());
+    expect_table(programs.show_picture());
+    expect_table(programs.read_depth());
+    expect_table(programs.constant());
+    expect_table(programs.fill());
+}
+
+class ProgramTables : public testing::GlTest {};
+
+TEST_F(ProgramTables, AreWhatTheDriverFinds) {
+    for (const bool clip_distance : {true, false}) {
+        gl::Capabilities capabilities = renderer().capabilities();
+        capabilities.clip_distance = clip_distance;
+        Programs programs(capabilities);
+        expect_all_tables(programs);
+    }
+}
+
+/// The text of each shader, without its comments.
+std::map<std::string, std::string> shader_texts() {
+    std::map<std::string, std::string> texts;
+    const std::filesystem::path folder = std::filesystem::path(std::getenv("TEST_SOURCE_DIR")) / "../shaders";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::ostringstream text;
+        text << std::ifstream(entry.path()).rdbuf();
+        texts[entry.path().filename().string()] = std::regex_replace(text.str(), std::regex("//[^\n]*"), "");
+    }
+    return texts;
+}
+
+TEST(ShaderConstants, AreTypedInNoShaderAndNoneIsLeftOver) {
+    std::set<std::string> known, families, used;
+    for (const ShaderConstant& each : shader_constants()) {
+        EXPECT_TRUE(known.insert(each.name).second) << each.name;
+        const std::string name(each.name);
+        if (name.find('_') != std::string::npos) families.insert(name.substr(0, name.find('_') + 1));
+    }
+    for (const auto& [file, text] : shader_texts()) {
+        EXPECT_FALSE(std::regex_search(text, std::regex("#define +[A-Z_]+ +[0-9]"))) << file;
+        EXPECT_EQ(text.find("#version"), std::string::npos) << file;
+        EXPECT_FALSE(std::regex_search(text, std::regex("\\bprecision\\b"))) << file;
+        const std::regex words("\\b[A-Z]+(_[A-Z]+)*\\b");
+        for (std::sregex_iterator word(text.begin(), text.end(), words), end; word != end; ++word) {
+            const std::string name = word->str();
+            if (known.count(name)) used.insert(name);
+            const bool is_of_family = families.count(name.substr(0, name.find('_') + 1)) != 0;
+            const bool is_flag = name == "CLIP_DISTANCE" || name == "CLIP_BY_DISCARD";
+            EXPECT_TRUE(known.count(name) || !is_of_family || is_flag) << file << ": " << name;
+        }
+    }
+    EXPECT_EQ(used, known);
+}
+
+/// An OpenGL ES 3.0 context without a surface, current while it lives; empty where there is none.
+class EsContext {
+public:
+    EsContext() {
+        display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display_ == EGL_NO_DISPLAY || !eglInitialize(display_, nullptr, nullptr)) return;
+        eglBindAPI(EGL_OPENGL_ES_API);
+        const EGLint wish[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+        context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wish);
+        if (context_ != EGL_NO_CONTEXT) eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
+    }
+    EsContext(const EsContext&) = delete;
+    EsContext& operator=(const EsContext&) = delete;
+    ~EsContext() {
+        if (context_ == EGL_NO_CONTEXT) return;
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        eglDestroyContext(display_, context_);
+        eglBindAPI(EGL_OPENGL_API);
+    }
+    explicit operator bool() const { return context_ != EGL_NO_CONTEXT; }
+
+private:
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
+};
+
+TEST(ProgramsInEs, CompileWithTheSameTables) {
+    const EsContext context;
+    if (!context) GTEST_SKIP() << "EGL gives no OpenGL ES 3.0 context";
+    ASSERT_FALSE(epoxy_is_desktop_gl());
+    Programs programs(gl::Capabilities::of_current_context());
+    expect_all_tables(programs);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+}  // namespace
+}  // namespace viewing
