@@ -7,6 +7,7 @@
 #include "platform/file.h"
 #include "state/fields.h"
 #include "state/json.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 
@@ -121,13 +122,13 @@ std::string Session::loading_name() const {
     if (!job_) return {};
     if (const auto* name = std::get_if<std::string>(&job_->source)) return *name;
     const SceneDescription& scene = std::get<SceneDescription>(job_->source);
-    return scene.objects.empty() ? "scene" : scene.objects.front().name;
+    return scene.objects.empty() ? tr("scene") : scene.objects.front().name;
 }
 
 void Session::cancel_loading() {
     if (!job_) return;
     keep_scene();
-    message = {"loading cancelled: the scene is as it was", false};
+    message = {tr("loading cancelled: the scene is as it was"), false};
 }
 
 void Session::aim_at_target() {
@@ -194,7 +195,7 @@ void Session::reset() {
     params = Params{};
     params.ui = ui;
     motion_ = {};
-    message = {"everything is as at the start; Ctrl+Z brings the state back", false};
+    message = {tr("everything is as at the start; Ctrl+Z brings the state back"), false};
 }
 
 void Session::replace(const LoadedState& state) {
@@ -214,7 +215,7 @@ Status Session::open(const std::string& argument) {
     // A state that says nothing of its looks keeps the ones that the person has chosen.
     if (state->params.ui == UiParams{}) state->params.ui = params.ui;
     replace(*state);
-    message = {"opened " + argument, false};
+    message = {say("opened {file}", "file"_a = argument), false};
     return std::monostate{};
 }
 
@@ -222,7 +223,7 @@ Status Session::paste(const std::string& text) {
     Result<Params> pasted = parse_state(text, "clipboard");
     if (!pasted) return Error{pasted.error()};
     replace({*pasted, base_});
-    message = {"state pasted from the clipboard", false};
+    message = {tr("state pasted from the clipboard"), false};
     return std::monostate{};
 }
 
@@ -246,7 +247,7 @@ std::string Session::text() const {
 Status Session::save(const std::filesystem::path& file) {
     const std::string whole = text();
     Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
-    if (written) message = {"saved " + file.string(), false};
+    if (written) message = {say("saved {file}", "file"_a = file.string()), false};
     return written;
 }
 

@@ -8,6 +8,7 @@
 
 #include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
+#include "text/catalogue.h"
 #include "ui/matrices/display_code.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
@@ -33,12 +34,12 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
         const char* label;
         MatrixFormat format;
     };
-    static constexpr Entry entries[] = {{"GLM (columns first)", MatrixFormat::glm},
-                                        {"GLSL (columns first)", MatrixFormat::glsl},
+    static constexpr Entry entries[] = {{marked("GLM (columns first)"), MatrixFormat::glm},
+                                        {marked("GLSL (columns first)"), MatrixFormat::glsl},
                                         {"NumPy", MatrixFormat::numpy},
                                         {"MATLAB", MatrixFormat::matlab},
                                         {"LaTeX", MatrixFormat::latex},
-                                        {"plain text", MatrixFormat::text}};
+                                        {marked("plain text"), MatrixFormat::text}};
     ImGui::PushID(id);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
     if (widgets::SmallButton("Copy")) ImGui::OpenPopup("copy");
@@ -46,7 +47,8 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
     if (ImGui::BeginPopup("copy")) {
         widgets::ClosePopupOnEscape();
         for (const Entry& entry : entries) {
-            if (ImGui::MenuItem(entry.label)) ImGui::SetClipboardText(matrix_text(name, matrix, entry.format).c_str());
+            if (ImGui::MenuItem(widgets::LabelText(entry.label).c_str()))
+                ImGui::SetClipboardText(matrix_text(name, matrix, entry.format).c_str());
             widgets::Record(entry.label);
         }
         ImGui::EndPopup();
@@ -59,7 +61,7 @@ void heading(const char* title, const char* letter, const std::string& note, Rol
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.heading);
-    ImGui::TextUnformatted(title);
+    ImGui::TextUnformatted(tr(title));
     ImGui::SameLine(0.0F, px(6.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, context.palette.of(role));
     ImGui::TextUnformatted(letter);
@@ -99,7 +101,7 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     widgets::Tooltip(shown.name, shown.explains);
     float right = ImGui::GetContentRegionMax().x - px(56.0F);
     for (const char* button : buttons) {
-        right -= ImGui::CalcTextSize(button).x + px(20.0F);
+        right -= ImGui::CalcTextSize(tr(button)).x + px(20.0F);
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;
     }
@@ -109,8 +111,8 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
         widgets::Matrix(shown.letter, **by_hand, style);
         widgets::Trouble("by hand: light and plane change nothing here");
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
-        const std::string told = std::string("largest difference to the right ") + shown.letter +
-                                 ", up to a factor: " + widgets::NumberText(difference, 3);
+        const std::string told = say("largest difference to the right {matrix}, up to a factor: {difference}",
+                                     "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3));
         widgets::ValueText(told.c_str(), difference < 5e-4 ? Role::plane : Role::trouble);
         widgets::Note(shown.property.c_str());
     } else {
@@ -129,7 +131,7 @@ void show_overridable(const Shown& shown, const std::string& note, std::optional
         show(shown, note, {});
         return;
     }
-    const char* const buttons[] = {by_hand ? "release" : "edit"};
+    const char* const buttons[] = {by_hand ? marked("release") : marked("edit")};
     if (!show(shown, note, buttons, &by_hand)) return;
     if (by_hand)
         by_hand.reset();
@@ -141,7 +143,7 @@ void show_overridable(const Shown& shown, const std::string& note, std::optional
 void vector_line(const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
     constexpr std::size_t columns = 7;
     const auto padded = [](double number) {
-        const std::string text = widgets::NumberText(number, 3);
+        const std::string text = number_text(number, 3);
         const std::size_t shown = length_of(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
@@ -153,7 +155,9 @@ void vector_line(const char* name, const glm::dvec3& value, Role role, const dou
 void followed_point(Session& session, const Derived& derived) {
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
     const std::string of = session.params.follow ? session.params.follow->object : "";
-    heading("Follow a point", "p", of + (has_several && derived.followed ? " · by plane 1, light 1" : ""), Role::point);
+    const bool says_which = has_several && derived.followed;
+    heading(marked("Follow a point"), "p", says_which ? say("{object} · by plane 1, light 1", "object"_a = of) : of,
+            Role::point);
     if (!derived.followed) {
         widgets::Note(
             "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
@@ -168,10 +172,10 @@ void followed_point(Session& session, const Derived& derived) {
     if (followed.shadow_world)
         vector_line("÷ w ", *followed.shadow_world, Role::light);
     else
-        widgets::ValueText("÷ w  at infinity: w = 0", Role::trouble);
+        widgets::ValueText(tr("÷ w  at infinity: w = 0"), Role::trouble);
     vector_line("R p ", followed.mirrored_world, Role::mirror);
-    vector_line("foot", followed.foot_world, Role::plane);
-    const std::string distance = "k    = n·p + d = " + widgets::NumberText(followed.plane_distance, 3);
+    vector_line(tr("foot"), followed.foot_world, Role::plane);
+    const std::string distance = "k    = n·p + d = " + number_text(followed.plane_distance, 3);
     widgets::ValueText(distance.c_str(), Role::plane);
 }
 
@@ -179,30 +183,32 @@ void followed_point(Session& session, const Derived& derived) {
 void camera_matrices(const Params& params, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
     const SlipParams& slips = params.slips;
     const std::string inverse = identity_text("V C = I", derived.facts.view_residual);
-    static constexpr const char* show_view[] = {"show V"};
-    static constexpr const char* show_camera[] = {"show C"};
-    const char* const product = slips.swapped_order ? "C = R_y R_x R_z T, a slip" : "C = T R_y R_x R_z";
+    static constexpr const char* show_view[] = {marked("show V")};
+    static constexpr const char* show_camera[] = {marked("show C")};
+    const char* const product = slips.swapped_order ? tr("C = R_y R_x R_z T, a slip") : "C = T R_y R_x R_z";
     const bool switched =
         shows_camera_matrix
-            ? show({"Camera", "C", "world_from_view",
-                    "Where the camera is: its columns are right, up, back and the eye.", Role::camera,
+            ? show({marked("Camera"), "C", "world_from_view",
+                    marked("Where the camera is: its columns are right, up, back and the eye."), Role::camera,
                     derived.world_from_view, before.world_from_view, camera_cells(slips.swapped_order), camera_roles()},
                    product, show_view)
-            : show({"View", "V", "view_from_world",
-                    "V = C⁻¹: the world as the camera sees it. Its rows are right, up and back.", Role::camera,
+            : show({marked("View"), "V", "view_from_world",
+                    marked("V = C⁻¹: the world as the camera sees it. Its rows are right, up and back."), Role::camera,
                     derived.view_from_world, before.view_from_world,
                     slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order),
                     camera_roles()},
-                   slips.camera_as_view ? "= C, a slip" : "= C⁻¹ · " + inverse, show_camera);
+                   slips.camera_as_view ? tr("= C, a slip") : "= C⁻¹ · " + inverse, show_camera);
     if (switched) shows_camera_matrix = !shows_camera_matrix;
 
     const bool perspective = params.projection.type == ProjectionType::perspective;
-    show(
-        {"Projection", "P", "clip_from_view", "P takes view space to clip space; after ÷ w near becomes −1 and far +1.",
-         Role::camera, derived.clip_from_view, before.clip_from_view,
-         projection_cells(params, derived.clip_zero_to_one), camera_roles()},
-        (perspective ? "c = cot(½ fovy) · aspect " : "aspect ") + widgets::NumberText(derived.aspect, 3), {});
-    heading("Camera movement", "", "the slide's display()", Role::camera);
+    show({marked("Projection"), "P", "clip_from_view",
+          marked("P takes view space to clip space; after ÷ w near becomes −1 and far +1."), Role::camera,
+          derived.clip_from_view, before.clip_from_view, projection_cells(params, derived.clip_zero_to_one),
+          camera_roles()},
+         perspective ? say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3))
+                     : say("aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3)),
+         {});
+    heading(marked("Camera movement"), "", tr("the slide's display()"), Role::camera);
     widgets::Tooltip(
         "Moving the camera is moving the world the other way",
         "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
@@ -215,11 +221,11 @@ std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     double moved = 0.0;
     for (const glm::dvec3& corner : patch.corners()) {
         const glm::dvec4 sent = matrix * glm::dvec4(corner, 1.0);
-        if (std::abs(sent.w) < 1e-12) return "points of the plane go to infinity";
+        if (std::abs(sent.w) < 1e-12) return tr("points of the plane go to infinity");
         moved = std::max(moved, glm::length(glm::dvec3(sent) / sent.w - corner));
     }
-    if (moved > 1e-3) return "points of the plane move by up to " + widgets::NumberText(moved, 3);
-    return identity_text("points of the plane stay", moved);
+    if (moved > 1e-3) return say("points of the plane move by up to {distance}", "distance"_a = number_text(moved, 3));
+    return identity_text(tr("points of the plane stay"), moved);
 }
 
 /// "plane 1", "plane 2", …: which one S and R are of.
@@ -228,7 +234,8 @@ void choose_one(const char* name, std::size_t& index, std::size_t count) {
     if (count == 1) return;
     std::vector<std::string> texts;
     std::vector<const char*> names;
-    for (std::size_t i = 0; i < count; ++i) texts.push_back(name + (" " + std::to_string(i + 1)));
+    for (std::size_t i = 0; i < count; ++i)
+        texts.push_back(say("{thing} {number}", "thing"_a = tr(name), "number"_a = i + 1));
     for (const std::string& text : texts) names.push_back(text.c_str());
     int chosen = static_cast<int>(index);
     ImGui::SameLine(0.0F, px(8.0F));
@@ -241,10 +248,10 @@ void choose_one(const char* name, std::size_t& index, std::size_t count) {
 void choose_pair(MatrixChoice& choice, const Derived& derived) {
     if (derived.planes.size() > 1 || derived.lights_world.size() > 1) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("S and R of");
+        ImGui::TextUnformatted(tr("S and R of"));
     }
-    choose_one("plane", choice.plane, derived.planes.size());
-    choose_one("light", choice.light, derived.lights_world.size());
+    choose_one(marked("plane"), choice.plane, derived.planes.size());
+    choose_one(marked("light"), choice.light, derived.lights_world.size());
 }
 
 /// Hovering an entry points at the first plane's and light's controls: not where it belongs to others.
@@ -266,25 +273,25 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
 
     const glm::dmat4& shadow = cast.shadow_from_world;
     show_overridable(
-        {"Shadow", "S", "shadow_from_world",
-         "S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
-         "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
-         "the same map, but with w > 0, which the clipper keeps.",
+        {marked("Shadow"), "S", "shadow_from_world",
+         marked("S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
+                "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
+                "the same map, but with w > 0, which the clipper keeps."),
          Role::light, shadow, shadow_before, cells_for(shadow_cells(), is_first), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
          moved_text(shadow, plane.patch)},
-        "rank " + std::to_string(rank_of(shadow)) + " · " +
-            identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light)),
+        say("rank {rank} · {identity}", "rank"_a = rank_of(shadow),
+            "identity"_a = identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light))),
         overrides.shadow_from_world, is_first);
 
     const glm::dmat4& mirror = plane.mirror_from_world;
     const bool by_rows = session.params.reflection.printed_by_rows;
     const bool is_transposed = by_rows && !(is_first_plane && overrides.mirror_from_world);
-    const std::string fact = is_transposed ? "as printed" : "det " + widgets::NumberText(glm::determinant(mirror), 0);
+    const std::string fact = is_transposed ? tr("as printed") : "det " + number_text(glm::determinant(mirror), 0);
     show_overridable(
-        {"Reflection", "R", "mirror_from_world",
-         "R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
-         "winding around.",
+        {marked("Reflection"), "R", "mirror_from_world",
+         marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
+                "winding around."),
          Role::mirror, mirror, plane_before.mirror_from_world, cells_for(mirror_cells(by_rows), is_first_plane),
          mirror_roles(), mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirror_from_world, is_first_plane);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "text/catalogue.h"
 #include "ui/depth/depth_panel.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
@@ -21,9 +22,9 @@ void camera_lamps(const Session& session) {
     const Navigation mode = session.params.camera.navigation;
     const MovingFreedoms can = available_freedoms(motion_mode(mode));
     const MovingFreedoms& now = session.moving_freedoms();
-    const Lamp lamps[] = {{"forward", can.forward, now.forward}, {"strafe", can.strafe, now.strafe},
-                          {"up/down", can.lift, now.lift},       {"yaw", can.yaw, now.yaw},
-                          {"pitch", can.pitch, now.pitch},       {"roll", can.roll, now.roll}};
+    const Lamp lamps[] = {{marked("forward"), can.forward, now.forward}, {marked("strafe"), can.strafe, now.strafe},
+                          {marked("up/down"), can.lift, now.lift},       {marked("yaw"), can.yaw, now.yaw},
+                          {marked("pitch"), can.pitch, now.pitch},       {marked("roll"), can.roll, now.roll}};
     widgets::Lamps("degrees of freedom", lamps, Role::camera);
     widgets::Tooltip("Degrees of freedom",
                      "Ringed: this mode has it. Filled: it is moving now. Fly-through has six, walk-through two: "
@@ -38,11 +39,11 @@ void slips(Params& params) {
     };
     const Navigation mode = params.camera.navigation;
     const Slip all[] = {
-        {"slips.walk_slows", "walking slows (walk)", mode == Navigation::walk},
-        {"slips.creeping_roll", "creeping roll (walk, orbit)", mode != Navigation::fly},
-        {"slips.pole_flip", "flip at the pole (orbit)", mode == Navigation::orbit},
-        {"slips.swapped_order", "R·T in place of T·R", true},
-        {"slips.camera_as_view", "C sent as V", true},
+        {"slips.walk_slows", marked("walking slows (walk)"), mode == Navigation::walk},
+        {"slips.creeping_roll", marked("creeping roll (walk, orbit)"), mode != Navigation::fly},
+        {"slips.pole_flip", marked("flip at the pole (orbit)"), mode == Navigation::orbit},
+        {"slips.swapped_order", marked("R·T in place of T·R"), true},
+        {"slips.camera_as_view", marked("C sent as V"), true},
     };
     for (const Slip& slip : all) {
         ImGui::BeginDisabled(!slip.shows);
@@ -55,9 +56,9 @@ void camera_section(Session& session, const std::vector<Problem>& problems) {
     if (!widgets::Section("Camera")) return;
     const widgets::Group group("camera");
     Params& params = session.params;
-    static constexpr const char* modes[] = {"Fly (6 DOF)", "Walk (2 DOF)", "Orbit"};
+    static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
     control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
-    control(params, "camera.position", {.links = link::position, .label = "position"});
+    control(params, "camera.position", {.links = link::position, .label = marked("position")});
 
     double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
     static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
@@ -72,7 +73,7 @@ void camera_section(Session& session, const std::vector<Problem>& problems) {
                      "Heading about y, then nodding about the camera's x, then tilting about its z.",
                      "C = T R_y R_x R_z");
     camera_lamps(session);
-    if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = "target"});
+    if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = marked("target")});
 
     if (details("Famous slips")) slips(params);
     tell_problems(problems, "camera");
@@ -83,7 +84,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     if (!widgets::Section("Projection")) return;
     const widgets::Group group("projection");
     Params& params = session.params;
-    static constexpr const char* types[] = {"Perspective", "Orthographic"};
+    static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
     control(params, "projection.type", {.segments = true, .names = types, .label = "##type"});
     static constexpr widgets::Links fovy[] = {link::fovy}, height[] = {link::height}, near[] = {link::near},
                                     far[] = {link::far};
@@ -99,9 +100,12 @@ void projection_section(Session& session, const Derived& derived, const std::vec
         projection.far = std::max(projection.far, projection.near * 1.001);
 
     const DepthPrecision precision = precision_of(params.depth.format);
-    const std::string note = std::to_string(precision.bits) + (precision.is_float ? "-bit float" : "-bit") +
-                             " depth: Δz at z = " + widgets::NumberText(derived.facts.target_distance, 2) + " is " +
-                             widgets::NumberText(derived.facts.depth_step_at_target, 2);
+    const std::string z = number_text(derived.facts.target_distance, 2),
+                      step = number_text(derived.facts.depth_step_at_target, 2);
+    const std::string note = precision.is_float ? say("{bits}-bit float depth: Δz at z = {z} is {step}",
+                                                      "bits"_a = precision.bits, "z"_a = z, "step"_a = step)
+                                                : say("{bits}-bit depth: Δz at z = {z} is {step}",
+                                                      "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
     widgets::Note(note.c_str());
     widgets::Tooltip("Depth resolution",
                      "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
@@ -123,21 +127,21 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     const bool compares =
         params.view.shows == Shows::difference && params.visibility.compare_with == VisibilityMethod::depth_buffer;
     ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer && !compares);  // without any use
-    control(params, "depth.test", {.label = "Depth test"});
+    control(params, "depth.test", {.label = marked("Depth test")});
     beside(second);
     control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});
-    control(params, "depth.write", {.label = "Depth mask"});
+    control(params, "depth.write", {.label = marked("Depth mask")});
     beside(second);
-    control(params, "depth.clear", {.label = "Clear depth"});
+    control(params, "depth.clear", {.label = marked("Clear depth")});
     ImGui::EndDisabled();
-    control(params, "cull.enabled", {.label = "Cull face"});
+    control(params, "cull.enabled", {.label = marked("Cull face")});
     beside(second);
     control(params, "cull.face", {.width = 150.0F, .names = faces, .label = "##face"});
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("Front face");
+    ImGui::TextUnformatted(tr("Front face"));
     beside(second);
     control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
-    if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = "method"}))
+    if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = marked("method")}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_hidden_panel(hidden_state, session, hidden);
     tell_problems(problems, "depth");
@@ -147,14 +151,14 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
 void observer_section(Session& session) {
     if (!widgets::Section("Observer", false)) return;
     const widgets::Group group("observer");
-    control(session.params, "observer.target", {.label = "target"});
-    control(session.params, "observer.yaw", {.decimals = 1, .label = "yaw"});
-    control(session.params, "observer.pitch", {.decimals = 1, .label = "pitch"});
-    control(session.params, "observer.distance", {.label = "distance"});
-    control(session.params, "observer.light_rays", {.label = "Light rays"});
+    control(session.params, "observer.target", {.label = marked("target")});
+    control(session.params, "observer.yaw", {.decimals = 1, .label = marked("yaw")});
+    control(session.params, "observer.pitch", {.decimals = 1, .label = marked("pitch")});
+    control(session.params, "observer.distance", {.label = marked("distance")});
+    control(session.params, "observer.light_rays", {.label = marked("Light rays")});
     beside(118.0F);
-    control(session.params, "observer.mirrored_eye", {.label = "Mirrored eye"});
-    control(session.params, "observer.image_space", {.label = "Image space"});
+    control(session.params, "observer.mirrored_eye", {.label = marked("Mirrored eye")});
+    control(session.params, "observer.image_space", {.label = marked("Image space")});
 }
 
 }  // namespace

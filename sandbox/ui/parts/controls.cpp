@@ -3,6 +3,8 @@
 #include <cassert>
 #include <string>
 
+#include "text/catalogue.h"
+
 namespace viewing {
 namespace {
 
@@ -93,8 +95,9 @@ const Params& default_params() {
 
 void explain(const Field& field, std::string_view label) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const std::string body =
-        std::string(field.help) + (field.unit.empty() || field.unit == "°" ? "" : " (" + std::string(field.unit) + ")");
+    const bool has_unit = !field.unit.empty() && field.unit != "°";
+    const std::string help(tr_part(field.help));
+    const std::string body = has_unit ? say("{help} ({unit})", "help"_a = help, "unit"_a = tr_part(field.unit)) : help;
     std::string title(label.substr(0, label.find("##")));
     if (title.empty()) title = field.label;
     widgets::Tooltip(title.c_str(), body.c_str(), std::string(field.formula).c_str(),

@@ -136,7 +136,7 @@ void Figure::keep_labels_off(ImVec2 from, ImVec2 to) {
 }
 
 std::string Figure::measure_text(const char* symbol, double value) const {
-    const std::string number = widgets::NumberText(value, 2);
+    const std::string number = number_text(value, 2);
     return has_room() ? std::string(symbol) + " = " + number : number;
 }
 

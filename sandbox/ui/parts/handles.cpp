@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "state/fields.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -16,7 +17,7 @@ bool is_far_away(const glm::dvec4& light) {
 }
 
 const char* light_label(const glm::dvec4& light) {
-    return is_parallel_light(light) ? "l (parallel)" : is_far_away(light) ? "l (far away)" : "l";
+    return is_parallel_light(light) ? tr("l (parallel)") : is_far_away(light) ? tr("l (far away)") : "l";
 }
 
 /// A light with its name; a parallel one with its direction.

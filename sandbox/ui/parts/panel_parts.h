@@ -20,7 +20,8 @@ inline void beside(float design_x) {
 
 /// What is wanted less often stays folded. Returns whether it is open.
 inline bool details(const char* label) {
-    const bool open = ImGui::TreeNodeEx(label, ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    const bool open = ImGui::TreeNodeEx(widgets::LabelText(label).c_str(),
+                                        ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
     widgets::Record(label);
     return open;
 }

@@ -1,7 +1,9 @@
 #include "ui/parts/view_parts.h"
-#include "ui/parts/look.h"
 
 #include <cmath>
+
+#include "text/catalogue.h"
+#include "ui/parts/look.h"
 
 namespace viewing {
 void draw_picture(const Rect& rect, ImTextureID picture) {
@@ -24,14 +26,14 @@ void view_header(const Rect& rect, const char* title) {
     if (*title == '\0') return;
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.heading);
-    ImGui::TextUnformatted(title);
+    ImGui::TextUnformatted(tr(title));
     ImGui::PopFont();
     ImGui::SameLine(0.0F, px(12.0F));
 }
 
 bool have_room(std::span<const char* const> names, float right) {
     float end = ImGui::GetCursorScreenPos().x;
-    for (const char* name : names) end += ImGui::CalcTextSize(name).x + px(2.0F * 8.0F + 2.0F);
+    for (const char* name : names) end += ImGui::CalcTextSize(tr(name)).x + px(2.0F * 8.0F + 2.0F);
     return end <= right;
 }
 
@@ -61,8 +63,8 @@ void header_note(const char* text, float right) {
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
-    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(text).x <= right) {
-        ImGui::TextUnformatted(text);
+    if (ImGui::GetCursorScreenPos().x + ImGui::CalcTextSize(tr(text)).x <= right) {
+        ImGui::TextUnformatted(tr(text));
         widgets::Record("note");
     }
     ImGui::PopStyleColor();
@@ -73,7 +75,9 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::PushFont(context.fonts.note);
     const float swatch = px(11.0F), gap = px(6.0F), between = px(14.0F), margin = px(8.0F);
-    const auto width_of = [&](const LegendEntry& entry) { return swatch + gap + ImGui::CalcTextSize(entry.meaning).x; };
+    const auto width_of = [&](const LegendEntry& entry) {
+        return swatch + gap + ImGui::CalcTextSize(tr(entry.meaning)).x;
+    };
 
     // As many as fit, on a plate that keeps them readable over any picture.
     float width = -between;
@@ -90,7 +94,7 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         const ImVec2 end(at.x + swatch, top + swatch);
         draw->AddRectFilled({at.x, top}, end, IM_COL32(entry.color.r, entry.color.g, entry.color.b, 255), px(2.0F));
         draw->AddRect({at.x, top}, end, context.palette.quiet, px(2.0F));
-        draw->AddText({end.x + gap, at.y}, context.palette.text, entry.meaning);
+        draw->AddText({end.x + gap, at.y}, context.palette.text, tr(entry.meaning));
         at.x += width_of(entry) + between;
     }
     ImGui::PopFont();

@@ -5,6 +5,7 @@
 #include "frame/depth/depth_colors.h"
 #include "state/fields.h"
 #include "state/json.h"
+#include "text/catalogue.h"
 #include "text/numbers.h"
 #include "ui/depth/depth_views.h"
 #include "ui/hidden/hidden_overlay.h"
@@ -18,17 +19,21 @@ namespace {
 
 /// What the picture shows, and what belongs to that.
 void view_choices(Params& params, const Rect& rect) {
-    static constexpr const char* shows[] = {"colour",   "depth",      "stencil",  "facing",
-                                            "overdraw", "difference", "fighting", "w of S"};
+    static constexpr const char* shows[] = {marked("colour"),   marked("depth"),    marked("stencil"),
+                                            marked("facing"),   marked("overdraw"), marked("difference"),
+                                            marked("fighting"), marked("w of S")};
     static constexpr const char* show_explanations[] = {
-        "The picture as it is meant to be seen.",
-        "The depth buffer: black is near, white is far, tinted was never written.",
-        "The stencil buffer: which patch was marked, how deep in mirrors, and which light's shadow was counted on it.",
-        "Which side of each polygon is seen: front faces and back faces in two colours.",
-        "How often each pixel was drawn.",
-        "Where the method and the one it is compared with see different polygons: red.",
-        "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight.",
-        "The w that S gives each point of the objects: it is positive between the light and the plane, and behind it."};
+        marked("The picture as it is meant to be seen."),
+        marked("The depth buffer: black is near, white is far, tinted was never written."),
+        marked("The stencil buffer: which patch was marked, how deep in mirrors, and which light's shadow was counted "
+               "on it."),
+        marked("Which side of each polygon is seen: front faces and back faces in two colours."),
+        marked("How often each pixel was drawn."),
+        marked("Where the method and the one it is compared with see different polygons: red."),
+        marked(
+            "Gaps between flat surfaces, divided by the smallest that depth is sure to tell: below 1 they may fight."),
+        marked("The w that S gives each point of the objects: it is positive between the light and the plane, and "
+               "behind it.")};
     int index = static_cast<int>(params.view.shows);
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
@@ -37,9 +42,9 @@ void view_choices(Params& params, const Rect& rect) {
         ImGui::SameLine(0.0F, px(16.0F));
         depth_choices(params, rect.max.x);
     } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F)) {  // else it is in the Look menu alone
-        static constexpr const char* samples[] = {"MSAA off", "MSAA 4×"};
-        static constexpr const char* explanations[] = {"One sample for each pixel: edges show their steps.",
-                                                       "Four samples for each pixel: smooth edges."};
+        static constexpr const char* samples[] = {marked("MSAA off"), marked("MSAA 4×")};
+        static constexpr const char* explanations[] = {marked("One sample for each pixel: edges show their steps."),
+                                                       marked("Four samples for each pixel: smooth edges.")};
         ImGui::SameLine(0.0F, px(16.0F));
         int four = params.view.samples == 4 ? 1 : 0;
         if (words("##samples", four, samples, explanations, 1, rect.max.x)) params.view.samples = four == 1 ? 4 : 0;
@@ -49,32 +54,35 @@ void view_choices(Params& params, const Rect& rect) {
 /// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
 void stencil_legend(const Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size() + 1, lights = params.lights.size() + 1;
-    const std::string patches = planes > 1 ? "1–" + std::to_string(planes) + ": the planes" : "1: the patch";
-    std::string missing = "+16";
-    for (std::size_t light = 1; light < lights; ++light) missing += ", " + std::to_string(16 << light);
-    missing += lights > 1 ? ": a light is missing" : ": the light is missing";
-    const LegendEntry entries[] = {{stencil_colors[0], "0: nothing marked"},
+    const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
+    std::string values = "+16";
+    for (std::size_t light = 1; light < lights; ++light) values += ", " + std::to_string(16 << light);
+    const std::string missing = lights > 1 ? say("{values}: a light is missing", "values"_a = values)
+                                           : say("{values}: the light is missing", "values"_a = values);
+    const LegendEntry entries[] = {{stencil_colors[0], marked("0: nothing marked")},
                                    {stencil_colors[1], patches.c_str()},
                                    {stencil_colors[2], missing.c_str()},
-                                   {stencil_colors[3], "16 and more: beside the patch"}};
+                                   {stencil_colors[3], marked("16 and more: beside the patch")}};
     draw_legend(overlay.draw(), overlay.rect(), std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
 }
 
 void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
     if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
-        const std::string differ = grouped_number(hidden.answer->different_pixels) + " pixels differ, away from edges";
+        const std::string differ = say_count(hidden.answer->different_pixels, "one pixel differs, away from edges",
+                                             "{count} pixels differ, away from edges");
         const LegendEntry entries[] = {{difference_color, differ.c_str()}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
     if (params.view.shows == Shows::facing) {
-        const LegendEntry entries[] = {{front_color, "front faces"}, {back_color, "back faces (striped)"}};
+        const LegendEntry entries[] = {{front_color, marked("front faces")},
+                                       {back_color, marked("back faces (striped)")}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
-        const LegendEntry entries[] = {{caster_colors[0], "w > 0: projected"},
-                                       {caster_colors[1], "w > 0 behind the plane"},
-                                       {caster_colors[2], "w ≤ 0: clipped away"}};
+        const LegendEntry entries[] = {{caster_colors[0], marked("w > 0: projected")},
+                                       {caster_colors[1], marked("w > 0 behind the plane")},
+                                       {caster_colors[2], marked("w ≤ 0: clipped away")}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::overdraw) {
         const LegendEntry entries[] = {{overdraw_colors[0], "0"},
@@ -83,23 +91,23 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
                                        {overdraw_colors[3], "3"},
                                        {overdraw_colors[4], "4"},
                                        {overdraw_colors[6], "6"},
-                                       {overdraw_colors[8], "8 or more times drawn"}};
+                                       {overdraw_colors[8], marked("8 or more times drawn")}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::fighting) {
-        const LegendEntry entries[] = {{heat_colors[0], "gap ÷ safe gap: 0"},
+        const LegendEntry entries[] = {{heat_colors[0], marked("gap ÷ safe gap: 0")},
                                        {heat_colors[1], "½"},
                                        {heat_colors[3], "1"},
                                        {heat_colors[4], "2"},
-                                       {heat_colors[5], "4 and more"}};
+                                       {heat_colors[5], marked("4 and more")}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
         const DepthColors colors = params.view.depth_colors;
         const glm::dvec2 range =
             params.view.depth_range.value_or(glm::dvec2(params.projection.near, params.projection.far));
-        const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
+        const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
         const LegendEntry entries[] = {
-            {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, "never written"}};
+            {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, marked("never written")}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
 }
@@ -145,7 +153,7 @@ void tell_why(Session& session, const Problem& problem, const Rect& rect) {
     const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
     if (width < px(160.0F)) return;
     const bool has_button = !problem.mended_by.empty();
-    const float button = has_button ? ImGui::CalcTextSize("mend").x + px(24.0F) : 0.0F;
+    const float button = has_button ? ImGui::CalcTextSize(tr("mend")).x + px(24.0F) : 0.0F;
     const char* sentence = problem.sentence.c_str();
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
     const ImVec2 size(text.x + button, text.y);
@@ -161,7 +169,7 @@ void tell_why(Session& session, const Problem& problem, const Rect& rect) {
     if (widgets::SmallButton("mend"))
         if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
             session.params = *mended;
-    widgets::Tooltip("Mend it", ("Sets " + setting + ". Ctrl+Z breaks it again.").c_str());
+    widgets::Tooltip("Mend it", say("Sets {setting}. Ctrl+Z breaks it again.", "setting"_a = setting).c_str());
 }
 
 /// A click on the pinned pixel lets it go.
@@ -225,7 +233,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
             motion.zoom *= std::pow(0.88, io.MouseWheel);
         } else {
             session.scale_speed(std::pow(1.2, io.MouseWheel));
-            session.message = {"speed " + widgets::NumberText(session.speed(), 2) + " units/s", false};
+            session.message = {say("speed {speed} units/s", "speed"_a = number_text(session.speed(), 2)), false};
         }
     }
 }
@@ -244,7 +252,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
     const widgets::Group group("view");
-    view_header(rect, rect.width() < px(300.0F) ? "" : "Camera view");
+    view_header(rect, rect.width() < px(300.0F) ? "" : marked("Camera view"));
     Params& params = session.params;
     view_choices(params, rect);
 

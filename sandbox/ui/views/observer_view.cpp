@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "state/fields.h"
+#include "text/catalogue.h"
 #include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
@@ -88,7 +89,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "l", palette().light);
     widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,
-                      "the camera stays, the world moves by V = C⁻¹: the same picture");
+                      tr("the camera stays, the world moves by V = C⁻¹: the same picture"));
 }
 
 }  // namespace viewing

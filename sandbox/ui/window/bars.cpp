@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "state/fields.h"
+#include "text/catalogue.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
@@ -13,7 +14,7 @@ namespace {
 
 std::string scene_title(const SceneSource& source, const std::vector<NamedFile>& scenes) {
     const auto* name = std::get_if<std::string>(&source);
-    if (!name) return "own scene";
+    if (!name) return tr("own scene");
     for (const NamedFile& scene : scenes)
         if (scene.name == *name) return scene.title;
     return std::filesystem::path(*name).filename().string();
@@ -45,10 +46,10 @@ const NamedFile* choose(const char* id, const char* shown, const std::vector<Nam
             group = file.group;
             ImGui::Dummy({0.0F, px(3.0F)});
             ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-            ImGui::TextDisabled("%s", group.c_str());
+            ImGui::TextDisabled("%s", tr(group.c_str()));
             ImGui::PopFont();
         }
-        if (ImGui::Selectable(file.title.c_str(), file.title == shown)) chosen = &file;
+        if (ImGui::Selectable(widgets::LabelText(file.title.c_str()).c_str(), file.title == shown)) chosen = &file;
         widgets::Record(file.name.c_str());
         widgets::Tooltip(file.title.c_str(), file.about.c_str());
     }
@@ -85,20 +86,20 @@ void paste(Session& session) {
 }
 
 void Workbench::draw_file_menu(Session& session, Requests& requests) {
-    if (!begin_menu("File", "file menu", "Open and save states, meshes and pictures")) return;
+    if (!begin_menu(marked("File"), "file menu", marked("Open and save states, meshes and pictures"))) return;
     const auto item = [](const char* label, const char* keys) {
-        const bool chosen = ImGui::MenuItem(label, keys);
+        const bool chosen = ImGui::MenuItem(widgets::LabelText(label).c_str(), keys);
         widgets::Record(label);
         return chosen;
     };
     bool open = false, save = false;
-    open = item("Open…", "Ctrl+O");
-    save = item("Save…", "Ctrl+S");
-    if (item("Copy state", "Ctrl+C")) ImGui::SetClipboardText(session.text().c_str());
-    if (item("Paste state", "Ctrl+V")) paste(session);
+    open = item(marked("Open…"), "Ctrl+O");
+    save = item(marked("Save…"), "Ctrl+S");
+    if (item(marked("Copy state"), "Ctrl+C")) ImGui::SetClipboardText(session.text().c_str());
+    if (item(marked("Paste state"), "Ctrl+V")) paste(session);
     ImGui::Separator();
-    if (item("Snapshot", "F12")) requests.snapshot = true;
-    if (item("Reset all", "")) {
+    if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
+    if (item(marked("Reset all"), "")) {
         session.reset();
         preset_ = nullptr;
     }
@@ -108,14 +109,15 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
-    if (!begin_menu("Look", "look menu", "Themes, scale, and what is folded away")) return;
+    if (!begin_menu(marked("Look"), "look menu", marked("Themes, scale, and what is folded away"))) return;
     Params& params = session.params;
-    static constexpr const char* themes[] = {"Dark", "Light", "Projector"};
+    static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"});
     // The whole window changes with the scale, this slider too: it takes effect when it is let go.
     Params scaled = params;
     if (pending_scale_) scaled.ui.scale = *pending_scale_;
-    if (control(scaled, "ui.scale", {.slider = true, .width = 160.0F, .label = "scale", .min = 0.5, .max = 3.0}))
+    if (control(scaled, "ui.scale",
+                {.slider = true, .width = 160.0F, .label = marked("scale"), .min = 0.5, .max = 3.0}))
         pending_scale_ = scaled.ui.scale;
     if (pending_scale_ && !ImGui::IsAnyItemActive()) params.ui.scale = *std::exchange(pending_scale_, std::nullopt);
     bool multisampled = params.view.samples == 4;
@@ -142,7 +144,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
         ImGui::TextUnformatted("Viewing Sandbox");
         ImGui::PopFont();
         ImGui::SameLine(0.0F, px(22.0F));
-        ImGui::TextUnformatted("Scene");
+        ImGui::TextUnformatted(tr("Scene"));
         ImGui::SameLine();
     }
     const std::string shown = scene_title(session.params.scene, scenes_);
@@ -151,16 +153,18 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
     explain(field("scene"));
     ImGui::SameLine(0.0F, px(narrow ? 6.0F : 18.0F));
     if (!narrow) {
-        ImGui::TextUnformatted("Preset");
+        ImGui::TextUnformatted(tr("Preset"));
         ImGui::SameLine();
     }
     const bool is_preset = preset_ && preset_params_ == session.params;
-    const std::string preset_shown = preset_ ? preset_->title + (is_preset ? "" : " (changed)") : "choose…";
+    const std::string preset_shown = !preset_    ? tr("choose…")
+                                     : is_preset ? preset_->title
+                                                 : say("{preset} (changed)", "preset"_a = tr(preset_->title.c_str()));
     if (const NamedFile* preset = choose("##preset", preset_shown.c_str(), presets_, px(narrow ? 110.0F : 220.0F))) {
         const Status opened = session.open(preset->name);
         session.report(opened);
         if (opened) {
-            session.message = {preset->about, false};
+            session.message = {tr(preset->about.c_str()), false};
             preset_ = preset;
             preset_params_ = session.params;
         }
@@ -170,12 +174,12 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     float width = -spacing;
     for (const char* label : {"Undo", "Redo", "File", "Look", "?"})
-        width += ImGui::CalcTextSize(label).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
+        width += ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
     if (!layout.matrices_fit)
-        width += ImGui::CalcTextSize("Matrices").x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
+        width += ImGui::CalcTextSize(tr("Matrices")).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(), layout.top_bar.width() - width - px(10.0F)));
     if (!layout.matrices_fit) {
-        if (widgets::Button(arrangement.prefers_matrices ? "Controls" : "Matrices"))
+        if (widgets::Button(arrangement.prefers_matrices ? marked("Controls") : marked("Matrices")))
             arrangement.prefers_matrices = !arrangement.prefers_matrices;
         ImGui::SameLine();
     }
@@ -202,7 +206,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::SameLine(px(84.0F));
     ImGui::TextUnformatted(status.renderer.c_str());
     // What fits, the most wanted first; the hint keeps its place.
-    const char* hint = "F1 keys";
+    const char* hint = tr("F1 keys");
     const float hint_x = layout.status_bar.width() - ImGui::CalcTextSize(hint).x - px(10.0F);
     const auto append = [&](const std::string& text) {
         if (text.empty() || ImGui::GetItemRectMax().x + ImGui::CalcTextSize(text.c_str()).x + px(34.0F) > hint_x)

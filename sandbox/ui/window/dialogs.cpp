@@ -1,4 +1,5 @@
 #include "ui/window/dialogs.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 #include <imgui.h>
@@ -28,7 +29,7 @@ bool begin_dialog(const char* name, ImVec2 size) {
 
 void title(const char* text) {
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(tr(text));
     ImGui::PopFont();
 }
 
@@ -77,7 +78,7 @@ bool FileDialog::confirm(Session& session) {
     }
     if (purpose_ == Purpose::save && std::filesystem::exists(file, ignored) && to_replace_ != file) {
         to_replace_ = file;
-        error_ = file.filename().string() + " exists: save once more to replace it";
+        error_ = say("{file} exists: save once more to replace it", "file"_a = file.filename().string());
         return false;
     }
     const Status done = purpose_ == Purpose::open ? session.open(file.string()) : session.save(file);
@@ -91,7 +92,7 @@ void FileDialog::draw(Session& session) {
     if (!begin_dialog("file", {px(580.0F), px(440.0F)})) return;
     const bool just_opened = std::exchange(requested_, false);
 
-    title(purpose_ == Purpose::open ? "Open a state (.json) or a mesh (.obj)" : "Save the state");
+    title(purpose_ == Purpose::open ? marked("Open a state (.json) or a mesh (.obj)") : marked("Save the state"));
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);
     ImGui::BeginChild("entries", {0.0F, -below}, true);
@@ -117,8 +118,8 @@ void FileDialog::draw(Session& session) {
         ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
     if (!error_.empty()) widgets::Trouble(error_.c_str());
-    chosen |=
-        widgets::Button(purpose_ == Purpose::open ? "Open" : "Save", !name_.empty(), "choose or type a name first");
+    chosen |= widgets::Button(purpose_ == Purpose::open ? marked("Open") : marked("Save"), !name_.empty(),
+                              "choose or type a name first");
     ImGui::SameLine();
     const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if ((chosen && confirm(session)) || cancelled) ImGui::CloseCurrentPopup();
@@ -131,35 +132,35 @@ void draw_help(bool& open) {
         const char* what;
     };
     static constexpr Line lines[] = {
-        {"W S", "forward, back"},
-        {"A D", "strafe left, right (fly) · turn (orbit)"},
-        {"R F", "up, down (fly)"},
-        {"← → ↑ ↓", "turn and look (walk: pan only)"},
-        {"Q E", "roll (fly)"},
-        {"Shift", "slow"},
-        {"mouse drag", "look · orbit"},
-        {"right drag", "shift the orbit's target"},
-        {"wheel", "speed · orbit: distance"},
-        {"click", "follow the nearest vertex"},
-        {"", ""},
-        {"drag a number", "change it; Shift ×10, Alt ÷100"},
-        {"double-click it", "type; right-click resets"},
-        {"Ctrl+Z  Ctrl+Shift+Z", "undo, redo"},
-        {"Ctrl+C  Ctrl+V", "copy, paste the whole state"},
-        {"Ctrl+O  Ctrl+S", "open, save"},
-        {"", ""},
-        {"F1", "these keys"},
-        {"F2  F3", "fold the controls, the matrices"},
-        {"M", "maximise the view under the pointer"},
-        {"N", "next navigation mode"},
-        {"B", "handles and labels on, off"},
-        {"F11", "full screen"},
-        {"F12", "snapshot of the camera view"},
+        {"W S", marked("forward, back")},
+        {"A D", marked("strafe left, right (fly) · turn (orbit)")},
+        {"R F", marked("up, down (fly)")},
+        {"← → ↑ ↓", marked("turn and look (walk: pan only)")},
+        {"Q E", marked("roll (fly)")},
+        {"Shift", marked("slow")},
+        {marked("mouse drag"), marked("look · orbit")},
+        {marked("right drag"), marked("shift the orbit's target")},
+        {marked("wheel"), marked("speed · orbit: distance")},
+        {marked("click"), marked("follow the nearest vertex")},
+        {"marked(", ")"},
+        {marked("drag a number"), marked("change it; Shift ×10, Alt ÷100")},
+        {marked("double-click it"), marked("type; right-click resets")},
+        {"Ctrl+Z  Ctrl+Shift+Z", marked("undo, redo")},
+        {"Ctrl+C  Ctrl+V", marked("copy, paste the whole state")},
+        {"Ctrl+O  Ctrl+S", marked("open, save")},
+        {"marked(", ")"},
+        {"F1", marked("these keys")},
+        {"F2  F3", marked("fold the controls, the matrices")},
+        {"M", marked("maximise the view under the pointer")},
+        {"N", marked("next navigation mode")},
+        {"B", marked("handles and labels on, off")},
+        {"F11", marked("full screen")},
+        {"F12", marked("snapshot of the camera view")},
     };
     const widgets::Group group("keys");
     if (open) ImGui::OpenPopup("keys");
     if (!begin_dialog("keys", {px(540.0F), px(580.0F)})) return;
-    title("Keys");
+    title(marked("Keys"));
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::BeginChild("table", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
     for (const Line& line : lines) {
@@ -167,9 +168,9 @@ void draw_help(bool& open) {
             ImGui::Dummy({0.0F, px(4.0F)});
             continue;
         }
-        widgets::ValueText(line.keys, widgets::Role::camera);
+        widgets::ValueText(tr(line.keys), widgets::Role::camera);
         ImGui::SameLine(px(200.0F));
-        ImGui::TextUnformatted(line.what);
+        ImGui::TextUnformatted(tr(line.what));
     }
     ImGui::EndChild();
     if (widgets::Button("Close") || !open || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {

@@ -1,6 +1,7 @@
 // The two views below the camera's: each shows a topic, and its headline is the list of them.
 #include <algorithm>
 
+#include "text/catalogue.h"
 #include "ui/depth/depth_views.h"
 #include "ui/depth/fighting_view.h"
 #include "ui/depth/pixel_view.h"
@@ -28,19 +29,18 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
         "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
         "stays; the depth buffer and what can be told of it: histogram, precision, codes, one pixel, a block of them, "
         "depth fighting; shadow and mirror as the lecture derives and codes them, and four ways to mirror; the frame "
-        "as "
-        "GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
+        "as GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
 }
 
 /// What the light sees: the picture with its sentence.
 void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
     picture_item("light view", rect, picture);
-    const char* whole = "what the light sees: each of its shadows is hidden behind its caster";
-    const char* brief = "its shadows are hidden";
+    const char* whole = tr("what the light sees: each of its shadows is hidden behind its caster");
+    const char* brief = tr("its shadows are hidden");
     if (derived.light_in_plane) {
-        whole = "the light lies in the plane and sees it edge-on: there is no shadow";
-        brief = "there is no shadow";
+        whole = tr("the light lies in the plane and sees it edge-on: there is no shadow");
+        brief = tr("there is no shadow");
     }
     const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
     widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().light,

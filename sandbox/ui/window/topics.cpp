@@ -1,5 +1,7 @@
 #include "ui/window/topics.h"
 
+#include "text/catalogue.h"
+
 namespace viewing {
 namespace {
 
@@ -30,25 +32,25 @@ bool is_shown(const Params& params, Topic topic) {
 }
 
 std::span<const char* const> topic_names() {
-    static constexpr const char* names[] = {"Automatic",
-                                            "Observer",
-                                            "Depth buffer",
-                                            "Depth histogram",
-                                            "Depth precision",
-                                            "Depth codes",
-                                            "Pixel",
-                                            "Pixels as cells",
-                                            "Depth fighting",
-                                            "Moving the world",
-                                            "GL calls, pass by pass",
-                                            "BSP tree",
-                                            "Drawing order",
-                                            "Costs as they grow",
-                                            "Shadow, derived",
-                                            "Mirror, derived",
-                                            "The lecture's code",
-                                            "Mirror, four ways",
-                                            "Seen from the light"};
+    static constexpr const char* names[] = {marked("Automatic"),
+                                            marked("Observer"),
+                                            marked("Depth buffer"),
+                                            marked("Depth histogram"),
+                                            marked("Depth precision"),
+                                            marked("Depth codes"),
+                                            marked("Pixel"),
+                                            marked("Pixels as cells"),
+                                            marked("Depth fighting"),
+                                            marked("Moving the world"),
+                                            marked("GL calls, pass by pass"),
+                                            marked("BSP tree"),
+                                            marked("Drawing order"),
+                                            marked("Costs as they grow"),
+                                            marked("Shadow, derived"),
+                                            marked("Mirror, derived"),
+                                            marked("The lecture's code"),
+                                            marked("Mirror, four ways"),
+                                            marked("Seen from the light")};
     return names;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "text/catalogue.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
@@ -44,7 +45,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, Requests&
         if (ctrl && key == Key::y) session.redo();
         if (ctrl && key == Key::c) {
             ImGui::SetClipboardText(session.text().c_str());
-            session.message = {"the whole state is in the clipboard", false};
+            session.message = {tr("the whole state is in the clipboard"), false};
         }
         if (ctrl && key == Key::v) paste(session);
         if (ctrl && key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
@@ -131,7 +132,7 @@ void Workbench::draw_loading(Session& session, const Layout& layout) {
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::Text("Loading %s", session.loading_name().c_str());
+    ImGui::TextUnformatted(say("Loading {name}", "name"_a = session.loading_name()).c_str());
     ImGui::ProgressBar(*fraction, {-1.0F, 0.0F});
     if (widgets::Button("Cancel")) session.cancel_loading();
     ImGui::End();
