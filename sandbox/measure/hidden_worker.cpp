@@ -14,52 +14,50 @@ bool is_same_work(const HiddenQuestion& a, const HiddenQuestion& b) {
 
 }  // namespace
 
-HiddenWorker::HiddenWorker() : thread_([this](const std::stop_token& stop) { work(stop); }) {}
-
-HiddenWorker::~HiddenWorker() {
-    forget();
-    thread_.request_stop();
-}
+struct HiddenWorker::Solver {
+    std::unique_ptr<HiddenSurfaceSolver> solver;
+    int scene_version = -1;
+};
 
 void HiddenWorker::ask(const HiddenQuestion& question, const Scene& scene, int scene_version) {
-    const std::scoped_lock lock(mutex_);
+    take_over();
     const bool works_on_it = current_ && !is_dropped_ && *current_ == question && current_version_ == scene_version;
     const bool is_answered = !current_ && answer_ && answer_->question == question && answer_version_ == scene_version;
     const bool waits = waiting_ && waiting_->question == question && waiting_->scene_version == scene_version;
     if (works_on_it || is_answered || waits) return;
     if (current_ && (current_version_ != scene_version || !is_same_work(*current_, question))) drop_current();
     waiting_ = Job{question, scene, scene_version};
-    changed_.notify_all();
+    take_over();
 }
 
 void HiddenWorker::wait(double seconds) {
-    std::unique_lock lock(mutex_);
-    const auto is_idle = [this] { return !waiting_ && !current_; };
-    if (seconds < 0.0)
-        changed_.wait(lock, is_idle);
-    else
-        changed_.wait_for(lock, std::chrono::duration<double>(seconds), is_idle);
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    for (take_over(); current_; take_over()) {
+        const double left = seconds - std::chrono::duration<double>(Clock::now() - begin).count();
+        if (seconds >= 0.0 && left <= 0.0) return;
+        task_.wait(seconds < 0.0 ? -1.0 : left);
+    }
 }
 
-std::shared_ptr<const HiddenAnswer> HiddenWorker::answer(int scene_version) const {
-    const std::scoped_lock lock(mutex_);
+std::shared_ptr<const HiddenAnswer> HiddenWorker::answer(int scene_version) {
+    take_over();
     return answer_version_ == scene_version ? answer_ : nullptr;
 }
 
-std::optional<float> HiddenWorker::fraction() const {
-    const std::scoped_lock lock(mutex_);
-    if (!waiting_ && !current_) return std::nullopt;
-    return progress_.fraction.load();
+std::optional<float> HiddenWorker::fraction() {
+    take_over();
+    if (!current_) return std::nullopt;
+    return task_.fraction();
 }
 
 void HiddenWorker::cancel() {
-    const std::scoped_lock lock(mutex_);
+    take_over();
     waiting_.reset();
-    if (current_) progress_.cancelled = true;
+    task_.cancel();
 }
 
 void HiddenWorker::forget() {
-    const std::scoped_lock lock(mutex_);
     waiting_.reset();
     answer_.reset();
     drop_current();
@@ -68,31 +66,31 @@ void HiddenWorker::forget() {
 void HiddenWorker::drop_current() {
     if (!current_) return;
     is_dropped_ = true;
-    progress_.cancelled = true;
+    task_.cancel();
 }
 
-void HiddenWorker::work(const std::stop_token& stop) {
-    std::unique_ptr<HiddenSurfaceSolver> solver;
-    int solver_version = -1;
-    std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [this] { return waiting_.has_value(); })) {
-        const Job job = *std::exchange(waiting_, std::nullopt);
-        current_ = job.question;
-        current_version_ = job.scene_version;
-        progress_.cancelled = is_dropped_ = false;
-        progress_.fraction = 0.0F;
-        lock.unlock();
-        if (solver_version != job.scene_version) solver = std::make_unique<HiddenSurfaceSolver>(job.scene);
-        solver_version = job.scene_version;
-        auto made = std::make_shared<const HiddenAnswer>(answer_hidden_question(*solver, job.question, &progress_));
-        lock.lock();
+void HiddenWorker::take_over() {
+    if (task_.is_done()) {
+        current_.reset();
+        Answer made = *task_.take();
         if (!is_dropped_) {
             answer_ = std::move(made);
-            answer_version_ = job.scene_version;
+            answer_version_ = current_version_;
         }
-        current_.reset();
-        changed_.notify_all();
     }
+    if (!current_ && waiting_) start(*std::exchange(waiting_, std::nullopt));
+}
+
+void HiddenWorker::start(Job job) {
+    current_ = job.question;
+    current_version_ = job.scene_version;
+    is_dropped_ = false;
+    if (!solver_) solver_ = std::make_shared<Solver>();
+    task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Answer {
+        if (kept->scene_version != job.scene_version) kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene);
+        kept->scene_version = job.scene_version;
+        return std::make_shared<const HiddenAnswer>(answer_hidden_question(*kept->solver, job.question, &progress));
+    });
 }
 
 }  // namespace viewing

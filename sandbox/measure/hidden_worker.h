@@ -1,24 +1,18 @@
-// Hidden-surface methods beside the window: long ones run in a thread of their own, show how far they are and can be
+// Hidden-surface methods beside the window: long ones run in the background, show how far they are and can be
 // cancelled, while the window goes on with the answer before. Knows no GL. Read studio.h next.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "frame/hidden/hidden_views.h"
+#include "platform/background.h"
 
 namespace viewing {
 
+/// Used from one thread. Whatever is asked of it, it first takes over what has been finished meanwhile.
 class HiddenWorker {
 public:
-    HiddenWorker();
-    ~HiddenWorker();
-    HiddenWorker(const HiddenWorker&) = delete;
-    HiddenWorker& operator=(const HiddenWorker&) = delete;
-
     /// Starts on the question, unless it is the one that is answered, worked on or was cancelled. A question that
     /// differs only in where the camera is lets the one before come to its end, so that a moving camera gets answers.
     void ask(const HiddenQuestion& question, const Scene& scene, int scene_version);
@@ -27,10 +21,10 @@ public:
     void wait(double seconds);
 
     /// The newest answer for this scene; null while there is none. The same pointer until there is another.
-    std::shared_ptr<const HiddenAnswer> answer(int scene_version) const;
+    std::shared_ptr<const HiddenAnswer> answer(int scene_version);
 
     /// 0 … 1 while it works.
-    std::optional<float> fraction() const;
+    std::optional<float> fraction();
 
     /// A person's wish: gives up what is worked on. Its unfinished answer is the answer, and the same question is not
     /// worked on again.
@@ -45,19 +39,22 @@ private:
         Scene scene;
         int scene_version = -1;
     };
-    void work(const std::stop_token& stop);
-    void drop_current();  ///< under the lock
+    /// Kept from one job to the next on the same scene.
+    struct Solver;
+    using Answer = std::shared_ptr<const HiddenAnswer>;
 
-    mutable std::mutex mutex_;
-    std::condition_variable_any changed_;
+    void start(Job job);
+    void take_over();  ///< what is finished becomes the answer, and what waits is begun
+    void drop_current();
+
     std::optional<Job> waiting_;
     std::optional<HiddenQuestion> current_;  ///< worked on
     int current_version_ = -1;
     bool is_dropped_ = false;  ///< the current one's answer is not wanted
-    std::shared_ptr<const HiddenAnswer> answer_;
+    Answer answer_;
     int answer_version_ = -1;
-    WorkProgress progress_;
-    std::jthread thread_;  ///< last: it uses all the others
+    std::shared_ptr<Solver> solver_;  ///< while something is worked on, only for that
+    BackgroundTask<Answer> task_;
 };
 
 }  // namespace viewing

@@ -1,44 +1,72 @@
-// A computation beside the window: started, watched, cancelled; its result is taken when it is there.
+// Work beside the window: started, watched, cancelled; its result is taken when it is there. The one place that makes
+// threads: where there are none (a browser), background.cpp alone is another file, which does the work in start().
 #pragma once
 
-#include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
+#include <vector>
 
 #include "platform/progress.h"
 
 namespace viewing {
 
+/// One call of a function beside the caller's. BackgroundTask is what others use.
+class BackgroundCall {
+public:
+    /// `work` throws nothing.
+    explicit BackgroundCall(std::function<void()> work);
+    ~BackgroundCall();  ///< waits for its end
+    BackgroundCall(const BackgroundCall&) = delete;
+    BackgroundCall& operator=(const BackgroundCall&) = delete;
+
+    bool is_done() const;
+    /// Waits for its end, at most so long; negative: as long as it takes.
+    void wait(double seconds) const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// A computation of a T. All of it is used from one thread; only `Work` runs in another.
 template <typename T>
 class BackgroundTask {
 public:
     using Work = std::function<T(WorkProgress&)>;
 
-    /// What was running is cancelled and its result dropped.
+    /// What was running is cancelled, waited for, and its result dropped.
     void start(Work work) {
         job_ = std::make_unique<Job>();
-        job_->thread = std::jthread([job = job_.get(), run = std::move(work)] {
-            job->result = run(job->progress);
-            job->is_done = true;
+        job_->call = std::make_unique<BackgroundCall>([job = job_.get(), run = std::move(work)] {
+            try {
+                job->result.emplace(run(job->progress));
+            } catch (...) {
+                job->error = std::current_exception();
+            }
         });
     }
 
     bool is_running() const { return job_ != nullptr; }  ///< until its result is taken
+    bool is_done() const { return job_ && job_->call->is_done(); }
     float fraction() const { return job_ ? job_->progress.fraction.load() : 0.0F; }
     void cancel() {
         if (job_) job_->progress.cancelled = true;
     }
+    /// At most so long; negative: as long as it takes.
+    void wait(double seconds) const {
+        if (job_) job_->call->wait(seconds);
+    }
 
-    /// The result, once, when there is one; a cancelled task gives what it had.
+    /// The result, once, when there is one; a cancelled task gives what it had. What the work threw is thrown here.
     std::optional<T> take() {
-        if (!job_ || !job_->is_done) return std::nullopt;
-        job_->thread.join();
-        T result = std::move(*job_->result);
-        job_.reset();
-        return result;
+        if (!is_done()) return std::nullopt;
+        const std::unique_ptr<Job> job = std::move(job_);
+        if (job->error) std::rethrow_exception(job->error);
+        return std::move(job->result);
     }
 
 private:
@@ -46,10 +74,28 @@ private:
         ~Job() { progress.cancelled = true; }
         WorkProgress progress;
         std::optional<T> result;
-        std::atomic<bool> is_done{false};
-        std::jthread thread;  ///< last: it is waited for before the others go
+        std::exception_ptr error;
+        std::unique_ptr<BackgroundCall> call;  ///< last: its end is waited for before the others go
     };
     std::unique_ptr<Job> job_;
+};
+
+/// What a task tells before its end, in order; filled and read from any thread.
+template <typename Entry>
+class BackgroundLog {
+public:
+    void add(Entry entry) {
+        const std::lock_guard lock(mutex_);
+        entries_.push_back(std::move(entry));
+    }
+    std::vector<Entry> entries() const {
+        const std::lock_guard lock(mutex_);
+        return entries_;
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<Entry> entries_;
 };
 
 }  // namespace viewing

@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
+#include "platform/background.h"
 #include "platform/file.h"
 #include "state/fields.h"
 #include "state/json.h"
 #include "text/catalogue.h"
 
 namespace viewing {
+namespace {
+
+/// Most scenes are there at once: a short wait spares a frame with the old one.
+constexpr double a_moment_s = 0.02;
+
+}  // namespace
 
 /// A scene being loaded off the user interface's thread.
 struct Session::LoadJob {
     SceneSource source;
     std::filesystem::path base;
-    CoplanarParams coplanar;
-    LoadProgress progress;
-    std::future<Result<Scene>> result;
-
-    ~LoadJob() {
-        progress.cancelled = true;
-        if (result.valid()) result.wait();
-    }
+    BackgroundTask<Result<Scene>> task;
 };
 
 MotionMode motion_mode(Navigation navigation) {
@@ -68,23 +67,22 @@ void Session::update_scene() {
         job_ = std::make_unique<LoadJob>();
         job_->source = params.scene;
         job_->base = base_;
-        job_->coplanar = params.coplanar;
-        job_->result = std::async(std::launch::async, [job = job_.get()] {
-            return load_scene(job->source, job->base, job->coplanar, &job->progress);
+        job_->task.start([source = params.scene, base = base_, coplanar = params.coplanar](WorkProgress& progress) {
+            return load_scene(source, base, coplanar, &progress);
         });
     }
-    // Most scenes are there at once: a short wait spares a frame with the old one.
-    if (job_->result.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready) return;
-    Result<Scene> loaded = job_->result.get();
-    if (loaded) {
-        scene_ = std::move(*loaded);
+    job_->task.wait(a_moment_s);
+    std::optional<Result<Scene>> loaded = job_->task.take();
+    if (!loaded) return;
+    if (*loaded) {
+        scene_ = std::move(**loaded);
         loaded_source_ = job_->source;
         loaded_base_ = job_->base;
         ++scene_version_;
         job_.reset();
         before_replacing_.reset();
     } else {
-        message = {loaded.error(), true};
+        message = {loaded->error(), true};
         keep_scene();
     }
 }
@@ -108,14 +106,14 @@ void Session::keep_scene() {
 void Session::finish_loading() {
     update_scene();
     while (job_) {
-        job_->result.wait();
+        job_->task.wait(-1.0);
         update_scene();
     }
 }
 
 std::optional<float> Session::loading_fraction() const {
     if (!job_) return std::nullopt;
-    return job_->progress.fraction.load();
+    return job_->task.fraction();
 }
 
 std::string Session::loading_name() const {

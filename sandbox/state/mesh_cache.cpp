@@ -5,6 +5,7 @@
 
 #include "geometry/shapes.h"
 #include "state/fields.h"
+#include "state/scene.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -90,24 +91,24 @@ std::string file_key(const std::filesystem::path& file) {
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     const auto time = std::filesystem::last_write_time(file, error).time_since_epoch().count();
     return "file " + std::filesystem::absolute(file, error).string() + " " + std::to_string(size) + " " +
-           std::to_string(time);
+           std::to_string(static_cast<std::int64_t>(time));
 }
 
 }  // namespace
 
 Result<SharedMesh> shared_mesh(const ObjectDescription& object, const std::filesystem::path& base,
-                               const ProgressSpan& progress) {
+                               WorkProgress* progress) {
     const bool is_file = object.shape == ShapeKind::mesh;
     const std::filesystem::path file = base / object.file;
     const std::string key = is_file ? file_key(file) : shape_key(object);
     if (SharedMesh shared = cache().find(key)) {
-        progress.show(1.0);
+        report(progress, 1.0);
         return shared;
     }
     if (!is_file) {
         return cache().add(key, shape_mesh(object), false);
     }
-    Result<Mesh> mesh = load_obj_file(file, progress);
+    Result<Mesh> mesh = load_obj(file, progress);
     if (!mesh) {
         return Error{mesh.error()};
     }

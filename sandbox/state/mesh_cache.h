@@ -1,16 +1,19 @@
 // Internal to state/: meshes shared between scenes, by shape and by file. Safe to use from several threads.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 
-#include "state/obj.h"
+#include "geometry/mesh.h"
+#include "platform/progress.h"
 #include "state/params.h"
+#include "text/result.h"
 
 namespace viewing {
 
 /// The mesh of an object; a mesh file is looked up from `base` and read again only when it changed. Shapes live as long
 /// as somebody uses them; the mesh file that was read last is kept besides.
 Result<std::shared_ptr<const Mesh>> shared_mesh(const ObjectDescription& object, const std::filesystem::path& base,
-                                                const ProgressSpan& progress);
+                                                WorkProgress* progress);
 
 }  // namespace viewing

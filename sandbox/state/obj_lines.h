@@ -1,46 +1,34 @@
-// Internal to state/: the lines of an OBJ file that matter, checked before the library sees them. The library takes
-// what is not a number for 0 and has no way to stop, so both are done here.
+// Internal to state/: what an OBJ file says, line by line. Read by hand and not by a library: Debian's take what is not
+// a number for 0, know no line numbers and cannot be stopped.
 #pragma once
 
+#include <cstdint>
 #include <istream>
-#include <streambuf>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "state/obj.h"
+#include "geometry/mesh.h"
+#include "platform/progress.h"
+#include "text/result.h"
 
 namespace viewing {
 
-/// Passes on the "v", "vn" and "f" lines of a stream and drops all others; ends early at the first bad line, at a
-/// cancelled job, or when stop() was called.
-class ObjLines : public std::streambuf {
-public:
-    ObjLines(std::istream& source, std::uint64_t size_bytes, const ProgressSpan& progress)
-        : source_(source), size_bytes_(size_bytes), progress_(progress) {}
-
-    void stop() { stopped_ = true; }
-
-    /// "" or what is wrong, with the line's number.
-    const std::string& trouble() const { return trouble_; }
-
-protected:
-    int_type underflow() override;
-
-private:
-    void take_block();
-    void take_line(std::string_view line);
-    void refuse(std::string_view line, const std::string& what);
-
-    std::istream& source_;
-    std::uint64_t size_bytes_;
-    ProgressSpan progress_;
-    std::uint64_t bytes_read_ = 0;
-    std::size_t line_number_ = 0;
-    std::string unfinished_;  ///< the beginning of a line whose end is in the next block
-    std::string passed_on_;
-    std::string trouble_;
-    bool stopped_ = false;
+/// One corner of a face: indices from 0.
+struct ObjCorner {
+    static constexpr int no_normal = -1;
+    int position;
+    int normal;
 };
+
+/// The "v", "vn" and "f" lines of a file; all others are ignored.
+struct ObjContent {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<ObjCorner> corners;  ///< of all faces; they name positions and normals that there are
+    std::vector<std::uint32_t> face_sizes;
+    std::uint64_t triangle_count = 0;
+};
+
+/// Reads to the end, to the first line that is wrong, or until it is cancelled; the time is proportional to the file's
+/// length. Errors name the line or the face: "line 3: not three numbers: v 1 2". `size_bytes` only scales the progress.
+Result<ObjContent> read_obj_lines(std::istream& stream, std::uint64_t size_bytes, WorkProgress* progress);
 
 }  // namespace viewing

@@ -37,7 +37,7 @@ Result<Described> described_by_file(const fs::path& file, const std::string& sho
     return Described{std::move(*scene), file.parent_path(), shown + ": objects"};
 }
 
-Result<Described> described(const SceneSource& source, const fs::path& base, LoadProgress* progress,
+Result<Described> described(const SceneSource& source, const fs::path& base, WorkProgress* progress,
                             const std::string& origin) {
     if (const auto* scene = std::get_if<SceneDescription>(&source)) {
         return Described{*scene, base, origin + ".objects"};
@@ -78,7 +78,7 @@ const SceneObject* Scene::find(std::string_view name) const {
 }
 
 Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const CoplanarParams& coplanar,
-                         LoadProgress* progress, const std::string& origin) {
+                         WorkProgress* progress, const std::string& origin) {
     Result<Described> from = described(source, base, progress, origin);
     if (!from) {
         return Error{from.error()};
@@ -88,12 +88,12 @@ Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const 
         from->scene = coplanar_scene(coplanar);
         scene.made_from = coplanar;
     }
-    const auto count = static_cast<float>(from->scene.objects.size());
+    const auto count = static_cast<double>(from->scene.objects.size());
     for (std::size_t i = 0; i < from->scene.objects.size(); ++i) {
         const ObjectDescription& object = from->scene.objects[i];
-        const auto done = static_cast<float>(i);
-        Result<std::shared_ptr<const Mesh>> mesh =
-            shared_mesh(object, from->base, {progress, done / count, (done + 1.0F) / count});
+        const auto done = static_cast<double>(i);
+        WorkProgress of_object{.whole = progress, .begin = done / count, .end = (done + 1.0) / count};
+        Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, from->base, &of_object);
         if (!mesh) {
             const std::string place =
                 from->objects.empty() ? origin : from->objects + "[" + std::to_string(i) + "].file";
@@ -107,7 +107,7 @@ Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const 
     return scene;
 }
 
-SceneDescription scene_of_mesh(const fs::path& file, LoadProgress* progress) {
+SceneDescription scene_of_mesh(const fs::path& file, WorkProgress* progress) {
     std::error_code error;
     ObjectDescription object;
     object.name = file.stem().string();
@@ -116,7 +116,7 @@ SceneDescription scene_of_mesh(const fs::path& file, LoadProgress* progress) {
     object.color = {0xc9, 0xa2, 0x6b};
 
     double half_height = 1.0;
-    if (const Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, "", {progress, 0.0F, 1.0F})) {
+    if (const Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, "", progress)) {
         half_height = bounds_of(**mesh).size().y / 2.0;
     }
     object.position.y = half_height;

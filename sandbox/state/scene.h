@@ -1,7 +1,6 @@
 // A scene as the rest of the program sees it: its description with the meshes made or loaded.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "platform/progress.h"
 #include "state/params.h"
 #include "text/result.h"
 
@@ -32,12 +32,6 @@ struct Scene {
 /// ../share/viewing-sandbox below it. Empty when there is none.
 std::filesystem::path assets_directory();
 
-/// 0 … 1, written by the loader; `cancelled` is read by it.
-struct LoadProgress {
-    std::atomic<float> fraction{0.0F};
-    std::atomic<bool> cancelled{false};
-};
-
 /// Makes or loads every mesh. Relative mesh files are looked up from `base` (the directory of the file that
 /// named the scene; empty: the working directory). A named scene comes from assets/scenes; a path is that of a scene
 /// file, or of an OBJ file, which is then shown by itself. The same shape or file is shared between scenes. Safe to
@@ -45,12 +39,12 @@ struct LoadProgress {
 /// what is wrong with `source` itself opens with `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file:
 /// …". `coplanar`: the parameters of a scene that its file says is made by a formula.
 Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base,
-                         const CoplanarParams& coplanar = {}, LoadProgress* progress = nullptr,
+                         const CoplanarParams& coplanar = {}, WorkProgress* progress = nullptr,
                          const std::string& origin = "scene");
 
 /// A Wavefront OBJ file: centred and scaled to fit (longest side 2), the file's normals used where every corner has one
 /// and made otherwise, polygons cut into triangles. At most 50 million triangles and 4 GiB. Materials are ignored.
-Result<Mesh> load_obj(const std::filesystem::path& file, LoadProgress* progress = nullptr);
+Result<Mesh> load_obj(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 
 /// Whether a name says that it is a Wavefront file: ".obj" in capitals or not.
 bool is_obj_file(const std::filesystem::path& file);
@@ -58,6 +52,6 @@ bool is_obj_file(const std::filesystem::path& file);
 /// The scene that shows one mesh file, standing on the plane y = 0. Reads the file to know how high it is, and keeps
 /// what it read, so that load_scene() is quick afterwards. A broken file gives a scene all the same: load_scene() then
 /// says what is wrong with it.
-SceneDescription scene_of_mesh(const std::filesystem::path& file, LoadProgress* progress = nullptr);
+SceneDescription scene_of_mesh(const std::filesystem::path& file, WorkProgress* progress = nullptr);
 
 }  // namespace viewing

@@ -1,15 +1,10 @@
-// Every method measured on more and more polygons. A second thread watches over each row: it passes cancellation and
-// progress on, and stops the method at its time budget. Read growth_bench.h next.
+// Every method measured on more and more polygons; each row is stopped at its time budget. Read growth_bench.h next.
 #include "visibility/growth.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
 #include <numeric>
-#include <thread>
 #include <utility>
 
 #include "text/numbers.h"
@@ -18,55 +13,18 @@
 namespace viewing {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr int most_polygons = 1'000'000;
-constexpr auto watch_period = std::chrono::milliseconds(10);
 constexpr std::size_t most_runs = 99;
 constexpr double repeat_until_ms = 40.0;
 
-double ms_between(Clock::time_point begin, Clock::time_point end) {
-    return std::chrono::duration<double, std::milli>(end - begin).count();
+WorkProgress::Clock::time_point in_ms(double ms) {
+    using Clock = WorkProgress::Clock;
+    return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(ms));
 }
 
-/// What a row's progress is of the whole: from `begin` on, `size` long.
+/// What a row is of the whole: from `begin` on, `size` long.
 struct Share {
     double begin, size;
-};
-
-/// Between the caller's progress and that of one method.
-class Watch {
-public:
-    Watch(WorkProgress* caller, const Share& share, double budget_ms)
-        : caller_(caller),
-          share_(share),
-          budget_ms_(budget_ms),
-          thread_([this](const std::stop_token& stop) { watch(stop); }) {}
-
-    WorkProgress* method() { return &method_; }
-    bool is_over_budget() const { return over_budget_; }
-
-private:
-    void watch(const std::stop_token& stop) {
-        const Clock::time_point begin = Clock::now();
-        std::mutex mutex;
-        std::unique_lock lock(mutex);
-        std::condition_variable_any wake;
-        double fraction = 0.0;  // falls back when the method is run again
-        while (!wake.wait_for(lock, stop, watch_period, [&] { return stop.stop_requested(); })) {
-            fraction = std::max(fraction, static_cast<double>(method_.fraction));
-            report(caller_, share_.begin + share_.size * fraction);
-            if (ms_between(begin, Clock::now()) > budget_ms_) over_budget_ = true;
-            if (over_budget_ || is_cancelled(caller_)) method_.cancelled = true;
-        }
-    }
-
-    WorkProgress* caller_;
-    const Share share_;
-    const double budget_ms_;
-    WorkProgress method_;
-    std::atomic<bool> over_budget_{false};
-    std::jthread thread_;  // last: it uses the others
 };
 
 std::string of_polygons(int count) {
@@ -126,20 +84,23 @@ private:
 
     /// The median of some runs when they are short.
     GrowthRow measure(GrowthBench& bench, GrowthMethod method, const Share& share) const {
-        Watch watch(progress_, share, request_.time_budget_ms);
+        WorkProgress progress{.whole = progress_,
+                              .begin = share.begin,
+                              .end = share.begin + share.size,
+                              .deadline = in_ms(request_.time_budget_ms)};
         const double enough_ms = std::min(repeat_until_ms, 0.1 * request_.time_budget_ms);
         std::vector<GrowthRow> runs;
         double spent_ms = 0.0;
         do {
-            GrowthRow row = bench.run(method, watch.method());
+            GrowthRow row = bench.run(method, &progress);
             spent_ms += row.time_ms;
-            if (watch.is_over_budget() && !runs.empty()) break;  // a run that was cut short
+            if (is_late(progress) && !runs.empty()) break;  // a run that was cut short
             runs.push_back(std::move(row));
         } while (spent_ms < enough_ms && runs.size() < most_runs && runs.back().problem.empty());
         const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
         std::nth_element(runs.begin(), middle, runs.end(),
                          [](const GrowthRow& a, const GrowthRow& b) { return a.time_ms < b.time_ms; });
-        if (runs.size() == 1 && watch.is_over_budget()) middle->problem = stopped(*middle);
+        if (runs.size() == 1 && is_late(progress)) middle->problem = stopped(*middle);
         return std::move(*middle);
     }
 

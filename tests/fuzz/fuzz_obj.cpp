@@ -18,7 +18,7 @@ void check(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
-    const viewing::Result<viewing::Mesh> mesh = viewing::read_obj(stream, size, "fuzz.obj", {});
+    const viewing::Result<viewing::Mesh> mesh = viewing::read_obj(stream, size, "fuzz.obj", nullptr);
     if (!mesh) {
         check(mesh.error().find('\n') == std::string::npos);
         return 0;

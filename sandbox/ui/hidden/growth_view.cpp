@@ -53,7 +53,7 @@ int triangle_count(const Scene& scene) {
 
 /// Everything is made on the worker's thread; the scene shares its meshes.
 void start(GrowthViewState& state, const Scene& scene) {
-    state.log = std::make_shared<GrowthLog>();
+    state.log = std::make_shared<BackgroundLog<GrowthRow>>();
     state.measuring.start(
         [log = state.log, which = static_cast<GrowthScene>(state.scene), scene](WorkProgress& progress) {
             GrowthRequest request{.scene = which};
@@ -206,7 +206,7 @@ void take_growth_rows(GrowthViewState& state) {
     if (!state.log) return;
     // Asked first: what is in the log afterwards is all that the result has.
     const bool is_finished = state.measuring.take().has_value();
-    state.rows[static_cast<std::size_t>(state.scene)] = state.log->rows();
+    state.rows[static_cast<std::size_t>(state.scene)] = state.log->entries();
     if (is_finished) state.log.reset();
 }
 

@@ -9,7 +9,6 @@
 
 #include "platform/background.h"
 #include "session/session.h"
-#include "ui/hidden/growth_log.h"
 #include "ui/window/layout.h"
 #include "visibility/growth.h"
 
@@ -23,10 +22,10 @@ struct ViewPicture {
 
 struct GrowthViewState {
     BackgroundTask<std::vector<GrowthRow>> measuring;
-    std::shared_ptr<GrowthLog> log;              ///< filled while it is measured
-    std::array<std::vector<GrowthRow>, 3> rows;  ///< of each GrowthScene
-    int scene = 0;                               ///< the GrowthScene that is shown, and measured
-    int of_version = -1;                         ///< the session's scene that its rows are of
+    std::shared_ptr<BackgroundLog<GrowthRow>> log;  ///< filled while it is measured
+    std::array<std::vector<GrowthRow>, 3> rows;     ///< of each GrowthScene
+    int scene = 0;                                  ///< the GrowthScene that is shown, and measured
+    int of_version = -1;                            ///< the session's scene that its rows are of
     bool shows_operations = false;
     bool wants_picture = false;                 ///< of the chart, as the next frame shows it
     std::optional<ViewPicture> wanted_picture;  ///< asked for in this frame

@@ -187,7 +187,7 @@ std::string height_field(int side) {
 
 TEST_F(Obj, AMillionTrianglesLoadWithProgress) {
     const std::filesystem::path file = write("big.obj", height_field(708));
-    LoadProgress progress;
+    WorkProgress progress;
     const auto start = std::chrono::steady_clock::now();
     const Result<Mesh> mesh = load_obj(file, &progress);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -201,14 +201,14 @@ TEST_F(Obj, AMillionTrianglesLoadWithProgress) {
 
 TEST_F(Obj, CanBeCancelled) {
     const std::filesystem::path file = write("big.obj", height_field(300));
-    LoadProgress progress;
+    WorkProgress progress;
     progress.cancelled = true;
     EXPECT_EQ(load_obj(file, &progress).error(), file.string() + ": loading was cancelled");
 }
 
 TEST_F(Obj, ProgressOnlyGrows) {
     const std::filesystem::path file = write("big.obj", height_field(300));
-    LoadProgress progress;
+    WorkProgress progress;
     std::atomic<bool> done{false};
     bool grows = true;
     std::thread watcher([&] {

@@ -206,7 +206,7 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
 TEST_F(SceneFiles, LoadingCanBeCancelled) {
     SceneDescription scene = one_object(ShapeKind::mesh);
     scene.objects[0].file = write("t.obj", triangle_obj).string();
-    LoadProgress progress;
+    WorkProgress progress;
     progress.cancelled = true;
     EXPECT_NE(load_scene(scene, "", {}, &progress).error().find("cancelled"), std::string::npos);
 }

@@ -237,11 +237,12 @@ TEST(Growth, IsCancelledWithinARow) {
     request.counts = {50'000};
     request.max_fragments = 2'000'000'000;
     WorkProgress progress;
-    const std::jthread canceller([&] {
+    std::thread canceller([&] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         progress.cancelled = true;
     });
     EXPECT_LE(measure_growth(request, &progress).size(), 1U);  // the painter's
+    canceller.join();
 }
 
 TEST(Growth, AFragmentBudgetEndsACurveWithASentence) {

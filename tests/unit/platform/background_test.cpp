@@ -1,0 +1,146 @@
+// Work beside the caller: results, progress, cancelling, and what a task throws.
+#include "platform/background.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <thread>
+
+namespace viewing {
+namespace {
+
+/// Goes on until it is cancelled, then gives 7.
+int until_cancelled(WorkProgress& progress) {
+    report(&progress, 0.25);
+    while (!is_cancelled(&progress)) std::this_thread::yield();
+    return 7;
+}
+
+TEST(Background, GivesItsResultOnce) {
+    BackgroundTask<std::string> task;
+    EXPECT_FALSE(task.is_running());
+    EXPECT_FALSE(task.take());
+    task.wait(-1.0);
+    task.start([](WorkProgress&) { return std::string("made"); });
+    EXPECT_TRUE(task.is_running());
+    task.wait(-1.0);
+    EXPECT_TRUE(task.is_done());
+    EXPECT_TRUE(task.is_running()) << "until its result is taken";
+    EXPECT_EQ(task.take(), "made");
+    EXPECT_FALSE(task.is_running());
+    EXPECT_FALSE(task.take());
+}
+
+TEST(Background, WorksBesideItsCaller) {
+    BackgroundTask<std::thread::id> task;
+    task.start([](WorkProgress&) { return std::this_thread::get_id(); });
+    task.wait(-1.0);
+    EXPECT_NE(task.take(), std::this_thread::get_id());
+}
+
+TEST(Background, IsWatchedAndCancelled) {
+    BackgroundTask<int> task;
+    task.start(until_cancelled);
+    while (task.fraction() == 0.0F) std::this_thread::yield();
+    EXPECT_EQ(task.fraction(), 0.25F);
+    task.wait(0.001);
+    EXPECT_FALSE(task.is_done());
+    EXPECT_FALSE(task.take());
+    task.cancel();
+    task.wait(-1.0);
+    EXPECT_EQ(task.take(), 7) << "what it had";
+}
+
+TEST(Background, AnotherStartReplacesWhatRuns) {
+    BackgroundTask<int> task;
+    task.start(until_cancelled);
+    task.start([](WorkProgress& progress) { return progress.cancelled ? -1 : 8; });
+    task.wait(-1.0);
+    EXPECT_EQ(task.take(), 8);
+}
+
+TEST(Background, IsCancelledAndWaitedForAtItsEnd) {
+    bool ended = false;
+    {
+        BackgroundTask<int> task;
+        task.start([&ended](WorkProgress& progress) {
+            const int result = until_cancelled(progress);
+            ended = true;
+            return result;
+        });
+    }
+    EXPECT_TRUE(ended);
+}
+
+TEST(Background, WhatWasThrownIsThrownToWhoeverTakesTheResult) {
+    BackgroundTask<int> task;
+    task.start([](WorkProgress&) -> int { throw std::runtime_error("out of paper"); });
+    task.wait(-1.0);
+    try {
+        task.take();
+        FAIL() << "nothing was thrown";
+    } catch (const std::runtime_error& thrown) {
+        EXPECT_STREQ(thrown.what(), "out of paper");
+    }
+    EXPECT_FALSE(task.is_running());
+    task.start([](WorkProgress&) { return 1; });
+    task.wait(-1.0);
+    EXPECT_EQ(task.take(), 1);
+}
+
+TEST(Background, ALogKeepsTheOrderOfItsEntries) {
+    const auto log = std::make_shared<BackgroundLog<int>>();
+    BackgroundTask<int> task;
+    task.start([log](WorkProgress&) {
+        for (int i = 0; i < 1000; ++i) log->add(i);
+        return 0;
+    });
+    while (!task.is_done()) {
+        const std::vector<int> entries = log->entries();
+        for (std::size_t i = 0; i < entries.size(); ++i) ASSERT_EQ(entries[i], static_cast<int>(i));
+    }
+    EXPECT_EQ(log->entries().size(), 1000U);
+}
+
+TEST(Progress, OfNothingIsNeverCancelled) {
+    report(nullptr, 0.5);
+    EXPECT_FALSE(is_cancelled(nullptr));
+}
+
+TEST(Progress, APartFillsItsShareOfTheWhole) {
+    WorkProgress whole;
+    WorkProgress part{.whole = &whole, .begin = 0.5, .end = 0.75};
+    report(&part, 0.5);
+    EXPECT_EQ(part.fraction, 0.5F);
+    EXPECT_EQ(whole.fraction, 0.625F);
+    report(&part, 0.25);
+    EXPECT_EQ(part.fraction, 0.25F) << "done once more";
+    EXPECT_EQ(whole.fraction, 0.625F) << "never falls back";
+    report(&part, 1.0);
+    EXPECT_EQ(whole.fraction, 0.75F);
+}
+
+TEST(Progress, APartIsCancelledWithTheWholeAndNotTheOtherWayRound) {
+    WorkProgress whole;
+    WorkProgress part{.whole = &whole};
+    part.cancelled = true;
+    EXPECT_TRUE(is_cancelled(&part));
+    EXPECT_FALSE(is_cancelled(&whole));
+    part.cancelled = false;
+    EXPECT_FALSE(is_cancelled(&part));
+    whole.cancelled = true;
+    EXPECT_TRUE(is_cancelled(&part));
+}
+
+TEST(Progress, ADeadlineCancels) {
+    using namespace std::chrono_literals;
+    const auto now = WorkProgress::Clock::now();
+    const WorkProgress late{.deadline = now - 1s}, early{.deadline = now + 1h};
+    EXPECT_TRUE(is_late(late));
+    EXPECT_TRUE(is_cancelled(&late));
+    EXPECT_FALSE(is_late(early));
+    EXPECT_FALSE(is_cancelled(&early));
+}
+
+}  // namespace
+}  // namespace viewing
