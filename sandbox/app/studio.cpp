@@ -13,6 +13,7 @@
 #include "state/fields.h"
 #include "text/numbers.h"
 #include "ui/window/fonts.h"
+#include "ui/window/theme.h"
 
 namespace viewing {
 namespace {
@@ -73,7 +74,7 @@ Studio::~Studio() {
 
 void Studio::apply_looks(double device_scale) {
     const UiParams& ui = session.params.ui;
-    const widgets::Palette& palette = widgets::palette_of(static_cast<widgets::ThemeKind>(ui.theme));
+    const widgets::Palette& palette = palette_of(ui.theme);
     const auto scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
     if (scale == looks_scale_ && ui.theme == theme_) return;
     widgets::Context& context = workbench.widgets;

@@ -4,10 +4,10 @@
 #include <chrono>
 
 #include "cli/as_json.h"
+#include "frame/hidden/method_choices.h"
 #include "gl/gl.h"
 #include "measure/hidden_answers.h"
 #include "state/fields.h"
-#include "visibility/culling.h"
 #include "visibility/difference.h"
 
 namespace viewing {
@@ -55,9 +55,9 @@ bool has_build(VisibilityMethod method) {
 }
 
 Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std::vector<Polygon>& polygons) {
-    const auto front = static_cast<FrontWinding>(params.cull.front_face);
+    const auto front = front_winding(params.cull.front_face);
     const CullCounts counts = count_facing(polygons, viewpoint, front);
-    const std::size_t left = culled(polygons, viewpoint, static_cast<CulledFaces>(params.cull.face), front).size();
+    const std::size_t left = culled(polygons, viewpoint, culled_faces(params.cull.face), front).size();
     return {{"enabled", params.cull.enabled},
             {"face", name_of(params.cull.face)},
             {"front_face", name_of(params.cull.front_face)},

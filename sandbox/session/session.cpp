@@ -30,9 +30,10 @@ MotionMode motion_mode(Navigation navigation) {
             return MotionMode::walk;
         case Navigation::orbit:
             return MotionMode::orbit;
-        default:
-            return MotionMode::fly;
+        case Navigation::fly:
+            break;
     }
+    return MotionMode::fly;
 }
 
 Session::Session(const LoadedState& state, Scene scene)

@@ -7,6 +7,7 @@
 
 #include "frame/problems.h"
 #include "ui/window/fonts.h"
+#include "ui/window/theme.h"
 #include "ui/window/workbench.h"
 
 namespace viewing::bench {
@@ -33,7 +34,7 @@ public:
         io.DisplaySize = {static_cast<float>(size_px.x), static_cast<float>(size_px.y)};
         io.DeltaTime = 1.0F / 60.0F;
         widgets::Context& context = workbench_.widgets;
-        context.palette = widgets::palette_of(static_cast<widgets::ThemeKind>(session_.params.ui.theme));
+        context.palette = palette_of(session_.params.ui.theme);
         context.scale = context.palette.type_scale;
         context.fonts = load_fonts(context.scale);
         unsigned char* pixels = nullptr;

@@ -11,6 +11,7 @@
 #include "ui/depth/draw_steps.h"
 #include "ui/depth/fragment_text.h"
 #include "ui/depth/pixel_view.h"
+#include "ui/window/theme.h"
 
 namespace viewing::test {
 namespace {
@@ -37,7 +38,7 @@ protected:
     DepthViews() { look(Theme::dark); }
 
     void look(Theme theme) {
-        context.palette = widgets::palette_of(static_cast<widgets::ThemeKind>(theme));
+        context.palette = palette_of(theme);
         context.scale = context.palette.type_scale;
         context.fonts = load_fonts(context.scale);
         unsigned char* pixels = nullptr;

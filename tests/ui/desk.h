@@ -16,6 +16,7 @@
 #include "state/fields.h"
 #include "state/json.h"
 #include "ui/window/fonts.h"
+#include "ui/window/theme.h"
 #include "ui/window/workbench.h"
 #include "widgets/harness.h"
 
@@ -71,7 +72,7 @@ public:
     void apply_looks() {
         const UiParams& looks = session.params.ui;
         widgets::Context& context = workbench.widgets;
-        context.palette = widgets::palette_of(static_cast<widgets::ThemeKind>(looks.theme));
+        context.palette = palette_of(looks.theme);
         context.scale = static_cast<float>(looks.scale) * context.palette.type_scale;
         context.fonts = load_fonts(context.scale);
         unsigned char* pixels = nullptr;

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "frame/hidden/hidden_steps.h"
+#include "frame/hidden/method_choices.h"
 
 namespace viewing {
 namespace {
@@ -27,15 +28,10 @@ bool differ_in_step_alone(HiddenRequest a, const HiddenRequest& b) {
 }
 
 /// A mirrored view turns every winding around.
-FrontWinding front_winding(const HiddenRequest& request) {
+FrontWinding winding_for(const HiddenRequest& request) {
     const bool mirrors = glm::determinant(glm::dmat3(request.viewpoint.view_from_world)) < 0.0;
-    const bool is_clockwise = (request.cull.front_face == FrontFace::cw) != mirrors;
-    return is_clockwise ? FrontWinding::clockwise : FrontWinding::counter_clockwise;
-}
-
-CulledFaces culled_faces(const HiddenRequest& request) {
-    static constexpr CulledFaces faces[] = {CulledFaces::front, CulledFaces::back, CulledFaces::front_and_back};
-    return faces[static_cast<std::size_t>(request.cull.face)];
+    const FrontFace turned = request.cull.front_face == FrontFace::cw ? FrontFace::ccw : FrontFace::cw;
+    return front_winding(mirrors ? turned : request.cull.front_face);
 }
 
 std::vector<int> counted(std::size_t count) {
@@ -81,7 +77,7 @@ std::vector<Polygon> HiddenSurfaceSolver::polygons_for(HiddenResult& result) con
     const HiddenRequest& request = result.request;
     if (!request.cull.enabled) return surface_->polygons;
     std::vector<Polygon> kept =
-        culled(surface_->polygons, request.viewpoint, culled_faces(request), front_winding(request));
+        culled(surface_->polygons, request.viewpoint, culled_faces(request.cull.face), winding_for(request));
     result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept.size());
     return kept;
 }
@@ -90,7 +86,7 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     const VisibilityParams& visibility = result.request.visibility;
     if (!trees_.tree || trees_.splitter != visibility.splitter || trees_.epsilon != visibility.epsilon) {
         const Stopwatch watch;
-        const BspOptions options{.splitter = static_cast<BspSplitter>(visibility.splitter),
+        const BspOptions options{.splitter = bsp_splitter(visibility.splitter),
                                  .epsilon = visibility.epsilon * surface_->diagonal,
                                  .max_fragments = 1'000'000 + 2 * static_cast<int>(surface_->polygons.size())};
         auto tree = std::make_shared<const BspTree>(build_bsp(surface_->polygons, options, progress));
@@ -104,15 +100,15 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
 
     const Stopwatch watch;
     auto walk = std::make_shared<BspWalk>(
-        walk_bsp(*result.tree, result.request.viewpoint.eye_world(), static_cast<BspOrder>(visibility.walk)));
+        walk_bsp(*result.tree, result.request.viewpoint.eye_world(), bsp_order(visibility.walk)));
     result.time_ms = watch.ms();
     result.order = walk->fragments;
     result.walk = std::move(walk);
     HiddenCounters& counters = result.counters;
     if (result.request.cull.enabled) {
         const std::vector<Facing> facing =
-            facing_by_plane(*result.fragments, result.request.viewpoint, front_winding(result.request));
-        const CulledFaces faces = culled_faces(result.request);
+            facing_by_plane(*result.fragments, result.request.viewpoint, winding_for(result.request));
+        const CulledFaces faces = culled_faces(result.request.cull.face);
         counters.culled = static_cast<std::int64_t>(std::erase_if(result.order, [&](int fragment) {
             const Facing side = facing[static_cast<std::size_t>(fragment)];
             return faces == CulledFaces::front_and_back ||
@@ -191,7 +187,7 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
     const Stopwatch watch;
     if (visibility.method == VisibilityMethod::painter) {
         auto painter = std::make_shared<const PainterOrder>(
-            painter_order(*polygons, request.viewpoint, static_cast<PainterKey>(visibility.sort_key)));
+            painter_order(*polygons, request.viewpoint, painter_key(visibility.sort_key)));
         result.order = painter->order;
         counters.comparisons = painter->comparisons;
         counters.swaps = painter->swaps;
@@ -227,7 +223,7 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     result->traced.reset();
 
     if (same_order == latest_.end())
-        result->facing = count_facing(surface_->polygons, request.viewpoint, front_winding(request));
+        result->facing = count_facing(surface_->polygons, request.viewpoint, winding_for(request));
     const Stopwatch watch;
     if (request.visibility.method == VisibilityMethod::ray_cast) {
         cast(*result, progress);
