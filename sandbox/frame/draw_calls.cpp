@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "text/catalogue.h"
+
 namespace viewing {
 namespace {
 
@@ -29,7 +31,7 @@ DrawLimit without_empty_call(DrawLimit limit, const std::vector<DrawCall>& calls
 }  // namespace
 
 std::string plane_name(std::size_t plane) {
-    return plane == 0 ? "plane" : "plane " + std::to_string(plane + 1);
+    return plane == 0 ? tr("plane") : say("plane {number}", "number"_a = plane + 1);
 }
 
 bool is_chosen(Chosen chosen, const SceneObject& object) {
@@ -67,9 +69,10 @@ std::string name_of(const DrawCall& call, const FramePlan& plan, const Scene& sc
     const Pass& pass = plan.passes.at(call.pass);
     const std::string object = call.object >= 0
                                    ? scene.objects.at(static_cast<std::size_t>(call.object)).description.name
-                               : pass.subject == Subject::backdrop ? "square"
+                               : pass.subject == Subject::backdrop ? tr("square")
                                                                    : plane_name(pass.plane);
-    return object + ", pass " + std::to_string(call.pass + 1) + ": " + pass.name;
+    return say("{object}, pass {number}: {pass}", "object"_a = object, "number"_a = call.pass + 1,
+               "pass"_a = pass.name);
 }
 
 DrawLimit step_before(const DrawLimit& limit, const std::vector<DrawCall>& calls) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "frame/plan.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -62,7 +63,7 @@ std::string truth(bool is_true) {
 
 std::string stencil_func(const Pass& pass) {
     return "glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
-           (pass.marks_objects ? "mark of each object" : std::to_string(pass.stencil.reference)) + ", " +
+           (pass.marks_objects ? tr("mark of each object") : std::to_string(pass.stencil.reference)) + ", " +
            bits(pass.stencil.read_bits) + ")";
 }
 

@@ -46,11 +46,13 @@ bool is_hidden(const Level& level, std::size_t plane) {
 /// Inside a mirror the next patch counts from the same value on.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
     const int region = level.region_of(plane);
-    Pass clear = patch_mask(level, plane, "Clear lights", "forgets which light is missing on this patch");
+    Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
+                            tr("forgets which light is missing on this patch"));
     clear.depth.test = false;
     clear.stencil = forgets_lights(region);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
-    Pass back = patch_mask(level, plane, "Leave the patch", "counts the stencil down to what the mirror has");
+    Pass back = patch_mask(level, plane, {marked("Leave the patch"), marked("Leave the patch {plane}")},
+                           tr("counts the stencil down to what the mirror has"));
     back.depth.test = false;
     back.stencil = leaves(region);
     passes.push_back(back);
@@ -131,10 +133,15 @@ int Level::region_of(std::size_t index) const {
     return params.shadow.own_stencil ? static_cast<int>(index) + 1 : 1;
 }
 
-Pass Level::pass(const char* name, const char* reason, Subject subject) const {
+std::string Level::placed(std::string name) const {
+    if (mirrors_name.empty()) return name;
+    return say("{pass} in mirror {mirrors}", "pass"_a = name, "mirrors"_a = mirrors_name);
+}
+
+Pass Level::pass(std::string name, std::string reason, Subject subject) const {
     Pass made;
-    made.name = name + place;
-    made.reason = reason;
+    made.name = placed(std::move(name));
+    made.reason = std::move(reason);
     made.subject = subject;
     made.is_mirror_image = !is_real();
     made.matrices = matrices;
@@ -155,27 +162,30 @@ Pass Level::pass(const char* name, const char* reason, Subject subject) const {
     return made;
 }
 
-Pass Level::patch_pass(const char* name, const char* reason, std::size_t index) const {
-    const std::string number = derived.planes.size() > 1 ? " " + std::to_string(index + 1) : "";
-    Pass made = pass((name + number).c_str(), reason, Subject::patch);
+Pass Level::patch_pass(const PatchName& name, std::string reason, std::size_t index) const {
+    const std::size_t number = index + 1;
+    const auto place = "plane"_a = number;
+    Pass made =
+        pass(derived.planes.size() == 1 ? tr(name.alone) : say_with(name.numbered, fmt::make_format_args(place)),
+             std::move(reason), Subject::patch);
     made.plane = index;
     made.has_gloss = plane(index).gloss;
     return made;
 }
 
 Pass objects_pass(const Level& level) {
-    if (level.is_real()) return level.pass("Objects", "draws the scene itself", Subject::objects);
-    return level.pass("Mirror image", "draws the scene once more through R, as if the mirror were a window",
+    if (level.is_real()) return level.pass(tr("Objects"), tr("draws the scene itself"), Subject::objects);
+    return level.pass(tr("Mirror image"), tr("draws the scene once more through R, as if the mirror were a window"),
                       Subject::objects);
 }
 
 Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends) {
     const ReflectionParams& reflection = level.params.reflection;
-    Pass pass =
-        level.patch_pass("Patch",
-                         blends ? "lays the plane over its mirror image and gives these pixels the plane's own depth"
-                                : "draws the plane and marks it in the stencil buffer as the receiver of shadows",
-                         plane);
+    Pass pass = level.patch_pass(
+        {marked("Patch"), marked("Patch {plane}")},
+        blends ? tr("lays the plane over its mirror image and gives these pixels the plane's own depth")
+               : tr("draws the plane and marks it in the stencil buffer as the receiver of shadows"),
+        plane);
     pass.lights_world.clear();
     for (const std::size_t light : lights)
         if (level.plane(plane).shadows[light].reaches(level.eye_side(plane)))

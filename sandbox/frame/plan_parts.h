@@ -3,11 +3,17 @@
 #pragma once
 
 #include "frame/plan.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 
 /// Where ambient light is strongest.
 inline constexpr glm::dvec3 sky_scene{0.0, 1.0, 0.0};
+
+/// What a pass over a patch is called, looked up when it is: where there is one plane, and where there are several.
+struct PatchName {
+    const char *alone, *numbered;  ///< "Patch", "Patch {plane}"
+};
 
 /// Level 0 is the real world; a mirror in it opens level 1, a mirror seen in that mirror level 2, and so on. "Scene" is
 /// space before the mirrors, "world" after them: where the image seems to be.
@@ -19,8 +25,8 @@ struct Level {
     glm::dmat4 view_from_world;
     glm::dmat4 world_from_scene{1.0};  ///< the product of the mirrors' R; I if it is the camera that is mirrored
     glm::dmat4 scene_from_world{1.0};  ///< of the true mirrors, whatever has been put in the place of R
-    std::string place{};  ///< " in mirror 2": what the names of its passes end with where there are several planes
-    std::string matrices = "P V";         ///< "P V R" inside a mirror, "F P F V R" if it is the camera that is mirrored
+    std::string mirrors_name{};    ///< "2, 1": those it is seen in, the last one last; empty where there is one plane
+    std::string matrices = "P V";  ///< "P V R" inside a mirror, "F P F V R" if it is the camera that is mirrored
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
@@ -40,8 +46,10 @@ struct Level {
     std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< whose shadows are drawn on it
     int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch
 
-    Pass pass(const char* name, const char* reason, Subject subject) const;
-    Pass patch_pass(const char* name, const char* reason, std::size_t index) const;
+    /// "Objects in mirror 2" for "Objects".
+    std::string placed(std::string name) const;
+    Pass pass(std::string name, std::string reason, Subject subject) const;
+    Pass patch_pass(const PatchName& name, std::string reason, std::size_t index) const;
 };
 
 /// Makes a pass draw a square that fills the picture, at a depth of clip space that has this eye distance.
@@ -66,7 +74,7 @@ StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blen
 StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_t light);
 
 /// Marks a patch in the stencil, without colour or depth.
-Pass patch_mask(const Level& level, std::size_t plane, const char* name, const char* reason);
+Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason);
 
 /// The patch with some of the lights. `blends` over a mirror image, of which it lets `reflectance` through.
 Pass patch_surface(const Level& level, std::size_t plane, std::span<const std::size_t> lights, bool blends);

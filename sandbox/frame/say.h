@@ -1,11 +1,13 @@
 // How problems are said. Part of problems.h.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "frame/problems.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 
@@ -30,6 +32,15 @@ private:
 
 /// P·eye: positive before the plane.
 double eye_side_of(const DerivedPlane& plane, const Derived& derived);
+
+// Lights and planes in a sentence, counted from 0 here and from 1 there; `count` is how many there are.
+
+/// "the light", "light 2".
+std::string light_name(std::size_t light, std::size_t count);
+/// "the plane", "plane 2", "planes 2, 3".
+std::string planes_name(std::span<const std::size_t> planes, std::size_t count);
+/// "2, 3".
+std::string numbers_name(std::span<const std::size_t> indices);
 
 /// "the plane", or where there are several "plane 2", "planes 2, 3". `which` counts from 0.
 std::string name_of(const char* thing, const std::vector<std::size_t>& which, std::size_t count);

@@ -1,6 +1,7 @@
 #include "measure/fighting_measure.h"
 
 #include "frame/hidden/hidden_surfaces.h"
+#include "text/catalogue.h"
 #include "visibility/difference.h"
 
 namespace viewing {
@@ -114,7 +115,7 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
     std::vector<std::uint8_t> of_pairs(seen.ids.size(), 0);
     for (const FlatPair& pair : pairs) {
         const std::vector<std::uint8_t> met = exact.where_both_are_met(pair);
-        if (is_cancelled(progress)) return Error{"The count was cancelled."};
+        if (is_cancelled(progress)) return Error{tr("The count was cancelled.")};
         CountedPair counted{.pair = pair};
         for (int y = 0; y < seen.height; ++y) {
             for (int x = 0; x < seen.width; ++x) {

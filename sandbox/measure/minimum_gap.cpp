@@ -5,6 +5,7 @@
 
 #include "geometry/shapes.h"
 #include "measure/fighting_measure.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -61,7 +62,7 @@ struct MinimumGapSearch::Implementation {
         found.distance = far_end_of_a_code(coding, std::clamp(distance, lens.near, lens.far));
         room = (found.distance - lens.near) * share_of_room;
         if (!(room > 0.0)) {
-            end("Nothing fits between the near plane and the pair.");
+            end(tr("Nothing fits between the near plane and the pair."));
             return;
         }
         sine = std::min(std::sin(glm::radians(most_turned_deg)), 0.2 * room / half_side(lens, found.distance));
@@ -93,7 +94,7 @@ struct MinimumGapSearch::Implementation {
                     wide = gap;
                     gap /= 2.0;
                 } else if (gap >= room) {
-                    end("Not even a surface next to the near plane is told apart everywhere.");
+                    end(tr("Not even a surface next to the near plane is told apart everywhere."));
                 } else {
                     gap = std::min(2.0 * gap, room);
                 }
@@ -104,7 +105,7 @@ struct MinimumGapSearch::Implementation {
                     narrow = gap;
                     gap = std::sqrt(narrow * wide);
                 } else if (gap < found.distance * narrowest) {
-                    end("However narrow the gap, no pixel was wrong.");
+                    end(tr("However narrow the gap, no pixel was wrong."));
                 } else {
                     wide = gap;
                     gap /= 2.0;

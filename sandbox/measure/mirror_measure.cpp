@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "text/catalogue.h"
+
 namespace viewing {
 namespace {
 
@@ -53,7 +55,7 @@ Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& wh
 /// Lays what differs over the picture.
 void show_difference(FramePlan& frame, DifferenceDrawing drawing) {
     frame.hidden.difference = std::make_shared<const DifferenceDrawing>(std::move(drawing));
-    frame.passes.push_back(difference_pass("red where the picture differs from the first way's, a veil elsewhere"));
+    frame.passes.push_back(difference_pass(tr("red where the picture differs from the first way's, a veil elsewhere")));
 }
 
 }  // namespace

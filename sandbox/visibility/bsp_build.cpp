@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "text/catalogue.h"
 #include "visibility/bsp.h"
 
 namespace viewing {
@@ -35,7 +36,7 @@ public:
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
         if (!all.empty()) rests_.push_back({std::move(all), -1, false});
         while (!rests_.empty()) {
-            if (is_cancelled(progress)) tree_.problem = "The BSP tree is not finished: it was cancelled.";
+            if (is_cancelled(progress)) tree_.problem = tr("The BSP tree is not finished: it was cancelled.");
             grow();
             report(progress, static_cast<double>(tree_.fragments.size()) / live_count());
         }
@@ -142,8 +143,9 @@ private:
         node.back_count = static_cast<int>(children.back.size());
         tree_.counters.splits += node.split_count;
         if (live_count() > options_.max_fragments && tree_.problem.empty()) {
-            tree_.problem = "The BSP tree stopped at its budget of " + std::to_string(options_.max_fragments) +
-                            " fragments; what was left is drawn unsorted.";
+            tree_.problem =
+                say("The BSP tree stopped at its budget of {count} fragments; what was left is drawn unsorted.",
+                    "count"_a = options_.max_fragments);
         }
         return own;
     }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/camera.h"
+#include "text/catalogue.h"
 #include "visibility/difference.h"
 #include "visibility/ray_cast.h"
 #include "visibility/software_zbuffer.h"
@@ -38,11 +38,11 @@ bool is_finite(const Orbit& orbit, const OrbitView& view) {
 const char* name_of(PainterKey key) {
     switch (key) {
         case PainterKey::nearest:
-            return "the nearest vertex";
+            return tr("the nearest vertex");
         case PainterKey::farthest:
-            return "the farthest vertex";
+            return tr("the farthest vertex");
         case PainterKey::centroid:
-            return "the centroid";
+            return tr("the centroid");
     }
     return "";
 }
@@ -124,22 +124,24 @@ private:
 };
 
 std::string sentence_of(const FailureView& result, PainterKey key) {
-    char text[240];
-    if (result.found) {
-        std::snprintf(text, sizeof text,
-                      "Sorting by %s draws %lld of %lld pixels wrong at yaw %.1f°, pitch %.1f°; %d views were tried%s.",
-                      name_of(key), static_cast<long long>(result.wrong_pixels),
-                      static_cast<long long>(result.compared), result.view.yaw_deg, result.view.pitch_deg,
-                      result.views_tried, result.cancelled ? " before the search was cancelled" : "");
-    } else if (result.cancelled) {
-        std::snprintf(text, sizeof text,
-                      "The search was cancelled after %d views; sorting by %s was right in all of them.",
-                      result.views_tried, name_of(key));
-    } else {
-        std::snprintf(text, sizeof text, "No view was found where sorting by %s fails: %d views were tried.",
-                      name_of(key), result.views_tried);
-    }
-    return text;
+    const char* const key_name = name_of(key);
+    if (!result.found && result.cancelled)
+        return say("The search was cancelled after {views} views; sorting by {key} was right in all of them.",
+                   "views"_a = result.views_tried, "key"_a = key_name);
+    if (!result.found)
+        return say("No view was found where sorting by {key} fails: {views} views were tried.", "key"_a = key_name,
+                   "views"_a = result.views_tried);
+    const char* const sentence = result.cancelled
+                                     ? marked(
+                                           "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
+                                           "{pitch}°; {views} views were tried before the search was cancelled.")
+                                     : marked(
+                                           "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
+                                           "{pitch}°; {views} views were tried.");
+    return say_with(sentence, fmt::make_format_args(
+                                  "key"_a = key_name, "wrong"_a = result.wrong_pixels, "all"_a = result.compared,
+                                  "yaw"_a = number_text(result.view.yaw_deg, 1),
+                                  "pitch"_a = number_text(result.view.pitch_deg, 1), "views"_a = result.views_tried));
 }
 
 }  // namespace
@@ -160,9 +162,9 @@ FailureView find_failure(std::span<const Polygon> polygons, const Orbit& orbit, 
     if (polygons.empty() || !has_pixels || !is_finite(orbit, options.start)) {
         FailureView nothing;
         nothing.view = options.start;
-        nothing.sentence = polygons.empty() ? "There are no polygons that could be sorted wrongly."
-                           : !has_pixels    ? "There are no pixels to compare."
-                                            : "The camera's orbit is not finite: no view was tried.";
+        nothing.sentence = polygons.empty() ? tr("There are no polygons that could be sorted wrongly.")
+                           : !has_pixels    ? tr("There are no pixels to compare.")
+                                            : tr("The camera's orbit is not finite: no view was tried.");
         return nothing;
     }
     FailureView result = Search(polygons, orbit, options, progress).run();

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "visibility/growth_bench.h"
 
 namespace viewing {
@@ -27,13 +27,17 @@ struct Share {
     double begin, size;
 };
 
-std::string of_polygons(int count) {
-    return grouped_number(count) + (count == 1 ? " polygon" : " polygons");
+std::string polygons_text(int count) {
+    return say_count(count, "{count} polygon", "{count} polygons");
 }
+
+/// Why a method is not tried any more.
+enum class TooMuch { nothing, polygons, time, missing_tree };
 
 /// A method's part in the whole: its rows so far, and whether it is worth another one.
 struct Candidate {
-    std::string too_much;  ///< a subordinate clause: why it is not tried any more; empty while it is
+    TooMuch too_much = TooMuch::nothing;
+    int too_many = 0;  ///< polygons with which that came out
     bool is_over = false;
 };
 
@@ -68,7 +72,7 @@ private:
             if (is_cancelled(progress_)) return false;
             const auto method = static_cast<GrowthMethod>(i);
             if (candidates_[i].is_over) continue;
-            if (!candidates_[i].too_much.empty()) {
+            if (candidates_[i].too_much != TooMuch::nothing) {
                 add_last_row(method, count);
                 continue;
             }
@@ -104,25 +108,47 @@ private:
         return std::move(*middle);
     }
 
-    std::string budget() const { return grouped_number(static_cast<std::int64_t>(request_.time_budget_ms)) + " ms"; }
+    std::string budget() const {
+        return say("{number} ms", "number"_a = grouped_number(static_cast<std::int64_t>(request_.time_budget_ms)));
+    }
 
     std::string stopped(const GrowthRow& row) const {
-        return "With " + of_polygons(row.polygons) + " " + std::string(growth_method_name(row.method)) +
-               " stopped after its " + budget() + ".";
+        return say("With {polygons} {method} stopped after its {budget}.", "polygons"_a = polygons_text(row.polygons),
+                   "method"_a = tr_part(growth_method_name(row.method)), "budget"_a = budget());
     }
 
     /// Whether the method shall be tried again.
     void judge(const GrowthRow& row) {
         Candidate& candidate = candidates_[static_cast<std::size_t>(row.method)];
+        candidate.too_many = row.polygons;
         if (!row.problem.empty()) {
-            candidate.too_much = of_polygons(row.polygons) + " were too many for its budget";
+            candidate.too_much = TooMuch::polygons;
         } else if (row.time_ms > request_.time_budget_ms) {
-            candidate.too_much = of_polygons(row.polygons) + " took longer than " + budget();
+            candidate.too_much = TooMuch::time;
         }
         const bool is_build = row.method == GrowthMethod::bsp_build;
         if (is_build && !row.problem.empty()) {
-            candidates_[static_cast<std::size_t>(GrowthMethod::bsp_walk)].too_much = "the tree was not finished";
+            candidates_[static_cast<std::size_t>(GrowthMethod::bsp_walk)].too_much = TooMuch::missing_tree;
         }
+    }
+
+    std::string not_tried(const Candidate& candidate, GrowthMethod method, int count) const {
+        const std::string from = polygons_text(count), many = polygons_text(candidate.too_many);
+        const std::string_view name = tr_part(growth_method_name(method));
+        switch (candidate.too_much) {
+            case TooMuch::polygons:
+                return say("From {polygons} on {method} was not tried: {too_many} were too many for its budget.",
+                           "polygons"_a = from, "method"_a = name, "too_many"_a = many);
+            case TooMuch::time:
+                return say("From {polygons} on {method} was not tried: {too_many} took longer than {budget}.",
+                           "polygons"_a = from, "method"_a = name, "too_many"_a = many, "budget"_a = budget());
+            case TooMuch::missing_tree:
+                return say("From {polygons} on {method} was not tried: the tree was not finished.", "polygons"_a = from,
+                           "method"_a = name);
+            case TooMuch::nothing:
+                break;
+        }
+        return "";
     }
 
     void add_last_row(GrowthMethod method, int count) {
@@ -131,8 +157,7 @@ private:
         add({.method = method,
              .polygons = count,
              .operation_name = growth_operation_name(method),
-             .problem = "From " + of_polygons(count) + " on " + std::string(growth_method_name(method)) +
-                        " was not tried: " + candidate.too_much + "."});
+             .problem = not_tried(candidate, method, count)});
     }
 
     void add(GrowthRow row) {

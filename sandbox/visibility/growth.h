@@ -20,7 +20,7 @@ namespace viewing {
 enum class GrowthMethod { painter, newell, bsp_build, bsp_walk, z_buffer, ray_casting };
 inline constexpr std::size_t growth_method_count = 6;
 
-/// As in the middle of a sentence: "the software z-buffer".
+/// As in the middle of a sentence: "the software z-buffer"; in English, tr_part() for a person.
 std::string_view growth_method_name(GrowthMethod method);
 
 /// What the method does most often, in the plural: "pixels tested".

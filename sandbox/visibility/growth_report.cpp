@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "visibility/growth.h"
 
 namespace viewing {
@@ -72,14 +72,20 @@ std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
     return reigns;
 }
 
-/// Where it wins, as to the whole list: "up to 30 polygons".
-std::string range_of(const Reign& reign, std::span<const Reign> all) {
-    const std::string first = grouped_number(reign.first), last = grouped_number(reign.last);
-    const std::string polygons = reign.last == 1 ? " polygon" : " polygons";
-    if (all.size() > 1 && &reign == &all.front()) return "up to " + last + polygons;
-    if (all.size() > 1 && &reign == &all.back()) return "from " + first + " on";
-    if (reign.first == reign.last) return "with " + last + polygons;
-    return "from " + first + " to " + last + polygons;
+/// Who wins and where, as a part of the whole list: "ray casting up to 30 polygons".
+std::string reign_text(const Reign& reign, std::span<const Reign> all) {
+    const std::string_view name = tr_part(growth_method_name(reign.method));
+    const std::string first = grouped_number(reign.first);
+    if (all.size() > 1 && &reign == &all.front())
+        return say_count(reign.last, "{method} up to {count} polygon", "{method} up to {count} polygons",
+                         "method"_a = name);
+    if (all.size() > 1 && &reign == &all.back())
+        return say("{method} from {first} on", "method"_a = name, "first"_a = first);
+    if (reign.first == reign.last)
+        return say_count(reign.last, "{method} with {count} polygon", "{method} with {count} polygons",
+                         "method"_a = name);
+    return say("{method} from {first} to {last} polygons", "method"_a = name, "first"_a = first,
+               "last"_a = grouped_number(reign.last));
 }
 
 /// How many times as long ten times as many polygons take, by the method's last sound row and the last one before it
@@ -98,32 +104,33 @@ std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMeth
 }
 
 std::string growth_of_times(std::span<const GrowthRow> rows) {
-    std::string text;
+    std::string list;
     for (std::size_t i = 0; i < growth_method_count; ++i) {
         const auto method = static_cast<GrowthMethod>(i);
         const auto factor = tenfold_factor(rows, method);
         if (!factor) continue;
         const std::string times = grouped_number(std::llround(*factor));
-        text += text.empty()
-                    ? " At the end of the curves ten times as many polygons take " + times + " times as long for "
-                    : ", " + times + " times for ";
-        text += growth_method_name(method);
+        const std::string_view name = tr_part(growth_method_name(method));
+        list += list.empty() ? say("{times} times as long for {method}", "times"_a = times, "method"_a = name)
+                             : ", " + say("{times} times for {method}", "times"_a = times, "method"_a = name);
     }
-    return text.empty() ? text : text + '.';
+    if (list.empty()) return "";
+    return say("At the end of the curves ten times as many polygons take {list}.", "list"_a = list);
 }
 
 }  // namespace
 
 std::string_view growth_method_name(GrowthMethod method) {
-    constexpr std::array<std::string_view, growth_method_count> names{"the painter's algorithm", "Newell's sort",
-                                                                      "building the BSP tree",   "walking the BSP tree",
-                                                                      "the software z-buffer",   "ray casting"};
+    constexpr std::array<std::string_view, growth_method_count> names{
+        marked("the painter's algorithm"), marked("Newell's sort"),         marked("building the BSP tree"),
+        marked("walking the BSP tree"),    marked("the software z-buffer"), marked("ray casting")};
     return names[static_cast<std::size_t>(method)];
 }
 
 std::string_view growth_operation_name(GrowthMethod method) {
     constexpr std::array<std::string_view, growth_method_count> names{
-        "comparisons", "pair tests", "plane tests", "nodes visited", "pixels tested", "box and triangle tests"};
+        marked("comparisons"),   marked("pair tests"),    marked("plane tests"),
+        marked("nodes visited"), marked("pixels tested"), marked("box and triangle tests")};
     return names[static_cast<std::size_t>(method)];
 }
 
@@ -149,16 +156,14 @@ std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int p
 std::string growth_summary(std::span<const GrowthRow> rows) {
     const std::vector<Reign> reigns = reigns_of(rows);
     if (reigns.empty()) return {};
-    std::string text = "Fastest of the methods that are always right: ";
-    for (const Reign& reign : reigns) {
-        if (&reign != &reigns.front()) text += ", ";
-        text += std::string(growth_method_name(reign.method)) + ' ' + range_of(reign, reigns);
-    }
-    text += '.';
+    std::string list;
+    for (const Reign& reign : reigns) list += (list.empty() ? "" : ", ") + reign_text(reign, reigns);
+    std::string text = say("Fastest of the methods that are always right: {list}.", "list"_a = list);
     const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
-    if (walk_wins) text += " The tree is built beforehand, once for every eye.";
-    return text + growth_of_times(rows);
+    if (walk_wins) text += std::string(" ") + tr("The tree is built beforehand, once for every eye.");
+    const std::string growth = growth_of_times(rows);
+    return growth.empty() ? text : text + " " + growth;
 }
 
 }  // namespace viewing

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "text/catalogue.h"
 #include "visibility/projected.h"
 
 namespace viewing {
@@ -33,7 +34,8 @@ public:
 
     NewellOrder run(WorkProgress* progress) {
         while (!list_.empty() && result_.problem.empty()) {
-            if (is_cancelled(progress)) stop("was cancelled");
+            if (is_cancelled(progress))
+                stop(tr("Newell's sort was cancelled; the rest is drawn by its farthest vertices."));
             draw_next();
             const double drawn = static_cast<double>(result_.order.size());
             report(progress, drawn / (drawn + static_cast<double>(list_.size())));
@@ -78,9 +80,7 @@ private:
         result_.fragments.push_back(std::move(polygon));
     }
 
-    void stop(const std::string& why) {
-        result_.problem = "Newell's sort " + why + "; the rest is drawn by its farthest vertices.";
-    }
+    void stop(std::string why) { result_.problem = std::move(why); }
 
     void record(const NewellStep& step) {
         if (result_.steps.size() < options_.max_steps) {
@@ -132,7 +132,10 @@ private:
             const int q = list_[place];
             if (q == p) continue;
             if (++result_.counters.pairs > options_.max_pairs) {
-                stop("stopped at its budget of " + std::to_string(options_.max_pairs) + " comparisons");
+                stop(
+                    say("Newell's sort stopped at its budget of {count} comparisons; the rest is drawn by its farthest "
+                        "vertices.",
+                        "count"_a = options_.max_pairs));
                 return {};
             }
             const NewellTest test = first_passed(p, q);
@@ -203,7 +206,9 @@ private:
         if (!result_.problem.empty()) return false;
         if (side_of_plane(result_.fragments[fragment], plane, epsilon_) != PlaneSide::spanning) return false;
         if (static_cast<int>(list_.size() + result_.order.size()) >= options_.max_fragments) {
-            stop("stopped at its budget of " + std::to_string(options_.max_fragments) + " fragments");
+            stop(say(
+                "Newell's sort stopped at its budget of {count} fragments; the rest is drawn by its farthest vertices.",
+                "count"_a = options_.max_fragments));
             return false;
         }
         ++result_.counters.splits;

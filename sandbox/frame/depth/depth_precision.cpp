@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -67,11 +67,17 @@ PrecisionCurves precision_curves(const Params& params, const Derived& derived) {
 }
 
 std::string short_name(DepthFormat format, DepthMapping mapping) {
-    static constexpr const char* mappings[] = {" bit", " rev", " log"};
     const DepthPrecision precision = precision_of(format);
-    if (precision.is_float && mapping == DepthMapping::standard) return "float";
-    return (precision.is_float ? "float" : std::to_string(precision.bits)) +
-           mappings[static_cast<std::size_t>(mapping)];
+    const std::string bits = precision.is_float ? tr("float") : std::to_string(precision.bits);
+    switch (mapping) {
+        case DepthMapping::standard:
+            return precision.is_float ? bits : say("{bits} bit", "bits"_a = bits);
+        case DepthMapping::reversed:
+            return say("{format} rev", "format"_a = bits);
+        case DepthMapping::logarithmic:
+            return say("{format} log", "format"_a = bits);
+    }
+    return bits;
 }
 
 DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, int most_ticks) {
@@ -91,14 +97,15 @@ DepthCodes depth_codes(const Lens& lens, DepthMapping mapping, const DepthPrecis
 
 std::string codes_sentence(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision) {
     if (!precision.is_float)
-        return "Half of all codes lie between near and z = " +
-               figures(distance_of_window_depth(lens, mapping, 0.5), 3) + ".";
+        return say("Half of all codes lie between near and z = {z}.",
+                   "z"_a = figures(distance_of_window_depth(lens, mapping, 0.5), 3));
     const double middle = 0.5 * (lens.near + lens.far);
     const std::uint32_t code =
         std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(window_depth(lens, mapping, middle), 0.0, 1.0)));
     const std::uint32_t farther = mapping == DepthMapping::reversed ? code : code_of_one - code;
-    return "Of the " + grouped_number(code_of_one) + " floats from 0 to 1, " + grouped_number(farther) +
-           " lie in the farther half of the way, beyond z = " + figures(middle, 3) + ".";
+    return say("Of the {all} floats from 0 to 1, {farther} lie in the farther half of the way, beyond z = {z}.",
+               "all"_a = grouped_number(code_of_one), "farther"_a = grouped_number(farther),
+               "z"_a = figures(middle, 3));
 }
 
 }  // namespace viewing

@@ -5,31 +5,32 @@
 namespace viewing {
 namespace {
 
-void say_tests(Sayer& say, const DepthParams& depth) {
+void say_tests(Sayer& tell, const DepthParams& depth) {
     if (!depth.test) {
-        say.broken(true,
-                   "depth test off: whatever is drawn last wins, and no depth is written either, so the depth buffer "
-                   "stays as it was cleared",
-                   "depth.test=true");
+        tell.broken(true,
+                    tr("depth test off: whatever is drawn last wins, and no depth is written either, so the depth "
+                       "buffer stays as it was cleared"),
+                    "depth.test=true");
         return;
     }
-    say.broken(depth.func == CompareFunc::always,
-               "GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same",
-               "depth.func=less");
-    say.broken(depth.func == CompareFunc::notequal,
-               "GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already",
-               "depth.func=less");
-    say.broken(depth.func == CompareFunc::never, "GL_NEVER: no fragment passes", "depth.func=less");
+    tell.broken(
+        depth.func == CompareFunc::always,
+        tr("GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same"),
+        "depth.func=less");
+    tell.broken(depth.func == CompareFunc::notequal,
+                tr("GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already"),
+                "depth.func=less");
+    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), "depth.func=less");
     const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
-    say.broken(wants_farther && !clears_to_near,
-               "only what is farther passes, and nothing is farther than what the buffer is cleared to",
-               "depth.func=less");
-    say.broken(depth.func == CompareFunc::equal, "GL_EQUAL: only what has the very depth that is stored already passes",
-               "depth.func=less");
-    say.broken(!depth.write,
-               "depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later",
-               "depth.write=true");
+    tell.broken(wants_farther && !clears_to_near,
+                tr("only what is farther passes, and nothing is farther than what the buffer is cleared to"),
+                "depth.func=less");
+    tell.broken(depth.func == CompareFunc::equal,
+                tr("GL_EQUAL: only what has the very depth that is stored already passes"), "depth.func=less");
+    tell.broken(!depth.write,
+                tr("depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later"),
+                "depth.write=true");
 }
 
 /// Whether surfaces are compared by being nearer, as they should be.
@@ -37,81 +38,74 @@ bool wants_nearer(const DepthParams& depth) {
     return depth.test && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);
 }
 
-void say_clears(Sayer& say, const DepthParams& depth) {
+void say_clears(Sayer& tell, const DepthParams& depth) {
     if (!wants_nearer(depth)) return;
-    say.broken(!depth.clear, "depth is not cleared: the depths of the frame before go on hiding what is drawn now",
-               "depth.clear=true");
-    say.broken(
-        depth.clear && !depth.write_while_clearing,
-        "glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on hiding what "
-        "is drawn now",
-        "depth.write_while_clearing=true");
+    tell.broken(!depth.clear, tr("depth is not cleared: the depths of the frame before go on hiding what is drawn now"),
+                "depth.clear=true");
+    tell.broken(depth.clear && !depth.write_while_clearing,
+                tr("glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on "
+                   "hiding what is drawn now"),
+                "depth.write_while_clearing=true");
 }
 
-void say_mappings(Sayer& say, const DepthParams& depth, const Derived& derived) {
-    say.broken(
-        depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
-        "the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide or show what "
-        "they should not",
-        "depth.logarithm_per_vertex=false");
+void say_mappings(Sayer& tell, const DepthParams& depth, const Derived& derived) {
+    tell.broken(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
+                tr("the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide "
+                   "or show what they should not"),
+                "depth.logarithm_per_vertex=false");
     if (depth.mapping != DepthMapping::reversed) return;
-    say.broken(
-        !derived.clip_zero_to_one,
-        depth.reversed_zero_to_one
-            ? "this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds a float's "
-              "fine steps near 0 away, and little is won"
-            : "reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's fine steps "
-              "near 0 away, and little is won");
-    say.broken(
-        !depth.reversed_clear && wants_nearer(depth),
-        "reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and nothing is "
-        "drawn",
-        "depth.reversed_clear=true");
-    say.broken(
-        !depth.reversed_offset,
-        "with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it should pull "
-        "nearer",
-        "depth.reversed_offset=true");
+    tell.broken(!derived.clip_zero_to_one,
+                depth.reversed_zero_to_one
+                    ? tr("this driver has no glClipControl: reversed depth keeps the clip range −1 to 1, which rounds "
+                         "a float's fine steps near 0 away, and little is won")
+                    : tr("reversed depth in a clip range of −1 to 1: halving it and adding a half rounds a float's "
+                         "fine steps near 0 away, and little is won"));
+    tell.broken(!depth.reversed_clear && wants_nearer(depth),
+                tr("reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and "
+                   "nothing is drawn"),
+                "depth.reversed_clear=true");
+    tell.broken(!depth.reversed_offset,
+                tr("with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it "
+                   "should pull nearer"),
+                "depth.reversed_offset=true");
 }
 
-void say_decals(Sayer& say, const Params& params, const Derived& derived, const Scene& scene) {
+void say_decals(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || !has_decals(scene)) return;
-    say.broken(
-        method == DecalMethod::equal,
-        "GL_EQUAL: a decal passes only where its triangles round to the very depth of what they lie on; with triangles "
-        "of its own it stipples");
+    tell.broken(method == DecalMethod::equal, tr("GL_EQUAL: a decal passes only where its triangles round to the very "
+                                                 "depth of what they lie on; with triangles of its own it stipples"));
     for (std::size_t i = 0; i < derived.object_marks.size(); ++i)
         if (scene.objects[i].description.decal && derived.object_marks[i] == 0)
-            return say.broken(true, "a decal that lies on no flat object has no mark to be drawn at, and is left out");
+            return tell.broken(true,
+                               tr("a decal that lies on no flat object has no mark to be drawn at, and is left out"));
 }
 
 /// What is left out of the picture, or out of its quality, without being wrong.
-void say_omissions(Sayer& say, const Params& params) {
-    say.broken(params.view.call >= 0,
-               "the frame is drawn only as far as the step of the cell view: release it there, or undo",
-               "view.call=-1");
-    say.broken(params.view.pass >= 0,
-               "the frame is drawn only as far as one of its passes: release it in the list of passes, or undo",
-               "view.pass=-1");
+void say_omissions(Sayer& tell, const Params& params) {
+    tell.broken(params.view.call >= 0,
+                tr("the frame is drawn only as far as the step of the cell view: release it there, or undo"),
+                "view.call=-1");
+    tell.broken(params.view.pass >= 0,
+                tr("the frame is drawn only as far as one of its passes: release it in the list of passes, or undo"),
+                "view.pass=-1");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
-    say.broken(
-        params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
-        "16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, so there "
-        "is no multisampling");
+    tell.broken(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
+                tr("16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, "
+                   "so there is no multisampling"));
 }
 
 }  // namespace
 
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene) {
-    Sayer say(problems, "depth");
-    if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(say, params);
+    Sayer tell(problems, "depth");
+    if (is_drawn_by_gl_alone(params.visibility.method)) say_omissions(tell, params);
     if (params.visibility.method != VisibilityMethod::depth_buffer) return;
-    say_tests(say, params.depth);
-    say_clears(say, params.depth);
-    say_mappings(say, params.depth, derived);
-    say_decals(say, params, derived, scene);
+    say_tests(tell, params.depth);
+    say_clears(tell, params.depth);
+    say_mappings(tell, params.depth, derived);
+    say_decals(tell, params, derived, scene);
 }
 
 }  // namespace viewing

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "frame/depth/depth_precision.h"
-#include "text/numbers.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -117,21 +117,30 @@ Change change_of(const Params& params, const Derived& derived, double near, doub
     return change;
 }
 
-/// "the safe gap at z = 80 would be 0.0002 in place of 0.6, 3500 times finer."
-std::string told(const Change& change) {
+NearAdvice advice_where_cut(const Params& params, const Derived& derived, const SeenThing& nearest, double z) {
+    const std::string near_now = figures(params.projection.near, 3);
+    const double near = nearest.nearest > 0.0 ? rounded_down(margin * nearest.nearest) : 0.0;
+    if (near < least_near)
+        return {true, std::nullopt,
+                say("near = {near} cuts into {object}, which reaches up to the eye: no near would keep it whole.",
+                    "near"_a = near_now, "object"_a = nearest.name)};
+    const Change change = change_of(params, derived, near, z);
     const bool is_finer = change.then < change.now;
     const double factor = is_finer ? change.now / change.then : change.then / change.now;
-    return "the safe gap at z = " + figures(change.z) + " would be " + figures(change.then) + " in place of " +
-           figures(change.now) + ", " + figures(factor) + " times " + (is_finer ? "finer." : "coarser.");
-}
-
-NearAdvice advice_where_cut(const Params& params, const Derived& derived, const SeenThing& nearest, double z) {
-    const std::string cuts = "near = " + figures(params.projection.near, 3) + " cuts into " + nearest.name + ", which ";
-    const double near = nearest.nearest > 0.0 ? rounded_down(margin * nearest.nearest) : 0.0;
-    if (near < least_near) return {true, std::nullopt, cuts + "reaches up to the eye: no near would keep it whole."};
+    const char* const sentence =
+        is_finer
+            ? marked(
+                  "near = {near} cuts into {object}, which comes as near as {nearest}: near = {better} would keep it "
+                  "whole, and the safe gap at z = {z} would be {then} in place of {now}, {factor} times finer.")
+            : marked(
+                  "near = {near} cuts into {object}, which comes as near as {nearest}: near = {better} would keep it "
+                  "whole, and the safe gap at z = {z} would be {then} in place of {now}, {factor} times coarser.");
     return {true, near,
-            cuts + "comes as near as " + figures(rounded_down(nearest.nearest)) + ": near = " + figures(near) +
-                " would keep it whole, and " + told(change_of(params, derived, near, z))};
+            say_with(sentence, fmt::make_format_args("near"_a = near_now, "object"_a = nearest.name,
+                                                     "nearest"_a = figures(rounded_down(nearest.nearest)),
+                                                     "better"_a = figures(near), "z"_a = figures(z),
+                                                     "then"_a = figures(change.then), "now"_a = figures(change.now),
+                                                     "factor"_a = figures(factor)))};
 }
 
 }  // namespace
@@ -145,7 +154,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
     for (const SceneObject& object : scene.objects)
         take(object.description.name, reach_of(*object.mesh, derived.view_from_world * object.world_from_model, view),
              false);
-    take("the plane", reach_of(derived.patch, derived.view_from_world, view), true);
+    take(tr("the plane"), reach_of(derived.patch, derived.view_from_world, view), true);
     return seen;
 }
 
@@ -199,8 +208,11 @@ std::optional<NearAdvice> near_advice(const Params& params, const Derived& deriv
     const Change change = change_of(params, derived, near, z);
     if (!(change.now >= least_gain * change.then)) return std::nullopt;
     return NearAdvice{false, near,
-                      "Nothing is nearer than " + figures(rounded_down(nearest.nearest)) +
-                          ": with near = " + figures(near) + " " + told(change)};
+                      say("Nothing is nearer than {nearest}: with near = {near} the safe gap at z = {z} would be "
+                          "{then} in place of {now}, {factor} times finer.",
+                          "nearest"_a = figures(rounded_down(nearest.nearest)), "near"_a = figures(near),
+                          "z"_a = figures(change.z), "then"_a = figures(change.then), "now"_a = figures(change.now),
+                          "factor"_a = figures(change.now / change.then))};
 }
 
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene) {

@@ -32,8 +32,8 @@ namespace {
 Pass without_marks(const Pass& objects) {
     Pass pass = objects;
     fill_picture(pass, 0.0, 1.0);
-    pass.name = "Clear marks";
-    pass.reason = "clears the stencil of the planes' marks, which must not be taken for those of objects";
+    pass.name = tr("Clear marks");
+    pass.reason = tr("clears the stencil of the planes' marks, which must not be taken for those of objects");
     pass.color_write = false;
     pass.depth = without_depth;
     pass.stencil = wipes_marks();
@@ -52,8 +52,8 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     Pass& objects = *found;
     objects.chosen = Chosen::bases;
     Pass decals = objects;
-    decals.name = "Decals";
-    decals.reason = "draws decals where the depth is that of what they lie on";
+    decals.name = tr("Decals");
+    decals.reason = tr("draws decals where the depth is that of what they lie on");
     decals.chosen = Chosen::decals;
     decals.depth.write = false;
     decals.offset = DepthOffset{};
@@ -62,7 +62,7 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     } else {
         objects.marks_objects = decals.marks_objects = true;  // in place of 0 below
         objects.stencil = marks(0);
-        decals.reason = "draws decals where the stencil says that what they lie on is seen: no depth decides";
+        decals.reason = tr("draws decals where the stencil says that what they lie on is seen: no depth decides");
         decals.depth.test = false;
         decals.stencil = exactly(0);
     }

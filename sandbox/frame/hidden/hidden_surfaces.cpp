@@ -7,6 +7,7 @@
 
 #include "frame/hidden/hidden_steps.h"
 #include "frame/hidden/method_choices.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -170,7 +171,7 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
                    [](int id) { return id != IdImage::background ? 1U : 0U; });
     result.image = std::move(cast.image);
     if (is_cancelled(progress)) {
-        result.problem = "Ray casting was cancelled: the rest of the picture is empty.";
+        result.problem = tr("Ray casting was cancelled: the rest of the picture is empty.");
         rays_ = {};
     }
 }
@@ -243,7 +244,7 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     }
     result->is_cancelled = is_cancelled(progress);
     if (result->is_cancelled) {
-        if (result->problem.empty()) result->problem = "The method was cancelled: the picture is not finished.";
+        if (result->problem.empty()) result->problem = tr("The method was cancelled: the picture is not finished.");
         return result;
     }
     constexpr std::size_t kept_count = 4;  // camera and mirrored eye, for two methods that are compared

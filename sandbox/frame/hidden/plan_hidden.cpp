@@ -1,6 +1,7 @@
 // Hidden-surface methods as passes. The plane's patch is none of their polygons, so it divides the scene as the root of
 // a BSP tree would: what lies beyond its plane first, the patch, then what lies before it. Read gl_text.cpp next.
 #include "frame/plan.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -19,16 +20,16 @@ bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
 }
 
 const char* reason_of(Subject subject) {
-    return subject == Subject::pixels ? "shades the surface that the method found for each pixel"
-                                      : "draws the polygons one over the other, in the order that the method found";
+    return subject == Subject::pixels ? tr("shades the surface that the method found for each pixel")
+                                      : tr("draws the polygons one over the other, in the order that the method found");
 }
 
 void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
     Pass beyond = passes.back();
-    beyond.name = "Objects beyond the plane";
+    beyond.name = tr("Objects beyond the plane");
     beyond.clip_planes = {-towards_eye};
-    passes.back().name = "Objects before the plane";
+    passes.back().name = tr("Objects before the plane");
     passes.back().clip_planes = {towards_eye};
     // A mirror lets its image through, and must not let through what stands behind it: there the mask keeps it out.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
@@ -40,7 +41,7 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
 
 Pass difference_pass(const char* reason) {
     Pass pass;
-    pass.name = "Difference";
+    pass.name = tr("Difference");
     pass.reason = reason;
     pass.subject = Subject::difference;
     pass.shading = Shading::flat;
@@ -68,7 +69,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;
-    frame.passes.push_back(difference_pass("red where the two methods see different polygons, a veil elsewhere"));
+    frame.passes.push_back(difference_pass(tr("red where the two methods see different polygons, a veil elsewhere")));
 }
 
 void count_overdraw(FramePlan& frame) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "frame/matrix_facts.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -92,19 +93,21 @@ const char* sentence_of(ShadowRay ray) {
         case ShadowRay::regular:
             return "";
         case ShadowRay::point_in_plane:
-            return "p lies in the plane: it is its own shadow.";
+            return tr("p lies in the plane: it is its own shadow.");
         case ShadowRay::point_behind:
-            return "p lies behind the plane: the ray meets the plane first, so s is a false shadow.";
+            return tr("p lies behind the plane: the ray meets the plane first, so s is a false shadow.");
         case ShadowRay::beyond_light:
-            return "p is farther from the plane than the light: the line meets the plane behind the light, where w has "
-                   "the other sign, so s is an anti-shadow.";
+            return tr(
+                "p is farther from the plane than the light: the line meets the plane behind the light, where w has "
+                "the other sign, so s is an anti-shadow.");
         case ShadowRay::parallel:
-            return "The ray is parallel to the plane: w = 0, and s lies at infinity.";
+            return tr("The ray is parallel to the plane: w = 0, and s lies at infinity.");
         case ShadowRay::light_in_plane:
-            return "The light lies in the plane: S sends every point to the light itself, or to infinity if it is "
-                   "parallel. There is no shadow.";
+            return tr(
+                "The light lies in the plane: S sends every point to the light itself, or to infinity if it is "
+                "parallel. There is no shadow.");
         case ShadowRay::at_light:
-            return "p is where the light is: there is no ray.";
+            return tr("p is where the light is: there is no ray.");
     }
     return "";
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "frame/ground.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -52,7 +53,8 @@ Params mirrored_in(Params params, MirrorWay way) {
 }
 
 const char* name_of(MirrorWay way) {
-    static constexpr const char* names[] = {"clip distance", "no clipping", "oblique near plane", "mirrored camera"};
+    static constexpr const char* names[] = {marked("clip distance"), marked("no clipping"),
+                                            marked("oblique near plane"), marked("mirrored camera")};
     return names[static_cast<std::size_t>(way)];
 }
 

@@ -16,7 +16,7 @@ inline constexpr std::size_t mirror_way_count = 4;
 /// What the parameters are for one way; `camera` mirrors the camera and clips by distance.
 Params mirrored_in(Params params, MirrorWay way);
 
-/// "clip distance", "no clipping", "oblique near plane", "mirrored camera".
+/// "clip distance", "no clipping", "oblique near plane", "mirrored camera": in English, tr() for a person.
 const char* name_of(MirrorWay way);
 
 /// One way beside the first one, which the others are compared with.

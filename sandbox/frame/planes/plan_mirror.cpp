@@ -83,7 +83,7 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     inside.mirror = mirror;
     inside.mirrors_met += 1;
     if (outside.derived.planes.size() > 1)
-        inside.place += (outside.is_real() ? " in mirror " : ", ") + std::to_string(mirror + 1);
+        inside.mirrors_name += (outside.is_real() ? "" : ", ") + std::to_string(mirror + 1);
     inside.region = outside.region_of(mirror);
     inside.flips_winding = !outside.flips_winding;
     inside.eye_scene = true_mirror * outside.eye_scene;
@@ -98,10 +98,10 @@ Level world_inside(const Level& outside, std::size_t mirror) {
 
 /// Colour and depth as the frame began with, where the mask is: something else has been drawn here before.
 Pass fresh_picture(const Level& level, std::size_t plane) {
-    Pass pass = level.pass("Fresh picture",
-                           "clears colour and depth inside the mask: what has been drawn there lies "
-                           "behind the mirror",
-                           Subject::backdrop);
+    Pass pass =
+        level.pass(tr("Fresh picture"),
+                   tr("clears colour and depth inside the mask: what has been drawn there lies behind the mirror"),
+                   Subject::backdrop);
     const Color background = ground_of(level.params.ui.theme).background;
     const bool reversed = level.params.depth.mapping == DepthMapping::reversed;
     const double far_clip = reversed ? (level.derived.clip_zero_to_one ? 0.0 : -1.0) : 1.0;
@@ -151,8 +151,8 @@ int reflection_depth(const Params& params, const Derived& derived) {
     return depth;
 }
 
-Pass patch_mask(const Level& level, std::size_t plane, const char* name, const char* reason) {
-    Pass pass = level.patch_pass(name, reason, plane);
+Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason) {
+    Pass pass = level.patch_pass(name, std::move(reason), plane);
     pass.shading = Shading::flat;
     pass.color_write = false;
     pass.depth.write = false;
@@ -168,8 +168,8 @@ void add_mirror_image(std::vector<Pass>& passes, const Level& level, std::size_t
         passes.push_back(objects_pass(inside));
         return;
     }
-    Pass mask = patch_mask(level, plane, "Mirror mask",
-                           "marks the patch in the stencil buffer, so that the image stays inside the mirror");
+    Pass mask = patch_mask(level, plane, {marked("Mirror mask"), marked("Mirror mask {plane}")},
+                           tr("marks the patch in the stencil buffer, so that the image stays inside the mirror"));
     mask.depth.write = reflection.mask_writes_depth;
     if (reflection.after_objects) mask.depth.test = false;
     passes.push_back(mask);

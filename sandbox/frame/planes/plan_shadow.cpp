@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "frame/plan_parts.h"
+#include "frame/say.h"
 
 namespace viewing {
 namespace {
@@ -46,11 +47,9 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
 }
 
 /// Casters flattened by S onto the plane, then seen as the level sees it.
-Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const std::string& name,
-                 const char* reason) {
+Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::string name, std::string reason) {
     const CastShadow& cast = level.plane(plane).shadows[light];
-    const std::string of = level.derived.lights_world.size() > 1 ? " of light " + std::to_string(light + 1) : "";
-    Pass pass = level.pass((name + of).c_str(), reason, Subject::objects);
+    Pass pass = level.pass(std::move(name), std::move(reason), Subject::objects);
     pass.plane = plane;
     pass.light = light;
     pass.shading = Shading::flat;
@@ -66,11 +65,9 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, const
 }
 
 std::string name_without(const Level& level, std::span<const std::size_t> missing) {
-    if (missing.empty()) return "Patch in the light";
-    if (level.derived.lights_world.size() == 1) return "Patch in shadow";
-    std::string lights;
-    for (const std::size_t light : missing) lights += (lights.empty() ? " " : ", ") + std::to_string(light + 1);
-    return "Patch without light" + lights;
+    if (missing.empty()) return tr("Patch in the light");
+    if (level.derived.lights_world.size() == 1) return tr("Patch in shadow");
+    return say("Patch without light {lights}", "lights"_a = numbers_name(missing));
 }
 
 }  // namespace
@@ -81,9 +78,11 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
     // Together the lights' shadows are as dark as the one shadow of a single light.
     const auto share = 1.0 / static_cast<double>(lights.size());
     const double opacity = lights.size() == 1 ? shadow.opacity : 1.0 - std::pow(1.0 - shadow.opacity, share);
+    const bool is_alone = level.derived.lights_world.size() == 1;
     for (const std::size_t light : lights) {
-        Pass pass =
-            shadow_pass(level, plane, light, "Shadow", "draws the casters once more through S, flat on the plane");
+        Pass pass = shadow_pass(level, plane, light,
+                                is_alone ? tr("Shadow") : say("Shadow of light {light}", "light"_a = light + 1),
+                                tr("draws the casters once more through S, flat on the plane"));
         pass.color = color_of(shadow.color, opacity);
         pass.blend = Blend::alpha;
         pass.depth.write = shadow.write_depth && level.params.depth.write;
@@ -97,13 +96,17 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
     const int region = level.region_of(plane);
     const bool mirrors = level.mirrors(plane);
     if (!(mirrors && level.params.reflection.stencil))
-        passes.push_back(patch_mask(level, plane, "Receiver mask",
-                                    "marks the patch in the stencil buffer as the receiver of shadows"));
+        passes.push_back(patch_mask(level, plane, {marked("Receiver mask"), marked("Receiver mask {plane}")},
+                                    tr("marks the patch in the stencil buffer as the receiver of shadows")));
     const std::vector<std::size_t> lights = level.casting_lights(plane);
+    const bool is_alone = level.derived.lights_world.size() == 1;
     std::vector<int> bits;
     for (const std::size_t light : lights) {
         const int bit = light_bit(level.params, light);
-        Pass mask = shadow_pass(level, plane, light, "Shadow mask", "marks where the light is missing: no colour yet");
+        Pass mask =
+            shadow_pass(level, plane, light,
+                        is_alone ? tr("Shadow mask") : say("Shadow mask of light {light}", "light"_a = light + 1),
+                        tr("marks where the light is missing: no colour yet"));
         mask.color_write = false;
         mask.depth.test = false;
         mask.stencil = counts_once(region, bit);
@@ -120,10 +123,10 @@ void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_
             if (is_missing) reference |= bits[i];
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
-        patch.name = name_without(level, missing) + level.place;
-        patch.reason = missing.empty()   ? "where the stencil is clear, the light arrives"
-                       : shining.empty() ? "where the stencil counts a caster, only ambient light arrives"
-                                         : "where the stencil counts these lights as missing, the others arrive";
+        patch.name = level.placed(name_without(level, missing));
+        patch.reason = missing.empty()   ? tr("where the stencil is clear, the light arrives")
+                       : shining.empty() ? tr("where the stencil counts a caster, only ambient light arrives")
+                                         : tr("where the stencil counts these lights as missing, the others arrive");
         patch.stencil = exactly(reference);
         passes.push_back(patch);
     }
