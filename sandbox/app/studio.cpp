@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "gl/dialect.h"
 #include "measure/hidden_answers.h"
 #include "measure/mirror_measure.h"
 #include "state/fields.h"
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "ui/window/fonts.h"
 #include "ui/window/theme.h"
 
@@ -38,20 +37,21 @@ std::string renderer_name() {
 
 /// Each part can be left out where the bar is narrow.
 std::vector<std::string> describe(const PixelReport& pixel) {
-    char text[160];
     std::vector<std::string> parts;
-    std::snprintf(text, sizeof text, "pixel (%d, %d)  #%02x%02x%02x", pixel.pixel.x, pixel.pixel.y, pixel.color.r,
-                  pixel.color.g, pixel.color.b);
-    parts.emplace_back(text);
-    parts.push_back(!pixel.written ? "background"
-                                   : pixel.object + (pixel.front_facing ? ", front face" : ", back face"));
-    if (pixel.written && pixel.has_depth) parts.push_back("eye z " + widgets::NumberText(pixel.eye_z, 3));
-    if (pixel.written && !pixel.has_depth) parts.emplace_back("depth as cleared");
-    std::snprintf(text, sizeof text, "z_window %.6f", pixel.window_depth);
-    parts.emplace_back(text);
-    parts.push_back("stored " + grouped_number(pixel.stored) +
-                    (pixel.precision.is_float ? " (float bits)" : " of 2" + raised_text(pixel.precision.bits) + "−1"));
-    parts.push_back("stencil " + std::to_string(pixel.stencil));
+    parts.push_back(say("pixel ({x}, {y})", "x"_a = pixel.pixel.x, "y"_a = pixel.pixel.y) +
+                    fmt::format("  #{:02x}{:02x}{:02x}", pixel.color.r, pixel.color.g, pixel.color.b));
+    const std::string& object = pixel.object;
+    parts.push_back(!pixel.written       ? tr("background")
+                    : pixel.front_facing ? say("{object}, front face", "object"_a = object)
+                                         : say("{object}, back face", "object"_a = object));
+    if (pixel.written && pixel.has_depth) parts.push_back(say("eye z {z}", "z"_a = number_text(pixel.eye_z, 3)));
+    if (pixel.written && !pixel.has_depth) parts.emplace_back(tr("depth as cleared"));
+    parts.push_back("z_window " + plain_decimals(pixel.window_depth, 6));
+    const std::string stored = grouped_number(pixel.stored);
+    parts.push_back(pixel.precision.is_float ? say("stored {code} (float bits)", "code"_a = stored)
+                                             : say("stored {code} of 2{bits}−1", "code"_a = stored,
+                                                   "bits"_a = raised_text(pixel.precision.bits)));
+    parts.push_back(say("stencil {value}", "value"_a = pixel.stencil));
     return parts;
 }
 
@@ -294,8 +294,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
             fighting_.update(renderer_, session.params, session.scene(), session.scene_version(), camera_px_,
                              !surroundings.shows_time, !session.is_moving() && !ImGui::IsAnyItemActive());
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
-    char time[32];
-    std::snprintf(time, sizeof time, "%5.1f ms", frame_ms_);
+    const std::string time = fmt::format("{:5.1f} ms", frame_ms_);
     const StatusLine status{renderer_name_, surroundings.shows_time ? time : "–", pixel_parts()};
     const Pictures pictures{texture_id(camera_),
                             texture_id(beside_),

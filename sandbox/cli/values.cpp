@@ -13,9 +13,8 @@ namespace {
 
 constexpr long long most_pixels = 64'000'000;
 
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-    Number number{};
+std::optional<int> parse_int(std::string_view text) {
+    int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return number;
@@ -25,8 +24,8 @@ std::optional<Number> parse(std::string_view text) {
 std::optional<glm::ivec2> parse_pair(const std::string& text, char between) {
     const std::size_t at = text.find(between);
     if (at == std::string::npos) return std::nullopt;
-    const std::optional<int> x = parse<int>(std::string_view(text).substr(0, at));
-    const std::optional<int> y = parse<int>(std::string_view(text).substr(at + 1));
+    const std::optional<int> x = parse_int(std::string_view(text).substr(0, at));
+    const std::optional<int> y = parse_int(std::string_view(text).substr(at + 1));
     if (!x || !y) return std::nullopt;
     return glm::ivec2(*x, *y);
 }
@@ -60,7 +59,7 @@ glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>
 }
 
 int whole_option(const Options& options, const char* name, const std::string& text, int min, int max) {
-    const std::optional<int> value = parse<int>(text);
+    const std::optional<int> value = parse_int(text);
     if (!value || *value < min || *value > max)
         options.refuse(std::string(name) + ": must be a whole number from " + std::to_string(min) + " to " +
                        std::to_string(max) + got(text));
@@ -68,7 +67,7 @@ int whole_option(const Options& options, const char* name, const std::string& te
 }
 
 double number_option(const Options& options, const char* name, const std::string& text, double min, double max) {
-    const std::optional<double> value = parse<double>(text);
+    const std::optional<double> value = parse_double(text);
     if (!value || !(*value >= min && *value <= max))
         options.refuse(std::string(name) + ": must be a number from " + format_number(min) + " to " +
                        format_number(max) + got(text));

@@ -1,23 +1,13 @@
 #include "ui/matrices/display_code.h"
 
-#include <cstdio>
 #include <string>
 
+#include "text/numbers.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
-namespace {
 
 using widgets::Role;
-
-/// A number as code has it.
-std::string literal(double value, int decimals) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, value);
-    return text;
-}
-
-}  // namespace
 
 void draw_display_code(const Params& params, const Derived& derived) {
     const CameraParams& camera = params.camera;
@@ -31,17 +21,18 @@ void draw_display_code(const Params& params, const Derived& derived) {
         ImGui::PopFont();
     };
     // 0 − x, since −x would print a zero as −0.
-    const auto opposite = [](double value, int decimals) { return literal(0.0 - value, decimals); };
-    const std::string range = literal(projection.near, 3) + ", " + literal(projection.far, 1) + ");";
+    const auto opposite = [](double value, int decimals) { return plain_decimals(0.0 - value, decimals); };
+    const std::string range = plain_decimals(projection.near, 3) + ", " + plain_decimals(projection.far, 1) + ");";
     const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
 
     line(Role::none, "void display() {");
     if (projection.type == ProjectionType::perspective)
-        line(Role::none, "  P = perspective(radians(" + literal(projection.fovy, 1) + "),\n      " +
-                             literal(derived.aspect, 3) + ", " + range);
+        line(Role::none, "  P = perspective(radians(" + plain_decimals(projection.fovy, 1) + "),\n      " +
+                             plain_decimals(derived.aspect, 3) + ", " + range);
     else
-        line(Role::none, "  P = ortho(" + literal(-half_width, 2) + ", " + literal(half_width, 2) + ",\n      " +
-                             literal(-half_height, 2) + ", " + literal(half_height, 2) + ", " + range);
+        line(Role::none, "  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) +
+                             ",\n      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) +
+                             ", " + range);
     line(Role::none, "  V = mat4(1);  // move the world instead:");
     line(Role::camera, "  W = rotate(radians(" + opposite(camera.roll, 1) + "), z)  // −roll");
     line(Role::camera, "    * rotate(radians(" + opposite(camera.pitch, 1) + "), x)  // −pitch");

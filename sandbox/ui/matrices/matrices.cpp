@@ -29,6 +29,11 @@ std::string identity_text(const char* identity, double residual) {
     return std::string(identity) + " ± 10⁻" + raised_text(exponent);
 }
 
+/// Where a small button at the right end of a row begins.
+float place_at_right(const char* button) {
+    return ImGui::GetContentRegionMax().x - std::max(px(52.0F), ImGui::CalcTextSize(tr(button)).x + px(16.0F));
+}
+
 void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
     struct Entry {
         const char* label;
@@ -41,7 +46,7 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
                                         {"LaTeX", MatrixFormat::latex},
                                         {marked("plain text"), MatrixFormat::text}};
     ImGui::PushID(id);
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    ImGui::SameLine(place_at_right("Copy"));
     if (widgets::SmallButton("Copy")) ImGui::OpenPopup("copy");
     widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
     if (ImGui::BeginPopup("copy")) {
@@ -99,7 +104,7 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     mark_changed(shown.cells, shown.now, shown.before);
     heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role);
     widgets::Tooltip(shown.name, shown.explains);
-    float right = ImGui::GetContentRegionMax().x - px(56.0F);
+    float right = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) {
         right -= ImGui::CalcTextSize(tr(button)).x + px(20.0F);
         ImGui::SameLine(right);
@@ -164,7 +169,7 @@ void followed_point(Session& session, const Derived& derived) {
             "from here.");
         return;
     }
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - px(52.0F));
+    ImGui::SameLine(place_at_right("Clear"));
     if (widgets::SmallButton("Clear")) session.params.follow.reset();
     const FollowedPoint& followed = *derived.followed;
     vector_line("p   ", followed.point_world, Role::point);

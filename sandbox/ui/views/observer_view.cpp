@@ -88,8 +88,11 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     const glm::dvec3 light = lamp_place(derived.lights_world.front(), derived);
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "l", palette().light);
+    const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
+    const char* brief = tr("the world moves by V = C⁻¹");
+    const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
     widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,
-                      tr("the camera stays, the world moves by V = C⁻¹: the same picture"));
+                      fits ? whole : brief);
 }
 
 }  // namespace viewing

@@ -22,7 +22,9 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
     view_header(rect, "");
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
-    if (widgets::Choice("##topic", topic, topic_names(), 0, std::min(px(190.0F), rect.width())))
+    const char* name = tr(topic_names()[static_cast<std::size_t>(topic)]);
+    const float wanted = ImGui::CalcTextSize(name).x + 2.0F * ImGui::GetStyle().FramePadding.x + px(19.0F);
+    if (widgets::Choice("##topic", topic, topic_names(), 0, std::min(std::max(px(190.0F), wanted), rect.width())))
         choose_topic(params, slot, static_cast<Topic>(topic));
     widgets::Tooltip(
         "What this view shows",
