@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

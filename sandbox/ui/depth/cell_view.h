@@ -4,7 +4,7 @@
 
 #include "frame/depth/depth_data.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 #include "widgets/diagrams.h"
 
 namespace viewing {

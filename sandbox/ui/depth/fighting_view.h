@@ -3,7 +3,7 @@
 
 #include "frame/depth/fighting_report.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

@@ -5,7 +5,7 @@
 #include "frame/depth/depth_data.h"
 #include "frame/derive.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

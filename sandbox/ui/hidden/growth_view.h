@@ -9,7 +9,7 @@
 
 #include "platform/background.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 #include "visibility/growth.h"
 
 namespace viewing {

@@ -3,7 +3,7 @@
 
 #include "session/session.h"
 #include "ui/hidden/polygon_links.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

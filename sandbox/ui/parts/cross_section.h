@@ -2,7 +2,7 @@
 // the same scale both ways.
 #pragma once
 
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

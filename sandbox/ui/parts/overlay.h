@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/ray.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 #include "widgets/widgets.h"
 
 namespace viewing {

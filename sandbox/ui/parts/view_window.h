@@ -1,7 +1,7 @@
 // A view that is drawn by the user interface alone: its window, and what it says where it has nothing to show.
 #pragma once
 
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frame/planes/derivation.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

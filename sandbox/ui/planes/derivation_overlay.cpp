@@ -3,9 +3,9 @@
 
 #include "frame/planes/derivation.h"
 #include "ui/parts/look.h"
+#include "ui/parts/topics.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
-#include "ui/window/topics.h"
 
 namespace viewing {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "frame/derive.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

@@ -6,7 +6,7 @@
 
 #include "frame/planes/mirror_ways.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

@@ -5,7 +5,7 @@
 
 #include "frame/plan.h"
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 #include "widgets/diagrams.h"
 
 namespace viewing {

@@ -12,11 +12,11 @@
 #include "ui/depth/cell_view.h"
 #include "ui/hidden/hidden_state.h"
 #include "ui/parts/handles.h"
+#include "ui/parts/input.h"
+#include "ui/parts/topics.h"
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
 #include "ui/views/observer_parts.h"
-#include "ui/window/input.h"
-#include "ui/window/topics.h"
 
 namespace viewing {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "session/session.h"
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 

@@ -1,4 +1,4 @@
-#include "ui/window/topics.h"
+#include "ui/parts/topics.h"
 
 #include "text/catalogue.h"
 

@@ -1,4 +1,4 @@
-#include "ui/window/layout.h"
+#include "ui/parts/layout.h"
 
 #include <algorithm>
 #include <cmath>
