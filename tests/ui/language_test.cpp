@@ -11,7 +11,7 @@
 #include "desk.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
-#include "ui/window/topics.h"
+#include "ui/parts/topics.h"
 
 namespace viewing::test {
 namespace {

@@ -81,7 +81,7 @@ struct DrawControl {
 
     template <typename T>
     bool operator()(T*) const {
-        assert(!"this field has a widget of its own");
+        assert(false && "this field has a widget of its own");
         return false;
     }
 };
