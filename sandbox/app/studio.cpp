@@ -161,7 +161,7 @@ Status Studio::draw_lower_view(Slot slot, const Layout& layout) {
         case Topic::moving_world:
             return draw_outside(derive_moving_world(params_.observer, derived_, {size}));
         case Topic::from_light:
-            return draw_outside(derive_light_view(params_, derived_, {size}));
+            return draw_outside(derive_light_view(derived_, {size}));
         case Topic::depth:
             return draw_depth_below(size, view);
         case Topic::passes:

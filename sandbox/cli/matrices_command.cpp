@@ -8,6 +8,7 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
 
 namespace viewing {
@@ -17,15 +18,17 @@ constexpr std::array format_names{"json", "text", "latex", "glm", "glsl", "numpy
 constexpr std::array formats{MatrixFormat::text, MatrixFormat::latex, MatrixFormat::glm,
                              MatrixFormat::glsl, MatrixFormat::numpy, MatrixFormat::matlab};
 
-Json facts_as_json(const Facts& facts) {
-    return {{"plane_dot_light", facts.plane_dot_light + 0.0},
-            {"det_mirror", facts.det_mirror},
-            {"rank_shadow", facts.rank_shadow},
+/// Of S and R: those of the first plane and light.
+Json facts_as_json(const Facts& facts, const glm::dmat4& mirror, const CastShadow& cast) {
+    const glm::dmat4& shadow = cast.shadowed_world_from_world;
+    return {{"plane_dot_light", cast.plane_dot_light + 0.0},
+            {"det_mirror", glm::determinant(mirror)},
+            {"rank_shadow", rank_of(shadow)},
             {"depth_step_at_target", facts.depth_step_at_target},
             {"target_distance", facts.target_distance},
-            {"det_shadow", facts.det_shadow + 0.0},
-            {"shadow_residual", facts.shadow_residual},
-            {"mirror_residual", facts.mirror_residual},
+            {"det_shadow", glm::determinant(shadow) + 0.0},
+            {"shadow_residual", shadow_residual(shadow, cast.plane_dot_light)},
+            {"mirror_residual", mirror_residual(mirror)},
             {"view_residual", facts.view_residual}};
 }
 
@@ -44,24 +47,26 @@ Json planes_as_json(const Derived& derived) {
         Json shadows = Json::array();
         for (const CastShadow& cast : plane.shadows)
             shadows.push_back({{"light", as_json(cast.light_world)},
-                               {"shadow_from_world", as_json(cast.shadow_from_world)},
+                               {"shadow_from_world", as_json(cast.shadowed_world_from_world)},
                                {"shadow_sign", static_cast<int>(cast.sign)}});
         planes.push_back({{"equation", as_json(plane.unit_plane)},
-                          {"mirror_from_world", as_json(plane.mirror_from_world)},
+                          {"mirror_from_world", as_json(plane.mirrored_world_from_world)},
                           {"shadows", std::move(shadows)}});
     }
     return planes;
 }
 
 Json all_as_json(const Derived& derived, const std::vector<Problem>& problems) {
+    const glm::dmat4& mirror = derived.planes.front().mirrored_world_from_world;
+    const CastShadow& cast = derived.planes.front().shadows.front();
     Json all{{"world_from_view", as_json(derived.world_from_view)},
              {"view_from_world", as_json(derived.view_from_world)},
              {"clip_from_view", as_json(derived.clip_from_view)},
              {"clip_from_world", as_json(derived.clip_from_world)},
-             {"shadow_from_world", as_json(derived.shadow_from_world)},
-             {"shadow_sign", static_cast<int>(derived.shadow_sign)},
-             {"mirror_from_world", as_json(derived.mirror_from_world)},
-             {"facts", facts_as_json(derived.facts)},
+             {"shadow_from_world", as_json(cast.shadowed_world_from_world)},
+             {"shadow_sign", static_cast<int>(cast.sign)},
+             {"mirror_from_world", as_json(mirror)},
+             {"facts", facts_as_json(derived.facts, mirror, cast)},
              {"planes", planes_as_json(derived)},
              {"problems", as_json(problems)}};
     if (derived.followed) all["followed"] = followed_as_json(*derived.followed);
@@ -69,17 +74,19 @@ Json all_as_json(const Derived& derived, const std::vector<Problem>& problems) {
 }
 
 std::string all_as_text(const Derived& derived, const std::vector<Problem>& problems, MatrixFormat format) {
+    const DerivedPlane& plane = derived.planes.front();
+    const CastShadow& cast = plane.shadows.front();
     const std::array named{std::pair("world_from_view", &derived.world_from_view),
                            std::pair("view_from_world", &derived.view_from_world),
                            std::pair("clip_from_view", &derived.clip_from_view),
                            std::pair("clip_from_world", &derived.clip_from_world),
-                           std::pair("shadow_from_world", &derived.shadow_from_world),
-                           std::pair("mirror_from_world", &derived.mirror_from_world)};
+                           std::pair("shadow_from_world", &cast.shadowed_world_from_world),
+                           std::pair("mirror_from_world", &plane.mirrored_world_from_world)};
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
     for (const auto& [name, matrix] : named)
         text += (name == named.front().first ? "" : "\n") + matrix_text(name, *matrix, format);
     if (format != MatrixFormat::text) return text;
-    text += "\nshadow_sign = " + std::string(derived.shadow_sign < 0.0 ? "-1" : "1") + "\n";
+    text += "\nshadow_sign = " + std::string(cast.sign < 0.0 ? "-1" : "1") + "\n";
     for (const Problem& problem : problems) text += problem.sentence + "\n";
     return text;
 }

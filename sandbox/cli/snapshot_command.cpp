@@ -102,13 +102,16 @@ bool is_finite(const glm::dmat4& matrix) {
 }
 
 void refuse_nan(const Derived& derived) {
-    const std::array named{std::pair("the projection", &derived.clip_from_view),
-                           std::pair("the view matrix", &derived.view_from_world),
-                           std::pair("the shadow matrix", &derived.shadow_from_world),
-                           std::pair("the mirror matrix", &derived.mirror_from_world)};
-    for (const auto& [name, matrix] : named)
-        if (!is_finite(*matrix))
+    const auto refuse = [](const char* name, const glm::dmat4& matrix) {
+        if (!is_finite(matrix))
             throw Failure(ExitStatus::nan_or_blank, std::string(name) + " has an entry that is not a finite number");
+    };
+    refuse("the projection", derived.clip_from_view);
+    refuse("the view matrix", derived.view_from_world);
+    for (const DerivedPlane& plane : derived.planes) {
+        for (const CastShadow& cast : plane.shadows) refuse("the shadow matrix", cast.shadowed_world_from_world);
+        refuse("the mirror matrix", plane.mirrored_world_from_world);
+    }
 }
 
 bool is_blank(const Image& image) {

@@ -33,8 +33,8 @@ Params animated(const Params& params, const Moment& moment) {
     if (params.animation.light_orbit) {
         const double angle = glm::radians(moment.light_turn_deg);
         const double c = std::cos(angle), s = std::sin(angle);
-        const glm::dvec4& light = params.light.position;
-        now.light.position = {c * light.x + s * light.z, light.y, c * light.z - s * light.x, light.w};
+        glm::dvec4& light = now.lights[now.chosen().light].position;
+        light = {c * light.x + s * light.z, light.y, c * light.z - s * light.x, light.w};
     }
     return now;
 }

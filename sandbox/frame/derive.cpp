@@ -53,56 +53,43 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
         lens, params.depth.mapping, precision_of(params.depth.format), derived.facts.target_distance);
 }
 
-CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, ShadowSign sign) {
+CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, ShadowSign sign,
+                       const std::optional<glm::dmat4>& by_hand) {
     CastShadow cast;
     cast.light_world = light;
     cast.plane_dot_light = glm::dot(unit_plane, light);
     cast.light_in_plane = lies_in_plane(unit_plane, light);
-    cast.shadow_from_world = shadow_matrix(unit_plane, light);
+    cast.shadowed_world_from_world = by_hand.value_or(shadow_matrix(unit_plane, light));
+    cast.by_hand = by_hand.has_value();
     cast.sign = sign == ShadowSign::plane_dot_light ? shadow_sign(unit_plane, light) : 1.0;
     return cast;
 }
 
-DerivedPlane derive_one_plane(const PlaneParams& plane, const Derived& derived, const Params& params) {
+DerivedPlane derive_one_plane(const PlaneParams& plane, const PlaneOverrides& by_hand, const Derived& derived,
+                              const Params& params) {
     DerivedPlane made;
     made.unit_plane = unit_plane(plane.equation);
     made.patch = plane_patch(plane.equation, plane.extent);
+    made.eye_side = glm::dot(made.unit_plane, derived.eye_world);
     made.receives_shadow = plane.receives_shadow;
     made.mirrors = plane.mirrors;
     made.gloss = plane.gloss;
-    made.mirror_from_world = mirror_matrix(made.unit_plane);
+    const glm::dmat4 mirror = mirror_matrix(made.unit_plane);
     // The lecture's array is filled by rows; GL reads columns.
-    if (params.reflection.printed_by_rows) made.mirror_from_world = glm::transpose(made.mirror_from_world);
-    for (const glm::dvec4& light : derived.lights_world)
-        made.shadows.push_back(cast_shadow(made.unit_plane, light, params.shadow.sign));
+    made.mirrored_world_from_world =
+        by_hand.mirrored_world_from_world.value_or(params.reflection.printed_by_rows ? glm::transpose(mirror) : mirror);
+    made.mirror_by_hand = by_hand.mirrored_world_from_world.has_value();
+    for (std::size_t light = 0; light < derived.lights_world.size(); ++light)
+        made.shadows.push_back(cast_shadow(made.unit_plane, derived.lights_world[light], params.shadow.sign,
+                                           by_hand.shadowed_world_from_world[light]));
     return made;
 }
 
 void derive_planes(Derived& derived, const Params& params) {
-    derived.lights_world = {params.light.position};
     for (const LightParams& light : params.lights) derived.lights_world.push_back(light.position);
-    derived.planes = {derive_one_plane(params.plane, derived, params)};
-    for (const PlaneParams& plane : params.planes) derived.planes.push_back(derive_one_plane(plane, derived, params));
-
-    DerivedPlane& first = derived.planes.front();
-    CastShadow& cast = first.shadows.front();
-    if (params.overrides.shadow_from_world) cast.shadow_from_world = *params.overrides.shadow_from_world;
-    if (params.overrides.mirror_from_world) first.mirror_from_world = *params.overrides.mirror_from_world;
-    derived.unit_plane = first.unit_plane;
-    derived.patch = first.patch;
-    derived.eye_side = glm::dot(derived.unit_plane, derived.eye_world);
-    derived.light_in_plane = cast.light_in_plane;
-    derived.shadow_from_world = cast.shadow_from_world;
-    derived.shadow_sign = cast.sign;
-    derived.mirror_from_world = first.mirror_from_world;
-
-    Facts& facts = derived.facts;
-    facts.plane_dot_light = cast.plane_dot_light;
-    facts.det_shadow = glm::determinant(derived.shadow_from_world);
-    facts.det_mirror = glm::determinant(derived.mirror_from_world);
-    facts.rank_shadow = rank_of(derived.shadow_from_world);
-    facts.shadow_residual = shadow_residual(derived.shadow_from_world, facts.plane_dot_light);
-    facts.mirror_residual = mirror_residual(derived.mirror_from_world);
+    for (std::size_t plane = 0; plane < params.planes.size(); ++plane)
+        derived.planes.push_back(derive_one_plane(params.planes[plane], params.overrides[plane], derived, params));
+    derived.chosen = params.chosen();
 }
 
 std::optional<FollowedPoint> derive_followed(const Derived& derived, const Params& params, const Scene& scene) {
@@ -116,12 +103,13 @@ std::optional<FollowedPoint> derive_followed(const Derived& derived, const Param
     const glm::dvec4 point(glm::dvec3(object->world_from_model * glm::dvec4(object->mesh->positions[vertex], 1.0)),
                            1.0);
     followed.point_world = glm::dvec3(point);
-    followed.shadow_homogeneous = derived.shadow_from_world * point;
+    const DerivedPlane& plane = derived.chosen_plane();
+    followed.shadow_homogeneous = derived.chosen_shadow().shadowed_world_from_world * point;
     if (std::abs(followed.shadow_homogeneous.w) > 1e-12)
         followed.shadow_world = glm::dvec3(followed.shadow_homogeneous) / followed.shadow_homogeneous.w;
-    followed.plane_distance = glm::dot(derived.unit_plane, point);
-    followed.foot_world = followed.point_world - followed.plane_distance * glm::dvec3(derived.unit_plane);
-    const glm::dvec4 mirrored = derived.mirror_from_world * point;
+    followed.plane_distance = glm::dot(plane.unit_plane, point);
+    followed.foot_world = followed.point_world - followed.plane_distance * glm::dvec3(plane.unit_plane);
+    const glm::dvec4 mirrored = plane.mirrored_world_from_world * point;
     followed.mirrored_world = glm::dvec3(mirrored) / (mirrored.w != 0.0 ? mirrored.w : 1.0);
     return followed;
 }

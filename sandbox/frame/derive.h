@@ -29,15 +29,9 @@ struct FollowedPoint {
     glm::dvec3 mirrored_world{0.0};          ///< R p
 };
 
-/// Measured, not promised: residuals are the largest absolute entry.
+/// Measured, not promised. What there is to say of S and R is measured where it is shown: matrix_facts.h.
 struct Facts {
-    double plane_dot_light = 0.0;
-    double det_shadow = 0.0;
-    double det_mirror = 0.0;
-    int rank_shadow = 0;
-    double shadow_residual = 0.0;       ///< of S² − (P·L) S
-    double mirror_residual = 0.0;       ///< of R² − I
-    double view_residual = 0.0;         ///< of V C − I
+    double view_residual = 0.0;         ///< largest absolute entry of V C − I
     double depth_step_at_target = 0.0;  ///< resolvable_depth_step() at the camera's target
     double target_distance = 0.0;       ///< eye distance of the target, at least near
 };
@@ -45,22 +39,25 @@ struct Facts {
 /// The shadow that one light throws on one plane.
 struct CastShadow {
     glm::dvec4 light_world{0.0, 1.0, 0.0, 0.0};
-    double plane_dot_light = 0.0;  ///< P·L of the unit plane
-    bool light_in_plane = false;   ///< P·L counts as zero: no shadow is defined
-    glm::dmat4 shadow_from_world{1.0};
-    double sign = 1.0;  ///< uploaded: sign · S
+    double plane_dot_light = 0.0;               ///< P·L of the unit plane
+    bool light_in_plane = false;                ///< P·L counts as zero: no shadow is defined
+    glm::dmat4 shadowed_world_from_world{1.0};  ///< S
+    double sign = 1.0;                          ///< uploaded: sign · S
+    bool by_hand = false;                       ///< S does not come from plane and light
 
     /// Whether the light shines on the side of the plane that an eye with P·eye = `eye_side` sees.
     bool reaches(double eye_side) const { return !light_in_plane && plane_dot_light * eye_side > 0.0; }
 };
 
-/// One of the planes, the first one included, with the shadow of each light on it.
+/// One of the planes, with the shadow of each light on it.
 struct DerivedPlane {
     glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< sign kept
     PlanePatch patch{};
+    double eye_side = 1.0;  ///< P·eye: its sign is the side that is seen
     bool receives_shadow = true, mirrors = true, gloss = false;
-    glm::dmat4 mirror_from_world{1.0};  ///< R
-    std::vector<CastShadow> shadows;    ///< of each light, in order
+    glm::dmat4 mirrored_world_from_world{1.0};  ///< R
+    bool mirror_by_hand = false;                ///< R does not come from the plane
+    std::vector<CastShadow> shadows;            ///< of each light, in order
 };
 
 struct Derived {
@@ -72,17 +69,13 @@ struct Derived {
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: w = 0 and the direction towards the eye, as of a light
 
-    glm::dvec4 unit_plane{0.0, 1.0, 0.0, 0.0};  ///< sign kept
-    PlanePatch patch{};
-    double eye_side = 1.0;        ///< P·eye for the unit plane: its sign is the side that is seen
-    bool light_in_plane = false;  ///< P·L counts as zero: no shadow is defined
+    std::vector<DerivedPlane> planes;      ///< as many as in Params, so at least one
+    std::vector<glm::dvec4> lights_world;  ///< at least one
+    Choice chosen;
 
-    glm::dmat4 shadow_from_world{1.0};  ///< S
-    double shadow_sign = 1.0;           ///< uploaded: shadow_sign · S
-    glm::dmat4 mirror_from_world{1.0};  ///< R
-
-    std::vector<DerivedPlane> planes;      ///< all of them: the first one is the above
-    std::vector<glm::dvec4> lights_world;  ///< all of them, `light` first
+    const DerivedPlane& chosen_plane() const { return planes[chosen.plane]; }
+    const CastShadow& chosen_shadow() const { return chosen_plane().shadows[chosen.light]; }  ///< on that plane
+    const glm::dvec4& chosen_light() const { return lights_world[chosen.light]; }
 
     std::optional<FollowedPoint> followed;
     std::vector<int> object_marks;  ///< of decals by stencil: decal_marks(); empty otherwise
@@ -101,9 +94,9 @@ struct ObserverView {
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
-/// What the light sees of the first plane's patch: every shadow on it is hidden behind its caster. A parallel light
-/// looks along parallel lines; a light in the plane sees the patch edge-on.
-ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport);
+/// What the chosen light sees of the chosen plane's patch: every shadow on it is hidden behind its caster. A parallel
+/// light looks along parallel lines; a light in the plane sees the patch edge-on.
+ObserverView derive_light_view(const Derived& derived, const Viewport& viewport);
 
 /// The lecture's other reading of the same picture: the camera stays at the origin and the world is moved by V.
 ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport);

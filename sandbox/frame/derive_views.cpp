@@ -49,9 +49,9 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     return view;
 }
 
-ObserverView derive_light_view(const Params& params, const Derived& derived, const Viewport& viewport) {
-    const glm::dvec4& light = params.light.position;
-    const PlanePatch& patch = derived.patch;
+ObserverView derive_light_view(const Derived& derived, const Viewport& viewport) {
+    const glm::dvec4& light = derived.chosen_light();
+    const PlanePatch& patch = derived.chosen_plane().patch;
     const double radius = patch.extent * std::numbers::sqrt2;
     const bool parallel = is_parallel_light(light);
     const glm::dvec3 away =

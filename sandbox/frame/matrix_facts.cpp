@@ -13,12 +13,13 @@ double largest_entry(const glm::dmat4& matrix) {
     return largest;
 }
 
-double shadow_residual(const glm::dmat4& shadow_from_world, double plane_dot_light) {
-    return largest_entry(shadow_from_world * shadow_from_world - plane_dot_light * shadow_from_world);
+double shadow_residual(const glm::dmat4& shadowed_world_from_world, double plane_dot_light) {
+    return largest_entry(shadowed_world_from_world * shadowed_world_from_world -
+                         plane_dot_light * shadowed_world_from_world);
 }
 
-double mirror_residual(const glm::dmat4& mirror_from_world) {
-    return largest_entry(mirror_from_world * mirror_from_world - glm::dmat4(1.0));
+double mirror_residual(const glm::dmat4& mirrored_world_from_world) {
+    return largest_entry(mirrored_world_from_world * mirrored_world_from_world - glm::dmat4(1.0));
 }
 
 double largest_difference_up_to_scale(const glm::dmat4& matrix, const glm::dmat4& reference) {

@@ -9,8 +9,8 @@ namespace viewing {
 double largest_entry(const glm::dmat4& matrix);
 
 /// How far a shadow matrix is from S² = (P·L) S, and a mirror matrix from R² = I: largest absolute entries.
-double shadow_residual(const glm::dmat4& shadow_from_world, double plane_dot_light);
-double mirror_residual(const glm::dmat4& mirror_from_world);
+double shadow_residual(const glm::dmat4& shadowed_world_from_world, double plane_dot_light);
+double mirror_residual(const glm::dmat4& mirrored_world_from_world);
 
 /// The largest absolute entry of the difference between two homogeneous matrices, which are the same map up to a
 /// factor: `matrix` is multiplied by the one that brings it nearest to `reference`. A zero matrix is as far away as it

@@ -101,9 +101,9 @@ FramePlan frame_plan(const Params& params, const Derived& derived) {
     made.patch_dark = ground.dark;
     made.patch_line = ground.line;
     made.samples = params.view.samples;
-    const CastShadow& cast = derived.planes.front().shadows.front();
-    made.caster_w = cast.sign * glm::transpose(cast.shadow_from_world)[3];
-    made.caster_side = plane_facing(derived.unit_plane, cast.light_world);
+    const CastShadow& cast = derived.chosen_shadow();
+    made.caster_w = cast.sign * glm::transpose(cast.shadowed_world_from_world)[3];
+    made.caster_side = plane_facing(derived.chosen_plane().unit_plane, cast.light_world);
     for (const DerivedPlane& plane : derived.planes) made.patches.push_back(plane.patch);
     return made;
 }

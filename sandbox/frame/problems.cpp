@@ -14,7 +14,7 @@ void say_light(Sayer& say, const Params& params, const Derived& derived, std::si
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> holding, turned_away;
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
-        const double eye_side = eye_side_of(planes[plane], derived);
+        const double eye_side = planes[plane].eye_side;
         const CastShadow& cast = planes[plane].shadows[index];
         if (cast.light_in_plane)
             holding.push_back(plane);
@@ -64,7 +64,7 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> edge_on;
     for (std::size_t plane = 0; plane < planes.size(); ++plane)
-        if (eye_side_of(planes[plane], derived) == 0.0) edge_on.push_back(plane);
+        if (planes[plane].eye_side == 0.0) edge_on.push_back(plane);
     if (!edge_on.empty()) {
         const std::string where = name_of("plane", edge_on, planes.size());
         const char* const means = ": its patch is seen edge-on and mirrors nothing";
@@ -76,28 +76,42 @@ void find_plane_problems(std::vector<Problem>& problems, const Params& params, c
 }
 
 /// The w of a point between light and plane, as it is uploaded.
-double uploaded_w(const Derived& derived) {
-    const CastShadow& cast = derived.planes.front().shadows.front();
-    const glm::dvec4 towards_light = plane_facing(derived.unit_plane, cast.light_world);
+double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
+    const glm::dvec4 towards_light = plane_facing(plane.unit_plane, cast.light_world);
     const double height = is_parallel_light(cast.light_world)
                               ? 1.0
                               : 0.5 * std::abs(cast.plane_dot_light) / std::max(cast.light_world.w, 1e-12);
-    const glm::dvec4 between(derived.patch.center + height * glm::dvec3(towards_light), 1.0);
-    return cast.sign * (cast.shadow_from_world * between).w;
+    const glm::dvec4 between(plane.patch.center + height * glm::dvec3(towards_light), 1.0);
+    return cast.sign * (cast.shadowed_world_from_world * between).w;
+}
+
+/// "S" of the first plane and light, "S of plane 2, light 1".
+std::string shadow_name(std::size_t plane, std::size_t light) {
+    return plane == 0 && light == 0
+               ? "S"
+               : "S of plane " + std::to_string(plane + 1) + ", light " + std::to_string(light + 1);
 }
 
 void find_overrides(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
-    const Overrides& overrides = params.overrides;
-    if (overrides.shadow_from_world) {
-        problems.push_back({"S is overridden by hand: plane and light no longer change it", "shadow"});
-        if (params.shadow.enabled && !derived.light_in_plane && uploaded_w(derived) < 0.0)
+    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
+        const DerivedPlane& of = derived.planes[plane];
+        for (std::size_t light = 0; light < of.shadows.size(); ++light) {
+            const CastShadow& cast = of.shadows[light];
+            if (!cast.by_hand) continue;
             problems.push_back(
-                {"S by hand has a negative w between light and plane: the clipper removes the shadow; "
-                 "−S is the same map",
-                 "shadow", true});
+                {shadow_name(plane, light) + " is overridden by hand: plane and light no longer change it", "shadow"});
+            if (params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0)
+                problems.push_back({shadow_name(plane, light) +
+                                        " by hand has a negative w between light and plane: the clipper removes the "
+                                        "shadow; −S is the same map",
+                                    "shadow", true});
+        }
     }
-    if (overrides.mirror_from_world)
-        problems.push_back({"R is overridden by hand: the plane no longer changes it", "reflection"});
+    for (std::size_t plane = 0; plane < derived.planes.size(); ++plane)
+        if (derived.planes[plane].mirror_by_hand)
+            problems.push_back({(plane == 0 ? "R" : "R of plane " + std::to_string(plane + 1)) +
+                                    std::string(" is overridden by hand: the plane no longer changes it"),
+                                "reflection"});
 }
 
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {

@@ -6,10 +6,6 @@
 
 namespace viewing {
 
-double eye_side_of(const DerivedPlane& plane, const Derived& derived) {
-    return glm::dot(plane.unit_plane, derived.eye_world);
-}
-
 std::string light_name(std::size_t light, std::size_t count) {
     return count == 1 ? tr("the light") : say("light {light}", "light"_a = light + 1);
 }

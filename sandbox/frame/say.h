@@ -30,9 +30,6 @@ private:
     std::string_view group_;
 };
 
-/// P·eye: positive before the plane.
-double eye_side_of(const DerivedPlane& plane, const Derived& derived);
-
 // Lights and planes in a sentence, counted from 0 here and from 1 there; `count` is how many there are.
 
 /// "the light", "light 2".

@@ -14,7 +14,6 @@
 
 namespace viewing {
 
-inline constexpr std::size_t most_lights = 1 + max_further_lights;
 inline constexpr std::size_t patch_tone_count = 3;  ///< light square, dark square, line
 
 /// One way to draw a surface: each has a program of its own.

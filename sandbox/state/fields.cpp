@@ -50,7 +50,8 @@ FieldRef field_ref(T& value) {
     }
 }
 
-#define IN(member) [](Params& params) -> FieldRef { return field_ref(params.member); }
+#define IN(member) \
+    [](Params& params, [[maybe_unused]] std::size_t element) -> FieldRef { return field_ref(params.member); }
 
 constexpr double position_limit = 1e6;
 constexpr double turns_limit_deg = 3600.0;
@@ -65,14 +66,14 @@ constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1
 
 const Field all_fields[] = {
     {.path = "version",
-     .in = IN(version),
+     .place = IN(version),
      .label = "version",
      .min = 1,
      .max = 1,
      .step = 1,
      .help = "The version of the state file's format. This program reads version 1."},
     {.path = "scene",
-     .in = IN(scene),
+     .place = IN(scene),
      .label = "scene",
      .help =
          "What is looked at: the name of a scene that comes with the sandbox, the path of a scene or OBJ file, or the "
@@ -80,7 +81,7 @@ const Field all_fields[] = {
 
     // camera
     {.path = "camera.position",
-     .in = IN(camera.position),
+     .place = IN(camera.position),
      .label = "position",
      .unit = length,
      .min = -position_limit,
@@ -91,7 +92,7 @@ const Field all_fields[] = {
          "world by −10.",
      .formula = camera_formula},
     {.path = "camera.yaw",
-     .in = IN(camera.yaw),
+     .place = IN(camera.yaw),
      .label = "yaw",
      .unit = degrees,
      .min = -turns_limit_deg,
@@ -102,7 +103,7 @@ const Field all_fields[] = {
          "this angle only.",
      .formula = camera_formula},
     {.path = "camera.pitch",
-     .in = IN(camera.pitch),
+     .place = IN(camera.pitch),
      .label = "pitch",
      .unit = degrees,
      .min = -180,
@@ -112,7 +113,7 @@ const Field all_fields[] = {
              "the camera is upside down.",
      .formula = camera_formula},
     {.path = "camera.roll",
-     .in = IN(camera.roll),
+     .place = IN(camera.roll),
      .label = "roll",
      .unit = degrees,
      .min = -turns_limit_deg,
@@ -123,7 +124,7 @@ const Field all_fields[] = {
          "the left, so the picture turns clockwise.",
      .formula = camera_formula},
     {.path = "camera.target",
-     .in = IN(camera.target),
+     .place = IN(camera.target),
      .label = "target",
      .unit = length,
      .min = -position_limit,
@@ -132,7 +133,7 @@ const Field all_fields[] = {
      .help = "The point that orbiting turns about and at whose distance the depth step is stated. Changing it moves "
              "nothing by itself."},
     {.path = "camera.navigation",
-     .in = IN(camera.navigation),
+     .place = IN(camera.navigation),
      .label = "navigation",
      .help =
          "How input moves the camera: fly has six degrees of freedom in the camera's own frame, walk has two on the "
@@ -140,14 +141,14 @@ const Field all_fields[] = {
 
     // projection
     {.path = "projection.type",
-     .in = IN(projection.type),
+     .place = IN(projection.type),
      .label = "projection",
      .help =
          "Perspective makes far things small; orthographic keeps parallel lines parallel and sizes the same at every "
          "distance.",
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.fovy",
-     .in = IN(projection.fovy),
+     .place = IN(projection.fovy),
      .label = "fovy",
      .unit = degrees,
      .min = 1,
@@ -157,7 +158,7 @@ const Field all_fields[] = {
      .formula = "P₂₂ = 1 / tan(fovy / 2)",
      .gl_call = "glm::perspective"},
     {.path = "projection.height",
-     .in = IN(projection.height),
+     .place = IN(projection.height),
      .label = "height",
      .unit = length,
      .min = 1e-3,
@@ -168,7 +169,7 @@ const Field all_fields[] = {
      .formula = "P₂₂ = 2 / height",
      .gl_call = "glm::ortho"},
     {.path = "projection.near",
-     .in = IN(projection.near),
+     .place = IN(projection.near),
      .label = "z-near",
      .unit = length,
      .min = 1e-6,
@@ -181,7 +182,7 @@ const Field all_fields[] = {
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.far",
-     .in = IN(projection.far),
+     .place = IN(projection.far),
      .label = "z-far",
      .unit = length,
      .min = 1e-5,
@@ -196,32 +197,32 @@ const Field all_fields[] = {
 
     // depth
     {.path = "depth.test",
-     .in = IN(depth.test),
+     .place = IN(depth.test),
      .label = "depth test",
      .help =
          "Compares each new fragment with the depth buffer. Off, whatever is drawn last wins, and the depth buffer is "
          "not written either.",
      .gl_call = "glEnable(GL_DEPTH_TEST)"},
     {.path = "depth.func",
-     .in = IN(depth.func),
+     .place = IN(depth.func),
      .label = "depth function",
      .help = "The comparison that a new depth must pass against the stored one. ALWAYS is not the same as no test: it "
              "still writes depth. With reversed depth the program turns less and greater round.",
      .gl_call = "glDepthFunc"},
     {.path = "depth.write",
-     .in = IN(depth.write),
+     .place = IN(depth.write),
      .label = "depth mask",
      .help = "Whether fragments that pass leave their depth behind. Off, objects are tested but hide nothing that is "
              "drawn later.",
      .gl_call = "glDepthMask"},
     {.path = "depth.clear",
-     .in = IN(depth.clear),
+     .place = IN(depth.clear),
      .label = "clear depth",
      .help = "Clears the depth buffer at the beginning of every frame. Without it, the depths of earlier frames go on "
              "hiding what is drawn now.",
      .gl_call = "glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.format",
-     .in = IN(depth.format),
+     .place = IN(depth.format),
      .label = "depth format",
      .unit = "bits",
      .help = "How many bits each stored depth has: 16 or 24 as an integer, 32 as a float; 4 to 12 bits are emulated so "
@@ -229,7 +230,7 @@ const Field all_fields[] = {
      .formula = "Δz ≈ z² (f−n) / (f·n·(2ᵇ − 1))",
      .gl_call = "glRenderbufferStorage"},
     {.path = "depth.mapping",
-     .in = IN(depth.mapping),
+     .place = IN(depth.mapping),
      .label = "depth mapping",
      .help =
          "How eye distance becomes window depth: standard has 0 at near, reversed has 1 at near and spends a float's "
@@ -237,7 +238,7 @@ const Field all_fields[] = {
      .formula = "reversed: d = n (f−z) / ((f−n)·z); logarithmic: d = ln(z/n) / ln(f/n)",
      .gl_call = "glClipControl, glClearDepth"},
     {.path = "depth.offset.factor",
-     .in = IN(depth.offset.factor),
+     .place = IN(depth.offset.factor),
      .label = "offset factor",
      .min = -offset_limit,
      .max = offset_limit,
@@ -247,7 +248,7 @@ const Field all_fields[] = {
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.offset.units",
-     .in = IN(depth.offset.units),
+     .place = IN(depth.offset.units),
      .label = "offset units",
      .min = -offset_limit,
      .max = offset_limit,
@@ -258,38 +259,38 @@ const Field all_fields[] = {
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "depth.decals",
-     .in = IN(depth.decals),
+     .place = IN(depth.decals),
      .label = "decals by",
      .help = "What keeps objects marked as decals from fighting with what they lie on: a polygon offset; drawing them "
              "last where depth is EQUAL, which needs the very same triangles; or a stencil mark on what lies below "
              "and no depth test at all.",
      .gl_call = "glPolygonOffset | glDepthFunc(GL_EQUAL) | glStencilFunc"},
     {.path = "depth.write_while_clearing",
-     .in = IN(depth.write_while_clearing),
+     .place = IN(depth.write_while_clearing),
      .label = "mask on while clearing",
      .help = "glClear obeys the depth mask. Off, it is called with the mask off, and clears no depth: the picture is "
              "drawn against the depths of the frame before.",
      .gl_call = "glDepthMask(GL_TRUE); glClear(GL_DEPTH_BUFFER_BIT)"},
     {.path = "depth.reversed_zero_to_one",
-     .in = IN(depth.reversed_zero_to_one),
+     .place = IN(depth.reversed_zero_to_one),
      .label = "clip range 0 to 1",
      .help = "Reversed depth pays off only where clip space goes from 0 to 1. Off, it goes from −1 to 1, and halving "
              "and adding a half rounds away what a float has near 0.",
      .gl_call = "glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE)"},
     {.path = "depth.reversed_clear",
-     .in = IN(depth.reversed_clear),
+     .place = IN(depth.reversed_clear),
      .label = "clear to 0",
      .help = "Reversed depth has 0 at the far plane, so that is what it is cleared to. Off, it is cleared to 1 as "
              "usual, nothing is greater, and nothing is drawn.",
      .gl_call = "glClearDepth(0)"},
     {.path = "depth.reversed_offset",
-     .in = IN(depth.reversed_offset),
+     .place = IN(depth.reversed_offset),
      .label = "turn the offset's sign",
      .help = "With reversed depth nearer is greater, so both signs of a polygon offset turn round. Off, they do not, "
              "and what should come nearer is pushed away.",
      .gl_call = "glPolygonOffset(−factor, −units)"},
     {.path = "depth.logarithm_per_vertex",
-     .in = IN(depth.logarithm_per_vertex),
+     .place = IN(depth.logarithm_per_vertex),
      .label = "per vertex",
      .help = "Takes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, and wrong inside large "
              "triangles: between its corners the depth is bent towards the eye or away from it.",
@@ -298,7 +299,7 @@ const Field all_fields[] = {
 
     // coplanar
     {.path = "coplanar.gap",
-     .in = IN(coplanar.gap),
+     .place = IN(coplanar.gap),
      .label = "gap",
      .unit = length,
      .min = 0,
@@ -307,7 +308,7 @@ const Field all_fields[] = {
      .help = "How far the front quad of each pair in the scene `coplanar` lies before the back one, along their "
              "normal."},
     {.path = "coplanar.tilt",
-     .in = IN(coplanar.tilt),
+     .place = IN(coplanar.tilt),
      .label = "tilt",
      .unit = degrees,
      .min = 0,
@@ -316,7 +317,7 @@ const Field all_fields[] = {
      .help = "How far the pairs of the scene `coplanar` are turned out of the picture's plane. The more, the more "
              "codes lie across a quad, and the narrower the stripes."},
     {.path = "coplanar.distance",
-     .in = IN(coplanar.distance),
+     .place = IN(coplanar.distance),
      .label = "distance",
      .unit = length,
      .min = 1,
@@ -328,20 +329,20 @@ const Field all_fields[] = {
 
     // cull
     {.path = "cull.enabled",
-     .in = IN(cull.enabled),
+     .place = IN(cull.enabled),
      .label = "cull face",
      .help =
          "Drops polygons by the side they show before they are rasterised. Half the work for closed objects; the enum "
          "is GL_CULL_FACE, not GL_CULL.",
      .gl_call = "glEnable(GL_CULL_FACE)"},
     {.path = "cull.face",
-     .in = IN(cull.face),
+     .place = IN(cull.face),
      .label = "culled side",
      .help = "Which side is dropped. BACK is the usual choice; FRONT shows objects from inside. Shadows fall the same "
              "either way.",
      .gl_call = "glCullFace"},
     {.path = "cull.front_face",
-     .in = IN(cull.front_face),
+     .place = IN(cull.front_face),
      .label = "front face",
      .help = "Which winding, seen on screen, counts as the front: counter-clockwise (CCW) as the objects are made, or "
              "clockwise (CW), which turns them inside out.",
@@ -349,7 +350,7 @@ const Field all_fields[] = {
 
     // light
     {.path = "light.position",
-     .in = IN(light.position),
+     .place = IN(lights[element].position),
      .label = "light",
      .unit = length,
      .min = -position_limit,
@@ -360,13 +361,13 @@ const Field all_fields[] = {
          "direction (x, y, z). Values between lie at (x, y, z) ÷ w.",
      .formula = shadow_formula},
     {.path = "lights",
-     .in = IN(lights),
+     .place = [](Params& params, std::size_t) -> FieldRef { return Further<LightParams>{&params.lights}; },
      .label = "further lights",
      .help = "More lights, each like the first one, each with its own shadow."},
 
     // plane
     {.path = "plane.equation",
-     .in = IN(plane.equation),
+     .place = IN(planes[element].equation),
      .label = "plane",
      .min = -position_limit,
      .max = position_limit,
@@ -376,7 +377,7 @@ const Field all_fields[] = {
          "sign change nothing in the picture.",
      .formula = "n·p + d = 0"},
     {.path = "plane.extent",
-     .in = IN(plane.extent),
+     .place = IN(planes[element].extent),
      .label = "extent",
      .unit = length,
      .min = 1e-3,
@@ -386,32 +387,35 @@ const Field all_fields[] = {
      .help = "Half the side of the square patch that is drawn for the plane. The plane itself has no end: that is why "
              "shadows and reflections need the stencil at the patch's edge."},
     {.path = "plane.receives_shadow",
-     .in = IN(plane.receives_shadow),
+     .place = IN(planes[element].receives_shadow),
      .label = "receives shadows",
      .help = "Shadows fall on this plane."},
-    {.path = "plane.mirrors", .in = IN(plane.mirrors), .label = "mirrors", .help = "This plane mirrors the scene."},
+    {.path = "plane.mirrors",
+     .place = IN(planes[element].mirrors),
+     .label = "mirrors",
+     .help = "This plane mirrors the scene."},
     {.path = "plane.gloss",
-     .in = IN(plane.gloss),
+     .place = IN(planes[element].gloss),
      .label = "gloss",
      .help = "Gives the patch a highlight, which a shadow has to take away: blending only darkens it, missing light "
              "leaves it out."},
     {.path = "planes",
-     .in = IN(planes),
+     .place = [](Params& params, std::size_t) -> FieldRef { return Further<PlaneParams>{&params.planes}; },
      .label = "further planes",
      .help = "More planes, each with its equation and extent, and whether it receives shadows and mirrors."},
 
     // shadow
     {.path = "shadow.enabled",
-     .in = IN(shadow.enabled),
+     .place = IN(shadow.enabled),
      .label = "shadow",
      .help = "Draws every object a second time, flattened onto the plane by S.",
      .formula = shadow_formula},
     {.path = "shadow.color",
-     .in = IN(shadow.color),
+     .place = IN(shadow.color),
      .label = "shadow colour",
      .help = "The colour that the flattened objects are painted with."},
     {.path = "shadow.opacity",
-     .in = IN(shadow.opacity),
+     .place = IN(shadow.opacity),
      .label = "opacity",
      .min = 0,
      .max = 1,
@@ -420,33 +424,33 @@ const Field all_fields[] = {
      .formula = "colour = opacity · shadow + (1 − opacity) · plane",
      .gl_call = "glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA)"},
     {.path = "shadow.stencil_once",
-     .in = IN(shadow.stencil_once),
+     .place = IN(shadow.stencil_once),
      .label = "stencil once",
      .help = "Lets each pixel be darkened only once. Off, a pixel that several flattened polygons cover is blended "
              "several times and gets darker.",
      .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)"},
     {.path = "shadow.clip_to_receiver",
-     .in = IN(shadow.clip_to_receiver),
+     .place = IN(shadow.clip_to_receiver),
      .label = "clip to receiver",
      .help =
          "Keeps the shadow inside the patch by its stencil mark. Off, the shadow hangs in the air beyond the floor's "
          "edge.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "shadow.clip_casters",
-     .in = IN(shadow.clip_casters),
+     .place = IN(shadow.clip_casters),
      .label = "clip casters",
      .help = "Lets only what lies between the light and the plane cast a shadow. Off, objects behind the plane throw a "
              "false shadow.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.offset",
-     .in = IN(shadow.offset),
+     .place = IN(shadow.offset),
      .label = "shadow offset",
      .help =
          "What keeps the shadow from fighting with the plane it lies in: nothing, polygon offset in depth, lifting it "
          "along the normal, or drawing it without the depth test.",
      .gl_call = "glPolygonOffset | glDisable(GL_DEPTH_TEST)"},
     {.path = "shadow.offset_factor",
-     .in = IN(shadow.offset_factor),
+     .place = IN(shadow.offset_factor),
      .label = "factor",
      .min = -offset_limit,
      .max = offset_limit,
@@ -455,7 +459,7 @@ const Field all_fields[] = {
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "shadow.offset_units",
-     .in = IN(shadow.offset_units),
+     .place = IN(shadow.offset_units),
      .label = "units",
      .min = -offset_limit,
      .max = offset_limit,
@@ -464,7 +468,7 @@ const Field all_fields[] = {
      .formula = "offset = factor · m + units · r",
      .gl_call = "glPolygonOffset"},
     {.path = "shadow.lift",
-     .in = IN(shadow.lift),
+     .place = IN(shadow.lift),
      .label = "lift",
      .unit = length,
      .min = 0,
@@ -474,20 +478,20 @@ const Field all_fields[] = {
              "grazing angle it "
              "parts from its object."},
     {.path = "shadow.style",
-     .in = IN(shadow.style),
+     .place = IN(shadow.style),
      .label = "style",
      .help =
          "blend paints the shadow's colour over the plane; missing_light leaves out what this light would have added, "
          "so that highlights vanish in the shadow and textures stay."},
     {.path = "shadow.clip_at_light",
-     .in = IN(shadow.clip_at_light),
+     .place = IN(shadow.clip_at_light),
      .label = "clip at the light",
      .help = "Lets only what lies nearer to the plane than the light cast a shadow: cut where w is positive, triangle "
              "by triangle. Off, what crosses the plane through the light that is parallel to the receiver stretches to "
              "infinity.",
      .gl_call = "gl_ClipDistance"},
     {.path = "shadow.sign",
-     .in = IN(shadow.sign),
+     .place = IN(shadow.sign),
      .label = "sign of S",
      .help = "What S is multiplied by before it is uploaded. plane_dot_light is the sign of P·L, so that w is positive "
              "between light and plane; none uploads S as it is, and every shadow vanishes when the normal points away "
@@ -495,12 +499,12 @@ const Field all_fields[] = {
              "anti-shadow.",
      .formula = "sign(P·L) S"},
     {.path = "shadow.write_depth",
-     .in = IN(shadow.write_depth),
+     .place = IN(shadow.write_depth),
      .label = "write depth",
      .help = "Lets the shadow write its depth, offset included: the depths of the plane are no longer its own.",
      .gl_call = "glDepthMask"},
     {.path = "shadow.own_stencil",
-     .in = IN(shadow.own_stencil),
+     .place = IN(shadow.own_stencil),
      .label = "own stencil",
      .help = "Gives each plane a stencil value and each light a bit of its own. Off, they share one: where one shadow "
              "was counted the next is missing, and a shadow leaks from plane to plane.",
@@ -508,12 +512,12 @@ const Field all_fields[] = {
 
     // reflection
     {.path = "reflection.enabled",
-     .in = IN(reflection.enabled),
+     .place = IN(reflection.enabled),
      .label = "reflection",
      .help = "Draws the scene a second time, mirrored by R, and lays the plane over it.",
      .formula = mirror_formula},
     {.path = "reflection.reflectance",
-     .in = IN(reflection.reflectance),
+     .place = IN(reflection.reflectance),
      .label = "reflectance",
      .min = 0,
      .max = 1,
@@ -521,13 +525,13 @@ const Field all_fields[] = {
      .help = "How much of the mirrored picture shows in the plane: 0 a dull floor, 1 a perfect mirror.",
      .formula = "colour = reflectance · mirrored + (1 − reflectance) · plane"},
     {.path = "reflection.stencil",
-     .in = IN(reflection.stencil),
+     .place = IN(reflection.stencil),
      .label = "stencil mirror",
      .help = "Draws the mirrored scene only where the patch was marked in the stencil buffer. Off, it shows beyond the "
              "mirror's edge too.",
      .gl_call = "glStencilFunc(GL_EQUAL, …)"},
     {.path = "reflection.clip",
-     .in = IN(reflection.clip),
+     .place = IN(reflection.clip),
      .label = "clip to mirror",
      .help =
          "How things behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an oblique "
@@ -535,19 +539,19 @@ const Field all_fields[] = {
      .formula = "oblique: row₃ = 2 c / (c·q) − row₄",
      .gl_call = "glEnable(GL_CLIP_DISTANCE0)"},
     {.path = "reflection.flip_winding",
-     .in = IN(reflection.flip_winding),
+     .place = IN(reflection.flip_winding),
      .label = "flip winding",
      .help = "A mirror turns counter-clockwise into clockwise (det R = −1), so front and back must change places while "
              "the mirrored scene is drawn. Off, it is culled inside out.",
      .formula = "det R = −1",
      .gl_call = "glFrontFace"},
     {.path = "reflection.reflect_light",
-     .in = IN(reflection.reflect_light),
+     .place = IN(reflection.reflect_light),
      .label = "reflect light",
      .help = "Mirrors the light together with the scene. Off, mirrored objects are lit from the wrong side.",
      .formula = "l′ = R l"},
     {.path = "reflection.bounces",
-     .in = IN(reflection.bounces),
+     .place = IN(reflection.bounces),
      .label = "bounces",
      .min = 0,
      .max = 16,
@@ -556,60 +560,66 @@ const Field all_fields[] = {
              "other "
              "show more with each bounce."},
     {.path = "reflection.mirrored",
-     .in = IN(reflection.mirrored),
+     .place = IN(reflection.mirrored),
      .label = "what is mirrored",
      .help = "Mirror the scene by R and look with the same camera, or mirror the camera and flip the picture left and "
              "right: the same picture.",
      .formula = "P V R = F P (F V R)"},
     {.path = "reflection.same_projection",
-     .in = IN(reflection.same_projection),
+     .place = IN(reflection.same_projection),
      .label = "same projection",
      .help = "The mirrored camera sees with the camera's own projection. Off, it sees with the aspect of a square "
              "picture, and the image does not fit its mirror."},
     {.path = "reflection.printed_by_rows",
-     .in = IN(reflection.printed_by_rows),
+     .place = IN(reflection.printed_by_rows),
      .label = "as printed",
      .help = "Fills R by rows, as the lecture's code is printed. OpenGL reads columns, so it gets the transpose: right "
              "only where d = 0.",
      .formula = mirror_formula,
      .gl_call = "glUniformMatrix4fv"},
     {.path = "reflection.mask_writes_depth",
-     .in = IN(reflection.mask_writes_depth),
+     .place = IN(reflection.mask_writes_depth),
      .label = "mask writes depth",
      .help = "Lets the mask leave the mirror's own depth behind: the image lies beyond it and is hidden.",
      .gl_call = "glDepthMask"},
     {.path = "reflection.after_objects",
-     .in = IN(reflection.after_objects),
+     .place = IN(reflection.after_objects),
      .label = "mirror last",
      .help =
          "Draws the objects first and the mirror over them without a depth test: it covers what stands in front of it.",
      .gl_call = "glDisable(GL_DEPTH_TEST)"},
     {.path = "reflection.side_of_eye",
-     .in = IN(reflection.side_of_eye),
+     .place = IN(reflection.side_of_eye),
      .label = "side of the eye",
      .help = "Mirrors what lies on the eye's side of the plane. Off, it is the normal's side, and a mirror seen from "
              "behind shows what lies behind it."},
     {.path = "reflection.shadows",
-     .in = IN(reflection.shadows),
+     .place = IN(reflection.shadows),
      .label = "shadows inside",
      .help = "Draws the shadows on the other planes inside the mirror too."},
 
     // overrides, follow
     {.path = "overrides.shadow_from_world",
-     .in = IN(overrides.shadow_from_world),
+     .place = IN(overrides[0].shadowed_world_from_world[0]),
      .label = "S by hand",
      .help =
          "Four rows put in place of the shadow matrix S, to see what each entry does; null computes S from light and "
          "plane.",
      .formula = shadow_formula},
     {.path = "overrides.mirror_from_world",
-     .in = IN(overrides.mirror_from_world),
+     .place = IN(overrides[0].mirrored_world_from_world),
      .label = "R by hand",
      .help = "Four rows put in place of the reflection matrix R, to see what each entry does; null computes R from the "
              "plane.",
      .formula = mirror_formula},
+    {.path = "overrides.further",
+     .place = [](Params& params, std::size_t) -> FieldRef { return FurtherOverrides{&params.overrides}; },
+     .label = "further S and R by hand",
+     .help = "Matrices put in place of S and R of further planes and lights, each with the numbers of its plane and "
+             "light, counted from 1 on.",
+     .formula = shadow_formula},
     {.path = "follow",
-     .in = IN(follow),
+     .place = IN(follow),
      .label = "follow a point",
      .help = "The vertex p of an object that is followed on its way through the matrices to its shadow s = S p and its "
              "mirror image R p; null follows none.",
@@ -617,36 +627,36 @@ const Field all_fields[] = {
 
     // visibility
     {.path = "visibility.method",
-     .in = IN(visibility.method),
+     .place = IN(visibility.method),
      .label = "method",
      .help =
          "Who decides what is hidden: the depth buffer of the GPU, nobody, sorting (painter, Newell), a BSP tree, a "
          "depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth test off."},
     {.path = "visibility.step",
-     .in = IN(visibility.step),
+     .place = IN(visibility.step),
      .label = "step",
      .min = -1,
      .max = 1e9,
      .step = 1,
      .help = "Stops the method after so many of its steps, to watch it work; −1 runs all of them."},
     {.path = "visibility.sort_key",
-     .in = IN(visibility.sort_key),
+     .place = IN(visibility.sort_key),
      .label = "sort key",
      .help =
          "What the painter sorts polygons by: the distance of the nearest vertex, the farthest one, or the centroid. "
          "Each of them fails on some scene."},
     {.path = "visibility.splitter",
-     .in = IN(visibility.splitter),
+     .place = IN(visibility.splitter),
      .label = "splitter",
      .help = "Which polygon becomes the root when a BSP tree is built: the first, a random one, the one that cuts the "
              "fewest others, or the one that divides them most evenly."},
     {.path = "visibility.walk",
-     .in = IN(visibility.walk),
+     .place = IN(visibility.walk),
      .label = "walk",
      .help = "How a BSP tree is drawn: from back to front, each polygon over the ones before; or from front to back, "
              "where a mask of the pixels already covered keeps what is there."},
     {.path = "visibility.epsilon",
-     .in = IN(visibility.epsilon),
+     .place = IN(visibility.epsilon),
      .label = "epsilon",
      .unit = "of the scene's diagonal",
      .min = 1e-12,
@@ -656,38 +666,38 @@ const Field all_fields[] = {
      .help = "How near to a plane a corner may be and still count as on it, when BSP and Newell cut polygons. Too "
              "large, and what should be cut is not: seams are torn and orders wrong."},
     {.path = "visibility.exact_curves",
-     .in = IN(visibility.exact_curves),
+     .place = IN(visibility.exact_curves),
      .label = "exact curves",
      .help = "Rays meet spheres, cylinders, cones and tori by their equations, not their triangles: silhouettes are "
              "round at any distance, which is what ray casting is praised for."},
     {.path = "visibility.compare_with",
-     .in = IN(visibility.compare_with),
+     .place = IN(visibility.compare_with),
      .label = "compare with",
      .help = "The method that the difference view holds this one against: pixels where they see different polygons, "
              "away from edges, are red."},
     {.path = "visibility.numbers",
-     .in = IN(visibility.numbers),
+     .place = IN(visibility.numbers),
      .label = "numbers",
      .help = "Writes on each polygon the place it has in the drawing order."},
 
     // view
     {.path = "view.shows",
-     .in = IN(view.shows),
+     .place = IN(view.shows),
      .label = "shows",
      .help = "Which buffer the camera view shows: colour, depth (near black, far white), stencil, which side of each "
              "polygon faces the eye, how often each pixel was drawn, where two hidden-surface methods differ, or where "
              "the gap between two flat surfaces is less than depth is sure to tell apart (fighting)."},
     {.path = "view.depth_scale",
-     .in = IN(view.depth_scale),
+     .place = IN(view.depth_scale),
      .label = "depth scale",
      .help = "window shows the depth as it is stored, most of it nearly white; linear shows the distance from the eye "
              "between near and far."},
     {.path = "view.depth_colors",
-     .in = IN(view.depth_colors),
+     .place = IN(view.depth_colors),
      .label = "depth colours",
      .help = "Depth as greys, or as bands of colour that tell neighbouring depths apart and show how they are spread."},
     {.path = "view.depth_range",
-     .in = IN(view.depth_range),
+     .place = IN(view.depth_range),
      .label = "depth range",
      .unit = length,
      .min = 1e-6,
@@ -697,40 +707,55 @@ const Field all_fields[] = {
      .help = "The eye distances that depth pictures show as black and white; null is near and far in the camera's own "
              "picture, and what is in view in the ones beside and below it. The depths stay as they are."},
     {.path = "view.samples",
-     .in = IN(view.samples),
+     .place = IN(view.samples),
      .label = "samples",
      .min = 0,
      .max = 4,
      .step = 4,
      .help = "Multisampling of the colour picture: 4 samples for smooth edges, 0 for none.",
      .gl_call = "glRenderbufferStorageMultisample"},
+    {.path = "view.plane",
+     .place = IN(view.plane),
+     .label = "chosen plane",
+     .min = 1,
+     .max = most_planes,
+     .step = 1,
+     .help = "The plane that derivations, the followed point, the lecture's code, S and R by hand, the handles and the "
+             "light's view are about: 1 is `plane`, 2 the first of `planes`."},
+    {.path = "view.light",
+     .place = IN(view.light),
+     .label = "chosen light",
+     .min = 1,
+     .max = most_lights,
+     .step = 1,
+     .help = "The light that they are about, and that orbits: 1 is `light`, 2 the first of `lights`."},
     {.path = "view.beside.shows",
-     .in = IN(view.beside.shows),
+     .place = IN(view.beside.shows),
      .label = "beside it",
      .help = "A second picture in the camera view: the depth buffer, or the same picture with another depth format and "
              "mapping."},
     {.path = "view.beside.layout",
-     .in = IN(view.beside.layout),
+     .place = IN(view.beside.layout),
      .label = "layout",
      .help = "Two whole pictures in two halves, or one picture with a line to drag across it."},
     {.path = "view.beside.share",
-     .in = IN(view.beside.share),
+     .place = IN(view.beside.share),
      .label = "divider",
      .min = 0,
      .max = 1,
      .step = 0.01,
      .help = "The part of the camera view that lies left of the divider."},
     {.path = "view.beside.format",
-     .in = IN(view.beside.format),
+     .place = IN(view.beside.format),
      .label = "other format",
      .unit = "bits",
      .help = "The depth format of the second picture."},
     {.path = "view.beside.mapping",
-     .in = IN(view.beside.mapping),
+     .place = IN(view.beside.mapping),
      .label = "other mapping",
      .help = "The depth mapping of the second picture."},
     {.path = "view.pixel",
-     .in = IN(view.pixel),
+     .place = IN(view.pixel),
      .label = "pinned pixel",
      .unit = "pixels",
      .min = 0,
@@ -739,21 +764,21 @@ const Field all_fields[] = {
      .help = "The pixel of the camera view that the pixel and cell views tell about, from the top left one on; null is "
              "the one under the pointer."},
     {.path = "view.call",
-     .in = IN(view.call),
+     .place = IN(view.call),
      .label = "draw call",
      .min = -1,
      .max = 1e9,
      .step = 1,
      .help = "Draws no further than this draw call of the frame, from 0 on, to watch the buffers fill; −1 draws all."},
     {.path = "view.triangle",
-     .in = IN(view.triangle),
+     .place = IN(view.triangle),
      .label = "triangle",
      .min = -1,
      .max = 1e9,
      .step = 1,
      .help = "Draws only so many triangles of that draw call; −1 draws all of them."},
     {.path = "view.pass",
-     .in = IN(view.pass),
+     .place = IN(view.pass),
      .label = "pass",
      .min = -1,
      .max = 1e6,
@@ -761,17 +786,17 @@ const Field all_fields[] = {
      .help = "Stops the frame after this pass, from 0 on, to see what each one leaves in colour, depth and stencil; −1 "
              "draws all of them."},
     {.path = "view.lower_left",
-     .in = IN(view.lower_left),
+     .place = IN(view.lower_left),
      .label = "lower left",
      .help = "What the view below the camera's on the left shows; automatic is the observer."},
     {.path = "view.lower_right",
-     .in = IN(view.lower_right),
+     .place = IN(view.lower_right),
      .label = "lower right",
      .help = "What the view below the camera's on the right shows; automatic goes by the hidden-surface method."},
 
     // observer
     {.path = "observer.target",
-     .in = IN(observer.target),
+     .place = IN(observer.target),
      .label = "observer target",
      .unit = length,
      .min = -position_limit,
@@ -780,7 +805,7 @@ const Field all_fields[] = {
      .help = "The point that the observer, who sees camera, frustum, light and plane from outside, looks at and turns "
              "about."},
     {.path = "observer.yaw",
-     .in = IN(observer.yaw),
+     .place = IN(observer.yaw),
      .label = "observer yaw",
      .unit = degrees,
      .min = -turns_limit_deg,
@@ -788,7 +813,7 @@ const Field all_fields[] = {
      .step = 0.5,
      .help = "The observer's turn about the y axis through its target."},
     {.path = "observer.pitch",
-     .in = IN(observer.pitch),
+     .place = IN(observer.pitch),
      .label = "observer pitch",
      .unit = degrees,
      .min = -90,
@@ -796,7 +821,7 @@ const Field all_fields[] = {
      .step = 0.5,
      .help = "How steeply the observer looks: negative from above, positive from below."},
     {.path = "observer.distance",
-     .in = IN(observer.distance),
+     .place = IN(observer.distance),
      .label = "observer distance",
      .unit = length,
      .min = 1e-3,
@@ -805,44 +830,44 @@ const Field all_fields[] = {
      .logarithmic = true,
      .help = "How far the observer is from its target."},
     {.path = "observer.light_rays",
-     .in = IN(observer.light_rays),
+     .place = IN(observer.light_rays),
      .label = "light rays",
      .help = "Rays from the light through the vertices of each object's outline to their shadow."},
     {.path = "observer.mirrored_eye",
-     .in = IN(observer.mirrored_eye),
+     .place = IN(observer.mirrored_eye),
      .label = "mirrored eye",
      .help = "The eye on the other side of the mirror, and the frustum through which it would see the same image."},
     {.path = "observer.image_space",
-     .in = IN(observer.image_space),
+     .place = IN(observer.image_space),
      .label = "image space",
      .help = "The scene once more behind the mirror, where its image seems to be."},
 
     // slips
     {.path = "slips.walk_slows",
-     .in = IN(slips.walk_slows),
+     .place = IN(slips.walk_slows),
      .label = "walk slows",
      .help = "A famous slip: walking moves along the direction of view and then sets the height back, so that one gets "
              "slower the more one looks up or down."},
     {.path = "slips.creeping_roll",
-     .in = IN(slips.creeping_roll),
+     .place = IN(slips.creeping_roll),
      .label = "creeping roll",
      .help = "A famous slip: walking and orbiting turn yaw about the camera's own axis in place of the world's, and a "
              "roll that nobody asked for creeps in."},
     {.path = "slips.pole_flip",
-     .in = IN(slips.pole_flip),
+     .place = IN(slips.pole_flip),
      .label = "pole flip",
      .help = "A famous slip: orbiting builds the view from a fixed up vector without a limit on pitch, and the picture "
              "flips over at the pole.",
      .gl_call = "glm::lookAt"},
     {.path = "slips.swapped_order",
-     .in = IN(slips.swapped_order),
+     .place = IN(slips.swapped_order),
      .label = "R T for T R",
      .help =
          "A famous slip: the camera's matrix is multiplied in the wrong order, so that its position is turned along "
          "with it.",
      .formula = "C = R T ≠ T R"},
     {.path = "slips.camera_as_view",
-     .in = IN(slips.camera_as_view),
+     .place = IN(slips.camera_as_view),
      .label = "C for V",
      .help = "A famous slip: the camera's own matrix is sent where its inverse belongs, and everything moves the wrong "
              "way.",
@@ -850,16 +875,16 @@ const Field all_fields[] = {
 
     // animation
     {.path = "animation.jiggle",
-     .in = IN(animation.jiggle),
+     .place = IN(animation.jiggle),
      .label = "jiggle",
      .help = "Lets the camera tremble by a thousandth of the target's distance: surfaces stay where they are, but the "
              "stripes of depth fighting crawl."},
     {.path = "animation.light_orbit",
-     .in = IN(animation.light_orbit),
+     .place = IN(animation.light_orbit),
      .label = "light orbits",
-     .help = "Lets the light turn about the y axis of the world."},
+     .help = "Lets the chosen light turn about the y axis of the world."},
     {.path = "animation.light_speed",
-     .in = IN(animation.light_speed),
+     .place = IN(animation.light_speed),
      .label = "speed",
      .unit = "°/s",
      .min = -360,
@@ -869,12 +894,12 @@ const Field all_fields[] = {
 
     // ui
     {.path = "ui.theme",
-     .in = IN(ui.theme),
+     .place = IN(ui.theme),
      .label = "theme",
      .help =
          "The colours of the window: dark, light, or projector with larger type and heavier lines for a bright room."},
     {.path = "ui.scale",
-     .in = IN(ui.scale),
+     .place = IN(ui.scale),
      .label = "scale",
      .min = 0.5,
      .max = 4,
@@ -888,6 +913,22 @@ const Field all_fields[] = {
 
 std::span<const Field> fields() {
     return all_fields;
+}
+
+std::vector<const Field*> fields_of(std::string_view group) {
+    std::vector<const Field*> found;
+    for (const Field& field : all_fields) {
+        if (field.path.substr(0, field.path.rfind('.')) == group) {
+            found.push_back(&field);
+        }
+    }
+    return found;
+}
+
+std::size_t element_count(const Field& field, const Params& params) {
+    return field.path.starts_with("light.")   ? params.lights.size()
+           : field.path.starts_with("plane.") ? params.planes.size()
+                                              : 1;
 }
 
 const Field* find_field(std::string_view path) {

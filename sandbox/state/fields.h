@@ -2,9 +2,11 @@
 // it does. The JSON reader and writer, `params`, `--set` and the panel's controls all read this list.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -23,14 +25,31 @@ struct EnumRef {
     void set(int index) const { assign(value, index); }
 };
 
+/// The elements of a list behind the first one. The state file has them in an array ("lights") and the first one in a
+/// group of its own ("light"), whose fields are those of every element: this is the one place that says so.
+template <typename Element>
+struct Further {
+    static constexpr bool has_lights = std::is_same_v<Element, LightParams>;
+    static constexpr std::string_view group = has_lights ? "light" : "plane";
+    static constexpr std::size_t most = has_lights ? most_lights - 1 : most_planes - 1;
+    std::vector<Element>* all;
+
+    std::span<Element> elements() const { return std::span(*all).subspan(1); }
+};
+
+/// The matrices by hand but those of the first plane and the first light on it, which have fields of their own.
+struct FurtherOverrides {
+    std::array<PlaneOverrides, most_planes>* all;
+};
+
 /// Where a field lives inside a Params.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
-                              std::vector<LightParams>*, std::vector<PlaneParams>*, std::optional<glm::dmat4>*,
+                              Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
                               std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*>;
 
 struct Field {
     std::string_view path;  ///< "projection.near"
-    FieldRef (*in)(Params&) = nullptr;
+    FieldRef (*place)(Params& params, std::size_t element) = nullptr;
     std::string_view label;      ///< as on the panel: "z-near"
     std::string_view unit = "";  ///< "world units", "°", "" …
     double min = -1e12;          ///< inclusive, per component; ±1e12 where nothing else limits it
@@ -40,6 +59,11 @@ struct Field {
     std::string_view help;          ///< what it does, one or two sentences
     std::string_view formula = "";  ///< "" or the formula it enters
     std::string_view gl_call = "";  ///< "" or the GL call it becomes
+
+    /// Of a field of the groups "light" and "plane", in which light or plane of the list; `element` is 0 for others.
+    FieldRef in(Params& params, std::size_t element = 0) const { return place(params, element); }
+    /// "near"
+    std::string_view name() const { return path.substr(path.rfind('.') + 1); }
 };
 
 /// All fields in the order of the state file.
@@ -51,6 +75,15 @@ const Field* find_field(std::string_view path);
 /// The field at a path that is known to exist; a missing one is a programmer's mistake and asserts.
 const Field& field(std::string_view path);
 
+/// The fields of a group, which may be that of a list's elements.
+std::vector<const Field*> fields_of(std::string_view group);
+
+/// `{"equation": [a, b, c, d], "extent", …}`: what the state file has for an element of that group's list.
+std::string element_form(std::string_view group);
+
+/// In how many elements of a list the field stands; 1 for one that is in no list.
+std::size_t element_count(const Field& field, const Params& params);
+
 /// What one component of a field may be, both ends included. The w of a light is 0 … 1, other components have the
 /// field's range. Scalars are component 0.
 struct Range {
@@ -61,16 +94,12 @@ Range component_range(const Field& field, int component);
 /// "from 1 to 179".
 std::string range_text(const Range& range);
 
-/// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix", "follow",
-/// "range", "pixel".
+/// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix",
+/// "matrices", "follow", "range", "pixel".
 std::string_view type_name(const Field& field);
 
 /// What the field accepts, to follow "must be": "a number from 1 to 179", "one of fly, walk, orbit" …
 std::string allowed_text(const Field& field);
-
-/// At most so many further lights and planes, so that four lights and eight planes are the most in all.
-inline constexpr std::size_t max_further_lights = 3;
-inline constexpr std::size_t max_further_planes = 7;
 
 /// A normal (a, b, c) or a light (x, y, z, w) shorter than this counts as zero.
 inline constexpr double min_length = 1e-9;
@@ -112,8 +141,8 @@ std::string_view name_of(Enum value) {
 }
 
 /// Puts every number back into its field's range and mends what belongs together (near < far, a plane
-/// with a normal, a light that is not zero): what the panel can reach is never an error. An angle that
-/// may turn on and on (yaw, roll) is wrapped by whole turns instead of stopping; NaN becomes the default.
+/// with a normal, a light that is not zero, a chosen one that is there): what the panel can reach is never an error. An
+/// angle that may turn on and on (yaw, roll) is wrapped by whole turns instead of stopping; NaN becomes the default.
 /// The objects of an inline scene are left alone: no control reaches them.
 void clamp_to_ranges(Params& params);
 

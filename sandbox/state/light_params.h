@@ -2,6 +2,7 @@
 // them. Every switch is right as it is by default. Read params.h for the rest.
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 
 #include "state/scene_description.h"
@@ -13,6 +14,8 @@ enum class ShadowStyle { blend, missing_light };
 enum class ShadowSign { plane_dot_light, none, forced };
 enum class MirrorClip { none, clip_distance, oblique };
 enum class MirroredThing { scene, camera };
+
+inline constexpr std::size_t most_lights = 4, most_planes = 8;
 
 /// w = 1 a point light at (x, y, z), w = 0 a parallel light from the direction (x, y, z).
 struct LightParams {

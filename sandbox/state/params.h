@@ -4,6 +4,8 @@
 // Read frame/derive.cpp next.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -50,9 +52,11 @@ struct CullParams {
     bool operator==(const CullParams&) const = default;
 };
 
-struct Overrides {
-    std::optional<glm::dmat4> shadow_from_world, mirror_from_world;  ///< in place of S or R
-    bool operator==(const Overrides&) const = default;
+/// What is put in place of a plane's R, and of its S of each light.
+struct PlaneOverrides {
+    std::optional<glm::dmat4> mirrored_world_from_world;
+    std::array<std::optional<glm::dmat4>, most_lights> shadowed_world_from_world;
+    bool operator==(const PlaneOverrides&) const = default;
 };
 
 /// The followed point: a vertex of an object of the scene.
@@ -84,7 +88,7 @@ struct SlipParams {
 /// What moves by itself while the window is open; pictures without a window show its beginning.
 struct AnimationParams {
     bool jiggle = false;        ///< the camera trembles by so little that only depth fighting shows it
-    bool light_orbit = false;   ///< the light turns about the world's y axis
+    bool light_orbit = false;   ///< the chosen light turns about the world's y axis
     double light_speed = 30.0;  ///< degrees a second, positive to the left
     bool operator==(const AnimationParams&) const = default;
 };
@@ -95,6 +99,12 @@ struct UiParams {
     bool operator==(const UiParams&) const = default;
 };
 
+/// Indices of the plane and the light that are looked at more closely, never beyond their lists.
+struct Choice {
+    std::size_t plane = 0, light = 0;
+    bool operator==(const Choice&) const = default;
+};
+
 struct Params {
     int version = 1;
     SceneSource scene = std::string("torus-and-boxes");
@@ -103,13 +113,11 @@ struct Params {
     DepthParams depth;
     CoplanarParams coplanar;
     CullParams cull;
-    LightParams light;
-    std::vector<LightParams> lights;
-    PlaneParams plane;
-    std::vector<PlaneParams> planes;
+    std::vector<LightParams> lights = std::vector<LightParams>(1);  ///< at least one
+    std::vector<PlaneParams> planes = std::vector<PlaneParams>(1);  ///< at least one
     ShadowParams shadow;
     ReflectionParams reflection;
-    Overrides overrides;
+    std::array<PlaneOverrides, most_planes> overrides;  ///< of each plane
     std::optional<Follow> follow;
     VisibilityParams visibility;
     ViewParams view;
@@ -117,7 +125,15 @@ struct Params {
     SlipParams slips;
     AnimationParams animation;
     UiParams ui;
+
+    Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }
+
     bool operator==(const Params&) const = default;
+
+private:
+    static std::size_t index_of(int number, std::size_t count) {
+        return static_cast<std::size_t>(std::clamp(number, 1, static_cast<int>(count)) - 1);
+    }
 };
 
 }  // namespace viewing

@@ -52,18 +52,15 @@ void mend_vector(Vector& vector, const Vector& fallback, const Field& field) {
 }
 
 void mend_light(glm::dvec4& position) {
-    mend_vector(position, glm::dvec4(0.0), field("light.position"));
     if (glm::length(position) < min_length) {
         position = {0.0, 1.0, 0.0, 0.0};
     }
 }
 
-void mend_plane(glm::dvec4& equation, double& extent) {
-    mend_vector(equation, glm::dvec4(0.0), field("plane.equation"));
+void mend_plane(glm::dvec4& equation) {
     if (glm::length(glm::dvec3(equation)) < min_length) {
         equation = {0.0, 1.0, 0.0, equation.w};
     }
-    extent = mended(extent, PlaneParams{}.extent, field("plane.extent"), 0);
 }
 
 void mend_matrix(std::optional<glm::dmat4>& matrix, const Field& field) {
@@ -83,7 +80,25 @@ void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
-void mend_field(const Field& field, Params& params) {
+/// What belongs to planes and lights that are not there goes.
+void mend_overrides(Params& params) {
+    for (std::size_t plane = 0; plane < most_planes; ++plane) {
+        PlaneOverrides& overrides = params.overrides[plane];
+        if (plane >= params.planes.size()) {
+            overrides = {};
+        }
+        mend_matrix(overrides.mirrored_world_from_world, field("overrides.mirror_from_world"));
+        for (std::size_t light = 0; light < most_lights; ++light) {
+            std::optional<glm::dmat4>& shadow = overrides.shadowed_world_from_world[light];
+            if (light >= params.lights.size()) {
+                shadow.reset();
+            }
+            mend_matrix(shadow, field("overrides.shadow_from_world"));
+        }
+    }
+}
+
+void mend_field(const Field& field, Params& params, std::size_t element) {
     const FieldRef fallback = default_ref(field);
     std::visit(Overloaded{
                    [&](int* value) {
@@ -95,7 +110,6 @@ void mend_field(const Field& field, Params& params) {
                    [&](double* value) { *value = mended(*value, *std::get<double*>(fallback), field, 0); },
                    [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
                    [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
-                   [&](std::optional<glm::dmat4>* value) { mend_matrix(*value, field); },
                    [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
                    [&](std::optional<glm::ivec2>* value) {
                        if (*value)
@@ -103,10 +117,21 @@ void mend_field(const Field& field, Params& params) {
                    },
                    [](auto&&) {},
                },
-               field.in(params));
+               field.in(params, element));
 }
 
 }  // namespace
+
+std::string element_form(std::string_view group) {
+    std::string form;
+    for (const Field* field : fields_of(group)) {
+        const bool is_vector = std::holds_alternative<glm::dvec4*>(default_ref(*field));
+        const std::string_view components = is_light(*field) ? ": [x, y, z, w]" : ": [a, b, c, d]";
+        form += (form.empty() ? "\"" : ", \"") + std::string(field->name()) + "\"";
+        form += is_vector ? components : "";
+    }
+    return "{" + form + "}";
+}
 
 std::string range_text(const Range& range) {
     return "from " + format_number(range.min) + " to " + format_number(range.max);
@@ -117,8 +142,9 @@ Range component_range(const Field& field, int component) {
 }
 
 std::string_view type_name(const Field& field) {
-    static constexpr std::string_view names[] = {"bool",  "int",    "number", "vec3",   "vec4",   "color", "enum",
-                                                 "scene", "lights", "planes", "matrix", "follow", "range", "pixel"};
+    static constexpr std::string_view names[] = {"bool",   "int",      "number", "vec3",   "vec4",
+                                                 "color",  "enum",     "scene",  "lights", "planes",
+                                                 "matrix", "matrices", "follow", "range",  "pixel"};
     static_assert(std::size(names) == std::variant_size_v<FieldRef>);
     return names[default_ref(field).index()];
 }
@@ -142,16 +168,16 @@ std::string allowed_text(const Field& field) {
             [](Color*) -> std::string { return "a colour \"#rrggbb\""; },
             [](EnumRef choice) -> std::string { return "one of " + joined(choice.names); },
             [](SceneSource*) -> std::string { return "a scene's name, a path, or an object with \"objects\""; },
-            [](std::vector<LightParams>*) -> std::string {
-                return "an array of at most " + std::to_string(max_further_lights) +
-                       " lights {\"position\": [x, y, z, w]}";
-            },
-            [](std::vector<PlaneParams>*) -> std::string {
-                return "an array of at most " + std::to_string(max_further_planes) +
-                       " planes {\"equation\": [a, b, c, d], \"extent\", \"receives_shadow\", \"mirrors\", \"gloss\"}";
+            []<typename Element>(Further<Element> list) -> std::string {
+                return "an array of at most " + std::to_string(list.most) + " " + std::string(list.group) + "s " +
+                       element_form(list.group);
             },
             [](std::optional<glm::dmat4>*) -> std::string {
                 return "null or 4 rows of 4 numbers, each from -1e12 to 1e12";
+            },
+            [](FurtherOverrides) -> std::string {
+                return "an array of {\"plane\", \"light\": whole numbers from 1, \"shadow_from_world\", "
+                       "\"mirror_from_world\": null or 4 rows of 4 numbers}";
             },
             [](std::optional<Follow>*) -> std::string {
                 return "null or {\"object\": name, \"vertex\": whole number}";
@@ -167,23 +193,26 @@ std::string allowed_text(const Field& field) {
 }
 
 void clamp_to_ranges(Params& params) {
+    params.lights.resize(std::clamp<std::size_t>(params.lights.size(), 1, most_lights));
+    params.planes.resize(std::clamp<std::size_t>(params.planes.size(), 1, most_planes));
     for (const Field& field : fields()) {
-        mend_field(field, params);
+        for (std::size_t element = 0; element < element_count(field, params); ++element) {
+            mend_field(field, params, element);
+        }
     }
     if (params.projection.near >= params.projection.far) {
         params.projection.far = params.projection.near * 1.01;
     }
-    mend_light(params.light.position);
-    mend_plane(params.plane.equation, params.plane.extent);
-
-    params.lights.resize(std::min(params.lights.size(), max_further_lights));
     for (LightParams& light : params.lights) {
         mend_light(light.position);
     }
-    params.planes.resize(std::min(params.planes.size(), max_further_planes));
     for (PlaneParams& plane : params.planes) {
-        mend_plane(plane.equation, plane.extent);
+        mend_plane(plane.equation);
     }
+    mend_overrides(params);
+    const Choice chosen = params.chosen();
+    params.view.plane = static_cast<int>(chosen.plane + 1);
+    params.view.light = static_cast<int>(chosen.light + 1);
     if (params.follow) {
         params.follow->vertex = std::max(params.follow->vertex, 0);
     }

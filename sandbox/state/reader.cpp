@@ -45,36 +45,6 @@ void read_vector(Vector& vector, const Field& field, const Json& value, const Wh
     }
 }
 
-LightParams read_light(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"position"};
-    require_object(value, where, "a light {\"position\": [x, y, z, w]}");
-    LightParams light;
-    for (const auto& [key, member] : value.items()) {
-        require_known_key(key, where, keys);
-        read_vector(light.position, field("light.position"), member, where.key(key));
-    }
-    return light;
-}
-
-PlaneParams read_plane(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"equation", "extent", "receives_shadow", "mirrors", "gloss"};
-    require_object(value, where, "a plane {\"equation\": [a, b, c, d], …}");
-    PlaneParams plane;
-    for (const auto& [key, member] : value.items()) {
-        require_known_key(key, where, keys);
-        const Where inside = where.key(key);
-        if (key == "equation") {
-            read_vector(plane.equation, field("plane.equation"), member, inside);
-        } else if (key == "extent") {
-            plane.extent = read_number(member, inside, component_range(field("plane.extent"), 0));
-        } else {
-            bool& flag = key == "mirrors" ? plane.mirrors : key == "gloss" ? plane.gloss : plane.receives_shadow;
-            flag = read_bool(member, inside);
-        }
-    }
-    return plane;
-}
-
 glm::ivec2 read_pixel(const Json& value, const Field& field, const Where& where) {
     if (!value.is_array() || value.size() != 2) {
         refuse_value(value, where, allowed_text(field));
@@ -103,9 +73,63 @@ Follow read_follow(const Json& value, const Field& field, const Where& where) {
     return follow;
 }
 
+/// One of the lights or planes of a list; what the object leaves out keeps its default.
+void read_element(std::string_view group, Params& params, std::size_t element, const Json& object, const Where& where) {
+    std::vector<std::string> names;
+    for (const Field* field : fields_of(group)) {
+        names.emplace_back(field->name());
+    }
+    require_object(object, where, "a " + std::string(group) + " " + element_form(group));
+    for (const auto& [key, value] : object.items()) {
+        require_known_key(key, where, names);
+        read_field(field(std::string(group) + "." + key), params, value, where.key(key), element);
+    }
+}
+
+/// S or R by hand; one that is given already is refused.
+void read_override_matrix(std::optional<glm::dmat4>& matrix, const Json& value, const Field& field,
+                          const Where& where) {
+    if (value.is_null()) {
+        return;
+    }
+    if (matrix) {
+        where.refuse("is given twice for that plane and light");
+    }
+    matrix = read_matrix(value, where, component_range(field, 0));
+}
+
+/// One element of overrides.further.
+void read_override(std::array<PlaneOverrides, most_planes>& overrides, const Json& object, const std::string& must_be,
+                   const Where& where) {
+    static const std::vector<std::string> keys = {"plane", "light", "shadow_from_world", "mirror_from_world"};
+    require_object(object, where, must_be);
+    for (const auto& [key, value] : object.items()) {
+        require_known_key(key, where, keys);
+    }
+    const auto index_of = [&](const char* key, std::size_t most) {
+        const int number =
+            object.contains(key) ? read_whole(object[key], where.key(key), 1, static_cast<int>(most)) : 1;
+        return static_cast<std::size_t>(number - 1);
+    };
+    const std::size_t plane = index_of("plane", most_planes), light = index_of("light", most_lights);
+    const auto read = [&](const char* key, std::optional<glm::dmat4>& matrix, bool has_own_field) {
+        if (!object.contains(key)) {
+            return;
+        }
+        const std::string path = std::string("overrides.") + key;
+        if (has_own_field && !object[key].is_null()) {
+            where.key(key).refuse("that of the first one is " + path);
+        }
+        read_override_matrix(matrix, object[key], field(path), where.key(key));
+    };
+    read("shadow_from_world", overrides[plane].shadowed_world_from_world[light], plane == 0 && light == 0);
+    read("mirror_from_world", overrides[plane].mirrored_world_from_world, plane == 0);
+}
+
 /// Reads one JSON value into whatever a field is. One operator for each alternative of FieldRef.
 struct FieldReader {
     const Field& field;
+    Params& params;
     const Json& value;
     const Where& where;
 
@@ -132,24 +156,34 @@ struct FieldReader {
             *target = read_scene(value, where);
         }
     }
-    void operator()(std::vector<LightParams>* target) const {
-        require_array(value, where, max_further_lights, allowed_text(field));
-        target->clear();
+    template <typename Element>
+    void operator()(Further<Element> list) const {
+        require_array(value, where, list.most, allowed_text(field));
+        list.all->resize(1);
+        list.all->resize(1 + value.size());
         for (std::size_t i = 0; i < value.size(); ++i) {
-            target->push_back(read_light(value[i], where.at(i)));
-        }
-    }
-    void operator()(std::vector<PlaneParams>* target) const {
-        require_array(value, where, max_further_planes, allowed_text(field));
-        target->clear();
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            target->push_back(read_plane(value[i], where.at(i)));
+            read_element(list.group, params, i + 1, value[i], where.at(i));
         }
     }
     void operator()(std::optional<glm::dmat4>* target) const {
         target->reset();
         if (!value.is_null()) {
             *target = read_matrix(value, where, component_range(field, 0));
+        }
+    }
+    void operator()(FurtherOverrides overrides) const {
+        require_array(value, where, most_planes * most_lights, allowed_text(field));
+        for (std::size_t plane = 0; plane < most_planes; ++plane) {
+            PlaneOverrides& cleared = (*overrides.all)[plane];
+            if (plane > 0) {
+                cleared.mirrored_world_from_world.reset();
+            }
+            for (std::size_t light = plane > 0 ? 0 : 1; light < most_lights; ++light) {
+                cleared.shadowed_world_from_world[light].reset();
+            }
+        }
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            read_override(*overrides.all, value[i], allowed_text(field), where.at(i));
         }
     }
     void operator()(std::optional<Follow>* target) const {
@@ -181,6 +215,37 @@ void check_light(const glm::dvec4& position, const Where& where) {
     }
 }
 
+/// Where the file has an element of a list: "light", then "lights[0]".
+Where element(const Where& root, const std::string& group, std::size_t index) {
+    return index == 0 ? root.key(group) : root.key(group + "s").at(index - 1);
+}
+
+void check_chosen(int number, std::size_t count, const Where& where) {
+    if (number > static_cast<int>(count)) {
+        where.refuse("there is no such one: there " +
+                     (count == 1 ? std::string("is 1") : "are " + std::to_string(count)) + ", got " +
+                     std::to_string(number));
+    }
+}
+
+/// Matrices by hand belong to planes and lights that are there.
+void check_overrides(const Params& params, const Where& where) {
+    for (std::size_t plane = 0; plane < most_planes; ++plane) {
+        const PlaneOverrides& overrides = params.overrides[plane];
+        bool is_used = overrides.mirrored_world_from_world.has_value();
+        for (std::size_t light = 0; light < most_lights; ++light) {
+            const bool has_shadow = overrides.shadowed_world_from_world[light].has_value();
+            if (has_shadow && light >= params.lights.size()) {
+                where.refuse("there is no light " + std::to_string(light + 1));
+            }
+            is_used = is_used || has_shadow;
+        }
+        if (is_used && plane >= params.planes.size()) {
+            where.refuse("there is no plane " + std::to_string(plane + 1));
+        }
+    }
+}
+
 void check_plane(const glm::dvec4& equation, const Where& where) {
     if (glm::length(glm::dvec3(equation)) < min_length) {
         where.refuse("the normal (a, b, c) must not be zero");
@@ -195,8 +260,8 @@ bool is_group(std::string_view path) {
     });
 }
 
-void read_field(const Field& field, Params& params, const Json& value, const Where& where) {
-    std::visit(FieldReader{field, value, where}, field.in(params));
+void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element) {
+    std::visit(FieldReader{field, params, value, where}, field.in(params, element));
 }
 
 void read_group(Params& params, const Json& object, const Where& where) {
@@ -246,14 +311,15 @@ void check_together(const Params& params, const std::string& prefix) {
         root.key("projection.near")
             .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));
     }
-    check_light(params.light.position, root.key("light.position"));
     for (std::size_t i = 0; i < params.lights.size(); ++i) {
-        check_light(params.lights[i].position, root.key("lights").at(i).key("position"));
+        check_light(params.lights[i].position, element(root, "light", i).key("position"));
     }
-    check_plane(params.plane.equation, root.key("plane.equation"));
     for (std::size_t i = 0; i < params.planes.size(); ++i) {
-        check_plane(params.planes[i].equation, root.key("planes").at(i).key("equation"));
+        check_plane(params.planes[i].equation, element(root, "plane", i).key("equation"));
     }
+    check_chosen(params.view.plane, params.planes.size(), root.key("view.plane"));
+    check_chosen(params.view.light, params.lights.size(), root.key("view.light"));
+    check_overrides(params, root.key("overrides.further"));
 }
 
 void take_titles(Json& document, const Where& where) {

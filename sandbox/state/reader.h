@@ -46,10 +46,10 @@ Json matrix_as_json(const glm::dmat4& matrix);  ///< four rows, top row first
 // ---- fields and groups (reader.cpp, writer.cpp) -------------------------------------------------------------------
 
 bool is_group(std::string_view path);
-void read_field(const Field& field, Params& params, const Json& value, const Where& where);
+void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element = 0);
 /// The fields that the object names change, the others stay.
 void read_group(Params& params, const Json& object, const Where& where);
-Json field_as_json(const Field& field, Params& params);
+Json field_as_json(const Field& field, Params& params, std::size_t element = 0);
 Json params_as_document(Params params);
 
 /// Refuses a path or key that no field or group has, with the nearest known one.

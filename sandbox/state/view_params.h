@@ -53,6 +53,7 @@ struct ViewParams {
     DepthColors depth_colors = DepthColors::grey;
     std::optional<glm::dvec2> depth_range;  ///< eye distances that are black and white; none: see fields.cpp
     int samples = 4;                        ///< 0 or 4
+    int plane = 1, light = 1;               ///< the ones looked at more closely, counted from 1 on
     BesideParams beside;
     std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one
     int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them

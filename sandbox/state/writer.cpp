@@ -9,6 +9,8 @@ namespace {
 
 /// What a field is, as JSON. One operator for each alternative of FieldRef.
 struct FieldWriter {
+    Params& params;
+
     Json operator()(const bool* value) const { return *value; }
     Json operator()(const int* value) const { return *value; }
     Json operator()(const double* value) const { return *value; }
@@ -20,26 +22,42 @@ struct FieldWriter {
         const auto* scene = std::get_if<SceneDescription>(value);
         return scene != nullptr ? scene_as_json(*scene) : Json(std::get<std::string>(*value));
     }
-    Json operator()(const std::vector<LightParams>* lights) const {
+    template <typename Element>
+    Json operator()(Further<Element> list) const {
         Json array = Json::array();
-        for (const LightParams& light : *lights) {
-            array.push_back({{"position", vector_as_json(light.position)}});
-        }
-        return array;
-    }
-    Json operator()(const std::vector<PlaneParams>* planes) const {
-        Json array = Json::array();
-        for (const PlaneParams& plane : *planes) {
-            array.push_back({{"equation", vector_as_json(plane.equation)},
-                             {"extent", plane.extent},
-                             {"receives_shadow", plane.receives_shadow},
-                             {"mirrors", plane.mirrors},
-                             {"gloss", plane.gloss}});
+        for (std::size_t element = 1; element < list.all->size(); ++element) {
+            Json object = Json::object();
+            for (const Field* field : fields_of(list.group)) {
+                object[std::string(field->name())] = field_as_json(*field, params, element);
+            }
+            array.push_back(std::move(object));
         }
         return array;
     }
     Json operator()(const std::optional<glm::dmat4>* matrix) const {
         return *matrix ? matrix_as_json(**matrix) : Json(nullptr);
+    }
+    Json operator()(FurtherOverrides overrides) const {
+        Json array = Json::array();
+        for (std::size_t plane = 0; plane < most_planes; ++plane) {
+            PlaneOverrides& of_plane = (*overrides.all)[plane];
+            for (std::size_t light = 0; light < most_lights; ++light) {
+                std::optional<glm::dmat4> shadow = of_plane.shadowed_world_from_world[light], mirror;
+                if (plane == 0 && light == 0) {
+                    shadow.reset();
+                }
+                if (plane > 0 && light == 0) {
+                    mirror = of_plane.mirrored_world_from_world;
+                }
+                if (shadow || mirror) {
+                    array.push_back({{"plane", plane + 1},
+                                     {"light", light + 1},
+                                     {"shadow_from_world", (*this)(&shadow)},
+                                     {"mirror_from_world", (*this)(&mirror)}});
+                }
+            }
+        }
+        return array;
     }
     Json operator()(const std::optional<Follow>* follow) const {
         return *follow ? Json{{"object", (*follow)->object}, {"vertex", (*follow)->vertex}} : Json(nullptr);
@@ -54,8 +72,8 @@ struct FieldWriter {
 
 }  // namespace
 
-Json field_as_json(const Field& field, Params& params) {
-    return std::visit(FieldWriter{}, field.in(params));
+Json field_as_json(const Field& field, Params& params, std::size_t element) {
+    return std::visit(FieldWriter{params}, field.in(params, element));
 }
 
 Json params_as_document(Params params) {

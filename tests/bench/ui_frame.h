@@ -22,7 +22,7 @@ T value_of(Result<T> result) {
 /// Changes what every picture, every matrix and the panel depend on.
 inline void edit(Params& params, int step) {
     params.camera.yaw += step % 2 == 0 ? 0.5 : -0.4;
-    params.light.position.x += step % 2 == 0 ? 0.02 : -0.02;
+    params.lights.front().position.x += step % 2 == 0 ? 0.02 : -0.02;
 }
 
 class UiFrame {

@@ -29,7 +29,7 @@ protected:
         Params params = testing::params_with(
             {"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0", "camera.roll=0", "projection.near=0.5",
              "projection.far=200", "view.shows=fighting", "view.samples=0", std::string("depth.format=") + format});
-        params.plane.extent = 1e-3;
+        params.planes.front().extent = 1e-3;
         return params;
     }
     static Image picture(const Params& params, const Scene& scene) {

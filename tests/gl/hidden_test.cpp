@@ -277,7 +277,7 @@ TEST_F(Hidden, OverdrawIsCountedByGlAsInSoftware) {
         Params params = random_view(random);
         params.view.shows = Shows::overdraw;
         const bool divided = run % 2 == 1;  // by the patch, whose plane then cuts what is counted
-        if (!divided) params.plane.equation = {0.0, 1.0, 0.0, 20.0};
+        if (!divided) params.planes.front().equation = {0.0, 1.0, 0.0, 20.0};
         for (const VisibilityMethod method : software_methods) {
             params.visibility.method = method;
             HiddenSurfaceSolver solver(scene);

@@ -26,13 +26,6 @@ inline unsigned rooms(unsigned usual) {
     return usual * static_cast<unsigned>(std::max(longer ? std::atoi(longer) : 1, 1));
 }
 
-/// The parameters' planes, the first one included.
-inline std::vector<PlaneParams*> planes_of(Params& params) {
-    std::vector<PlaneParams*> planes{&params.plane};
-    for (PlaneParams& plane : params.planes) planes.push_back(&plane);
-    return planes;
-}
-
 /// Draws one room; the number decides what is in it, the seed where.
 class RoomMaker {
 public:
@@ -157,14 +150,13 @@ private:
         params.camera.roll = camera.roll_deg;
         params.projection = {camera.orthographic ? ProjectionType::orthographic : ProjectionType::perspective,
                              camera.fovy_deg, camera.height, camera.near, camera.far};
-        params.planes.resize(room_.oracle.planes.size() - 1);
-        const std::vector<PlaneParams*> planes = planes_of(params);
-        for (std::size_t i = 0; i < planes.size(); ++i) {
+        params.planes.resize(room_.oracle.planes.size());
+        for (std::size_t i = 0; i < params.planes.size(); ++i) {
             const OraclePlane& plane = room_.oracle.planes[i];
-            *planes[i] = {plane.equation * (chance(0.5) ? -1.0 : 1.0) * random_.number(0.3, 3.0), plane.extent,
-                          plane.receives, plane.mirrors, chance(0.3)};
+            params.planes[i] = {plane.equation * (chance(0.5) ? -1.0 : 1.0) * random_.number(0.3, 3.0), plane.extent,
+                                plane.receives, plane.mirrors, chance(0.3)};
         }
-        params.light.position = room_.oracle.lights.front();
+        params.lights.front().position = room_.oracle.lights.front();
         for (std::size_t i = 1; i < room_.oracle.lights.size(); ++i) params.lights.push_back({room_.oracle.lights[i]});
         set_techniques(params);
     }

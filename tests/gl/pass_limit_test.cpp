@@ -45,10 +45,10 @@ Params random_state(Random& random) {
     const auto chance = [&random] { return random.number(0, 1) < 0.5; };
     Params params;
     params.camera.position += glm::dvec3(random.number(-1, 1), random.number(-0.5, 1), random.number(-1, 1));
-    params.light.position = {random.number(-3, 3), random.number(3, 6), random.number(-3, 3), one_of(2)};
-    if (chance()) params.lights = {{{random.number(-3, 3), 5.0, random.number(-3, 3), 1.0}}};
-    params.plane.equation = {random.number(-0.2, 0.2), 1.0, random.number(-0.2, 0.2), 0.0};
-    if (chance()) params.planes = {{.equation = {0.0, 0.0, 1.0, 3.0}}};
+    params.lights.front().position = {random.number(-3, 3), random.number(3, 6), random.number(-3, 3), one_of(2)};
+    if (chance()) params.lights.push_back({{random.number(-3, 3), 5.0, random.number(-3, 3), 1.0}});
+    params.planes.front().equation = {random.number(-0.2, 0.2), 1.0, random.number(-0.2, 0.2), 0.0};
+    if (chance()) params.planes.push_back({.equation = {0.0, 0.0, 1.0, 3.0}});
     params.shadow.style = static_cast<ShadowStyle>(one_of(2));
     params.shadow.offset = static_cast<ShadowOffset>(one_of(4));
     params.reflection.clip = static_cast<MirrorClip>(one_of(3));

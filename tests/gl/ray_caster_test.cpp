@@ -112,9 +112,9 @@ Situation situation(unsigned number) {
     params.camera.roll = camera.roll_deg;
     params.projection = {camera.orthographic ? ProjectionType::orthographic : ProjectionType::perspective,
                          camera.fovy_deg, camera.height, camera.near, camera.far};
-    params.plane = {made.plane().equation * (random.number(0, 1) < 0.5 ? -1.0 : 1.0) * random.number(0.3, 3.0),
-                    made.plane().extent};
-    params.light.position = made.light();
+    params.planes.front() = {made.plane().equation * (random.number(0, 1) < 0.5 ? -1.0 : 1.0) * random.number(0.3, 3.0),
+                             made.plane().extent};
+    params.lights.front().position = made.light();
     params.shadow.enabled = made.oracle.casts;
     params.shadow.color = {255, 0, 255};
     params.shadow.opacity = 1.0;
@@ -239,16 +239,17 @@ TEST_F(RayCasterTest, WouldNoticeAWrongMatrix) {
     ASSERT_TRUE(made.oracle.casts);
     ASSERT_EQ(tally_of(made).wrong, 0);
     Derived derived = derive_for(made.params, made.scene, size_px);
-    glm::dmat4 shifted = derived.shadow_from_world;
-    shifted[3] += glm::dvec4(0.2, 0.0, 0.2, 0.0) * derived.shadow_sign;
-    made.params.overrides.shadow_from_world = shifted;
+    glm::dmat4 shifted = derived.planes[0].shadows[0].shadowed_world_from_world;
+    shifted[3] += glm::dvec4(0.2, 0.0, 0.2, 0.0) * derived.planes[0].shadows[0].sign;
+    made.params.overrides[0].shadowed_world_from_world[0] = shifted;
     EXPECT_GT(tally_of(made).wrong, 0);
 
     Situation mirror = situation(52000);
     ASSERT_TRUE(mirror.plane().mirrors);
     ASSERT_EQ(tally_of(mirror).wrong, 0);
     derived = derive_for(mirror.params, mirror.scene, size_px);
-    mirror.params.overrides.mirror_from_world = glm::translate(derived.mirror_from_world, {0.3, 0.3, 0.3});
+    mirror.params.overrides[0].mirrored_world_from_world =
+        glm::translate(derived.planes[0].mirrored_world_from_world, {0.3, 0.3, 0.3});
     EXPECT_GT(tally_of(mirror).wrong, 0);
 }
 

@@ -177,7 +177,7 @@ TEST_F(FrameState, FallbacksGiveNearlyTheSamePicture) {
         Params unclipped = params;
         unclipped.reflection.clip = MirrorClip::none;
         unclipped.shadow.clip_casters = false;
-        if (params.plane.equation.w != 0.0) {
+        if (params.planes.front().equation.w != 0.0) {
             EXPECT_GT(pixels_beyond(draw(unclipped, scene, size_px), fallback, 3), 120) << "nothing to clip: " << what;
         }
     }

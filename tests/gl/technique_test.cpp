@@ -190,8 +190,8 @@ TEST_F(Technique, PlaneTimesAnyFactorGivesTheSamePicture) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         Params params;
         params.view.samples = 0;
-        params.plane.equation = {random.direction(), random.number(-1.0, 1.0)};
-        params.light.position = {random.vec3(5), trial % 3 == 0 ? 0.0 : 1.0};
+        params.planes.front().equation = {random.direction(), random.number(-1.0, 1.0)};
+        params.lights.front().position = {random.vec3(5), trial % 3 == 0 ? 0.0 : 1.0};
         params.camera.position = 7.0 * random.direction();
         const Angles angles = angles_looking_at(params.camera.position, {0, 0.5, 0});
         params.camera.yaw = angles.yaw_deg;
@@ -203,7 +203,7 @@ TEST_F(Technique, PlaneTimesAnyFactorGivesTheSamePicture) {
         const Image picture = draw(params, scene, size_px);
         for (const double factor : {-1.0, 2.0}) {
             Params same = params;
-            same.plane.equation *= factor;
+            same.planes.front().equation *= factor;
             EXPECT_EQ(draw(same, scene, size_px), picture) << "times " << factor;
         }
         Params without = params;
@@ -406,7 +406,7 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         Params params =
             params_with({"view.samples=0", "shadow.enabled=false", "reflection.reflectance=1", "cull.enabled=true"});
-        params.plane.equation = {random.direction(), random.number(-0.5, 0.5)};
+        params.planes.front().equation = {random.direction(), random.number(-0.5, 0.5)};
         params.camera.position = 7.0 * random.direction();
         const Angles angles = angles_looking_at(params.camera.position, {0, 0, 0});
         params.camera.yaw = angles.yaw_deg;
@@ -419,8 +419,8 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         image.passes[0].clip_planes.clear();
 
         // C′ = R C with x turned round is a rigid pose again.
-        const glm::dmat4 mirrored_camera =
-            derived.mirror_from_world * derived.world_from_view * glm::scale(glm::dmat4(1.0), {-1, 1, 1});
+        const glm::dmat4 mirrored_camera = derived.planes[0].mirrored_world_from_world * derived.world_from_view *
+                                           glm::scale(glm::dmat4(1.0), {-1, 1, 1});
         const Angles mirrored_angles = angles_from_rotation(glm::dmat3(mirrored_camera));
         Params from_behind = params;
         from_behind.camera.position = glm::dvec3(mirrored_camera[3]);
@@ -450,7 +450,7 @@ TEST_F(Technique, ObliqueNearPlaneAndClipDistanceCutAlike) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         Params params = params_with({"view.samples=0", "reflection.reflectance=1"});
         params.projection.type = trial % 3 == 2 ? ProjectionType::orthographic : ProjectionType::perspective;
-        params.plane.equation = {random.direction(), random.number(-0.5, 0.5)};
+        params.planes.front().equation = {random.direction(), random.number(-0.5, 0.5)};
         params.camera.position = 7.0 * random.direction();
         const Angles angles = angles_looking_at(params.camera.position, {0, 0.3, 0});
         params.camera.yaw = angles.yaw_deg;

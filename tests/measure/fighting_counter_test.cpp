@@ -101,7 +101,7 @@ TEST_F(Counter, CountsAnewOnlyForWhatMatters) {
     finish();
     params.ui.theme = Theme::light;
     params.view.shows = Shows::depth;
-    params.light.position.x += 1.0;
+    params.lights.front().position.x += 1.0;
     EXPECT_FALSE(update(!may_wait, !is_at_rest)->counts_are_behind);
     params.depth.format = DepthFormat::d16;
     EXPECT_TRUE(update(!may_wait, !is_at_rest)->counts_are_behind);

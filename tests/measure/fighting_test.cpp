@@ -120,7 +120,7 @@ TEST_F(Fighting, NeedsNothingFromTheMethodThePlaneOrTheShadow) {
     params.visibility.method = VisibilityMethod::painter;
     params.shadow.enabled = params.reflection.enabled = true;
     params.view.shows = Shows::depth;
-    params.plane.extent = 100.0;
+    params.planes.front().extent = 100.0;
     EXPECT_EQ(count(params, scene).wrong_fraction(), alone.wrong_fraction());
 }
 

@@ -233,14 +233,14 @@ TEST_F(MirrorMeasure, AgreesOnSeveralPlanesAndMirrorsInMirrors) {
     for (const int bounces : {1, 2, 3}) {
         Params params = params_of("opening");
         params.reflection.bounces = bounces;
-        params.planes = {{.equation = {0.0, 0.0, 1.0, 2.5}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
+        params.planes = {{}, {.equation = {0.0, 0.0, 1.0, 2.5}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
         const MirrorWays ways = measure(params);
         EXPECT_GT(of(ways, MirrorWay::clip_distance).image_pixels, 1000) << bounces;
         // Each level's edges may move by a pixel, and what is seen through two of them by two.
         const std::int64_t most = bounces == 1 ? 0 : ways.reports[0].compared / 500;
         EXPECT_LE(of(ways, MirrorWay::camera).different, most) << bounces;
         EXPECT_LE(of(ways, MirrorWay::oblique).different, most) << bounces;
-        params.plane.mirrors = false;
+        params.planes.front().mirrors = false;
         EXPECT_GT(of(measure(params), MirrorWay::clip_distance).image_pixels, 100) << "the second plane's image";
     }
 }

@@ -36,7 +36,7 @@ TEST_F(DerivationViews, AreTopicsOfTheLowerViews) {
     EXPECT_EQ(params.view.lower_right, Topic::mirror_derivation);
     EXPECT_TRUE(says("q′ = q − 2 k n"));
     EXPECT_TRUE(says("R for the xz-plane"));
-    params.plane.equation = {0.3, 1.0, 0.1, 0.5};
+    params.planes.front().equation = {0.3, 1.0, 0.1, 0.5};
     desk.settle();
     EXPECT_TRUE(says("R for any plane"));
     EXPECT_FALSE(says("R for the xz-plane"));
@@ -44,20 +44,20 @@ TEST_F(DerivationViews, AreTopicsOfTheLowerViews) {
 
 TEST_F(DerivationViews, TheLightSlidesFromPointToParallel) {
     const Params before = params;
-    const glm::dvec4 light = params.light.position;
+    const glm::dvec4 light = params.lights.front().position;
     ASSERT_EQ(light.w, 1.0);
     ui.drag("lower/l_w", -40.0F, 0.0F, 5, 0.95F);
     desk.settle();
     EXPECT_EQ(differing_fields(before, params), (Paths{"light.position"}));
-    EXPECT_EQ(glm::dvec3(params.light.position), glm::dvec3(light));
-    EXPECT_GT(params.light.position.w, 0.0);
-    EXPECT_LT(params.light.position.w, 1.0);
+    EXPECT_EQ(glm::dvec3(params.lights.front().position), glm::dvec3(light));
+    EXPECT_GT(params.lights.front().position.w, 0.0);
+    EXPECT_LT(params.lights.front().position.w, 1.0);
     EXPECT_TRUE(says("l = (x, y, z)/l_w"));
     EXPECT_TRUE(says("only for l_w = 1"));
 
     ui.drag("lower/l_w", -2000.0F, 0.0F);
     desk.settle();
-    EXPECT_EQ(params.light.position, glm::dvec4(glm::dvec3(light), 0.0));
+    EXPECT_EQ(params.lights.front().position, glm::dvec4(glm::dvec3(light), 0.0));
     EXPECT_TRUE(says("s = p + τ l"));
     desk.undo();
     desk.undo();
@@ -65,36 +65,36 @@ TEST_F(DerivationViews, TheLightSlidesFromPointToParallel) {
 }
 
 TEST_F(DerivationViews, SayWhatIsSpecial) {
-    params.light.position = {1.0, 0.0, 2.0, 1.0};
+    params.lights.front().position = {1.0, 0.0, 2.0, 1.0};
     desk.settle();
     EXPECT_TRUE(says("The light lies in the plane"));
     EXPECT_TRUE(says("figure"));
-    params.light.position = {1.0, 0.2, 2.0, 1.0};
+    params.lights.front().position = {1.0, 0.2, 2.0, 1.0};
     desk.settle();
     EXPECT_TRUE(says("p is farther from the plane than the light"));
     ASSERT_TRUE(desk.derived.followed);
-    params.light.position = glm::dvec4(desk.derived.followed->point_world, 1.0);
+    params.lights.front().position = glm::dvec4(desk.derived.followed->point_world, 1.0);
     desk.settle();
     EXPECT_TRUE(says("p is where the light is"));
-    params.light.position.x += 2.0;
+    params.lights.front().position.x += 2.0;
     desk.settle();
     EXPECT_TRUE(says("The ray is parallel to the plane"));
     params.follow.reset();
     desk.settle();
     EXPECT_TRUE(says("Click an object to follow"));
-    params.overrides.shadow_from_world = glm::dmat4(1.0);
+    params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(1.0);
     desk.settle();
     EXPECT_TRUE(says("S is entered by hand"));
 }
 
 /// A light at the world's origin has no direction: it cannot become parallel.
 TEST_F(DerivationViews, ALightAtTheOriginStaysAPoint) {
-    params.plane.equation = {0.0, 1.0, 0.0, 2.0};
-    params.light.position = {0.0, 0.0, 0.0, 1.0};
+    params.planes.front().equation = {0.0, 1.0, 0.0, 2.0};
+    params.lights.front().position = {0.0, 0.0, 0.0, 1.0};
     desk.settle();
     ui.drag("lower/l_w", -2000.0F, 0.0F);
     desk.settle();
-    EXPECT_GT(params.light.position.w, 0.0);
+    EXPECT_GT(params.lights.front().position.w, 0.0);
 }
 
 /// Whatever the state, in views of every size: drawn, and showing it changes nothing.
@@ -108,8 +108,8 @@ TEST_F(DerivationViews, HoldEverywhere) {
         for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {
             for (const glm::dvec4& light : lights) {
                 for (const glm::dvec4& plane : planes) {
-                    params.light.position = light;
-                    params.plane.equation = plane;
+                    params.lights.front().position = light;
+                    params.planes.front().equation = plane;
                     params.view.lower_left = Topic::observer;
                     params.view.lower_right = topic;
                     const Params before = params;

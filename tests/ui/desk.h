@@ -279,6 +279,12 @@ public:
     const std::shared_ptr<const HiddenAnswer>& answer() const { return answer_; }
 };
 
+inline std::array<PlaneOverrides, most_planes> further_of(std::array<PlaneOverrides, most_planes> overrides) {
+    overrides[0].mirrored_world_from_world.reset();
+    overrides[0].shadowed_world_from_world[0].reset();
+    return overrides;
+}
+
 /// The paths of the fields in which two states differ.
 inline std::vector<std::string> differing_fields(Params a, Params b) {
     std::vector<std::string> paths;
@@ -289,6 +295,10 @@ inline std::vector<std::string> differing_fields(Params a, Params b) {
                 using Ref = std::decay_t<decltype(left)>;
                 if constexpr (std::is_same_v<Ref, EnumRef>)
                     return left.index() == std::get<EnumRef>(right).index();
+                else if constexpr (std::is_same_v<Ref, FurtherOverrides>)
+                    return further_of(*left.all) == further_of(*std::get<Ref>(right).all);
+                else if constexpr (requires { left.elements(); })
+                    return std::ranges::equal(left.elements(), std::get<Ref>(right).elements());
                 else
                     return *left == *std::get<Ref>(right);
             },

@@ -67,8 +67,8 @@ const std::pair<const char*, void (*)(Params&)> moods[] = {{"opening", [](Params
                                                                 params.camera.position = {-123456.7, 0.0001, -99999.0};
                                                             }},
                                                            {"trouble", [](Params& params) {
-                                                                params.light.position = {1.0, 0.0, 1.0, 1.0};
-                                                                params.plane.equation = {0.0, -1e6, 0.0, 0.0};
+                                                                params.lights.front().position = {1.0, 0.0, 1.0, 1.0};
+                                                                params.planes.front().equation = {0.0, -1e6, 0.0, 0.0};
                                                                 params.slips.camera_as_view = true;
                                                                 params.shadow.style = ShadowStyle::missing_light;
                                                                 params.cull.enabled = true;

@@ -58,7 +58,7 @@ TEST_F(LectureCodeTest, TheSwitchShowsTheTranspose) {
     EXPECT_EQ(ui.text_of("matrices/R/r3c0"), right);
     EXPECT_EQ(ui.text_of("matrices/R/r0c3"), "0.000");
     EXPECT_NE(ui.text_of("left/code/trouble").find("w is no longer 1"), std::string::npos);
-    params.plane.equation.w = 0.0;
+    params.planes.front().equation.w = 0.0;
     ui.frames(2);
     EXPECT_FALSE(ui.has("left/code/trouble")) << "right where d = 0";
     // The element that the slide fills with −2ad is entry (4, 1) for GL.
@@ -91,13 +91,13 @@ TEST(LightRaysTest, AreFoundAnewWhereLightPlaneOrSceneIsAnother) {
     EXPECT_GT(count(), 12U);
     EXPECT_LE(count(), 3U * 12U) << "three objects";
     const glm::dvec3 before = rays.of(session, derive(session.params, session.scene(), {})).front().shadow_world;
-    session.params.light.position.x += 1.0;
+    session.params.lights.front().position.x += 1.0;
     EXPECT_GT(count(), 0U);
     const glm::dvec3 after = rays.of(session, derive(session.params, session.scene(), {})).front().shadow_world;
     EXPECT_GT(glm::distance(before, after), 0.05);
-    session.params.plane.equation = {0, 1, 0, -20};
+    session.params.planes.front().equation = {0, 1, 0, -20};
     EXPECT_EQ(count(), 0U) << "all objects beyond the light";
-    session.params.light.position = {1, 20, 1, 1};
+    session.params.lights.front().position = {1, 20, 1, 1};
     EXPECT_EQ(count(), 0U) << "the light in the plane";
 }
 

@@ -222,6 +222,9 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "ui.scale",
                     "overrides.shadow_from_world",
                     "overrides.mirror_from_world",
+                    "overrides.further",
+                    "view.plane",
+                    "view.light",
                     "visibility.step",
                     "visibility.sort_key",
                     "visibility.splitter",
@@ -302,7 +305,7 @@ TEST_F(PanelTest, TypedValuesAreClamped) {
                            {"projection/fovy", "55", params.projection.fovy, 55.0},
                            {"projection/z-near", "-1", params.projection.near, 0.001},
                            {"shadow/opacity", "7", params.shadow.opacity, 1.0},
-                           {"light/position/w", "2", params.light.position.w, 1.0},
+                           {"light/position/w", "2", params.lights.front().position.w, 1.0},
                            {"camera/position/x", "1e300", params.camera.position.x, 1e6},
                            {"camera/position/x", "−2,5", params.camera.position.x, -2.5}};
     for (const Typed& one : typed) {
@@ -349,83 +352,83 @@ TEST_F(PanelTest, CombosChooseByName) {
 TEST_F(PanelTest, PlaneButtonsAndNormalise) {
     desk.enter("plane/equation/d", "2");
     desk.click("plane/equation/yz");
-    EXPECT_EQ(params.plane.equation, glm::dvec4(1, 0, 0, 0));
+    EXPECT_EQ(params.planes.front().equation, glm::dvec4(1, 0, 0, 0));
     desk.click("plane/equation/xy");
-    EXPECT_EQ(params.plane.equation, glm::dvec4(0, 0, 1, 0));
+    EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 0, 1, 0));
     desk.click("plane/equation/xz");
-    EXPECT_EQ(params.plane.equation, glm::dvec4(0, 1, 0, 0));
+    EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
     EXPECT_FALSE(ui.find("plane/equation/normalise").enabled);
 
     desk.enter("plane/equation/a", "3");
     desk.enter("plane/equation/b", "4");
     desk.enter("plane/equation/d", "10");
     desk.click("plane/equation/normalise");
-    EXPECT_NEAR(params.plane.equation.x, 0.6, 1e-15);
-    EXPECT_NEAR(params.plane.equation.y, 0.8, 1e-15);
-    EXPECT_NEAR(params.plane.equation.w, 2.0, 1e-15);
+    EXPECT_NEAR(params.planes.front().equation.x, 0.6, 1e-15);
+    EXPECT_NEAR(params.planes.front().equation.y, 0.8, 1e-15);
+    EXPECT_NEAR(params.planes.front().equation.w, 2.0, 1e-15);
 }
 
 TEST_F(PanelTest, ANormalNeverBecomesZeroAndALightNeverVanishes) {
     desk.enter("plane/equation/b", "0");
-    EXPECT_EQ(params.plane.equation, glm::dvec4(0, 1, 0, 0));
+    EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
     for (const char* component : {"light/position/x", "light/position/y", "light/position/z", "light/position/w"})
         desk.enter(component, "0");
-    EXPECT_GT(glm::length(params.light.position), 0.0);
+    EXPECT_GT(glm::length(params.lights.front().position), 0.0);
 }
 
 TEST_F(PanelTest, LightIsPointOrParallel) {
     desk.click("light/position/parallel");
-    EXPECT_EQ(params.light.position, glm::dvec4(2.6, 5.2, 2.2, 0.0));
+    EXPECT_EQ(params.lights.front().position, glm::dvec4(2.6, 5.2, 2.2, 0.0));
     EXPECT_EQ(ui.text_of("light/position/parallel"), "on");
     desk.click("light/position/point");
-    EXPECT_EQ(params.light.position, glm::dvec4(2.6, 5.2, 2.2, 1.0));
+    EXPECT_EQ(params.lights.front().position, glm::dvec4(2.6, 5.2, 2.2, 1.0));
 }
 
 TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 3; ++count) {
         desk.click("light/add a light");
-        ASSERT_EQ(params.lights.size(), count);
+        ASSERT_EQ(params.lights.size(), count + 1);
     }
-    const std::vector<LightParams> three = params.lights;
-    EXPECT_EQ(three[0].position, glm::dvec4(-2.6, 5.2, 2.2, 1.0));
-    EXPECT_NE(three[0], three[1]);
-    EXPECT_NE(three[1], three[2]);
+    const std::vector<LightParams> four = params.lights;
+    EXPECT_EQ(four[1].position, glm::dvec4(-2.6, 5.2, 2.2, 1.0));
+    EXPECT_NE(four[1], four[2]);
+    EXPECT_NE(four[2], four[3]);
     EXPECT_FALSE(ui.find("light/add a light").enabled);
     desk.enter("light/light 3/y", "4");
-    EXPECT_EQ(params.lights[1].position.y, 4.0);
+    EXPECT_EQ(params.lights[2].position.y, 4.0);
     desk.click("light/light 4/parallel");
-    EXPECT_EQ(params.lights[2].position.w, 0.0);
+    EXPECT_EQ(params.lights[3].position.w, 0.0);
     desk.click("light/remove light 2");
-    ASSERT_EQ(params.lights.size(), 2U);
-    EXPECT_EQ(params.lights[0].position.y, 4.0);
+    ASSERT_EQ(params.lights.size(), 3U);
+    EXPECT_EQ(params.lights[1].position.y, 4.0);
     EXPECT_TRUE(ui.find("light/add a light").enabled);
     desk.undo();
-    EXPECT_EQ(params.lights.size(), 3U);
+    EXPECT_EQ(params.lights.size(), 4U);
 }
 
 TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 7; ++count) {
         desk.click("plane/add a plane");
-        ASSERT_EQ(params.planes.size(), count);
+        ASSERT_EQ(params.planes.size(), count + 1);
     }
-    EXPECT_EQ(params.planes[0].equation, glm::dvec4(0, 0, 1, 3));
-    EXPECT_EQ(params.planes[1].equation, glm::dvec4(1, 0, 0, 3));
-    for (std::size_t one = 0; one < 7; ++one)
+    EXPECT_EQ(params.planes[1].equation, glm::dvec4(0, 0, 1, 3));
+    EXPECT_EQ(params.planes[2].equation, glm::dvec4(1, 0, 0, 3));
+    for (std::size_t one = 0; one < 8; ++one)
         for (std::size_t other = 0; other < one; ++other) EXPECT_NE(params.planes[one], params.planes[other]);
     EXPECT_FALSE(ui.find("plane/add a plane").enabled);
     desk.click("plane/Plane 3");
     desk.enter("plane/plane 3/equation/d", "4");
-    EXPECT_EQ(params.planes[1].equation, glm::dvec4(1, 0, 0, 4));
+    EXPECT_EQ(params.planes[2].equation, glm::dvec4(1, 0, 0, 4));
     desk.enter("plane/plane 3/extent", "7");
-    EXPECT_EQ(params.planes[1].extent, 7.0);
+    EXPECT_EQ(params.planes[2].extent, 7.0);
     for (const char* flag : {"plane/plane 3/Receiver", "plane/plane 3/Mirrors", "plane/plane 3/Gloss"})
         desk.click(flag);
-    EXPECT_FALSE(params.planes[1].receives_shadow || params.planes[1].mirrors);
-    EXPECT_TRUE(params.planes[1].gloss);
-    EXPECT_EQ(params.plane, PlaneParams{});
+    EXPECT_FALSE(params.planes[2].receives_shadow || params.planes[2].mirrors);
+    EXPECT_TRUE(params.planes[2].gloss);
+    EXPECT_EQ(params.planes.front(), PlaneParams{});
     desk.click("plane/plane 3/remove plane 3");
-    ASSERT_EQ(params.planes.size(), 6U);
-    EXPECT_EQ(params.planes[1].equation, glm::dvec4(-1, 0, 0, 3));
+    ASSERT_EQ(params.planes.size(), 7U);
+    EXPECT_EQ(params.planes[2].equation, glm::dvec4(-1, 0, 0, 3));
 }
 
 TEST_F(PanelTest, TheMirroredCamerasProjectionIsChosenWhereThereIsOne) {
@@ -491,18 +494,18 @@ TEST_F(PanelTest, HoveringAParameterLightsItsMatrixEntriesAndTheOtherWayRound) {
 }  // namespace
 TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
     Desk desk;
-    const glm::dmat4 derived = desk.derived.shadow_from_world;
+    const glm::dmat4 derived = desk.derived.planes[0].shadows[0].shadowed_world_from_world;
     desk.ui.click("matrices/edit");  // the first one is S's
     desk.ui.frames(3);
-    ASSERT_TRUE(desk.params().overrides.shadow_from_world);
-    EXPECT_EQ(*desk.params().overrides.shadow_from_world, derived);
+    ASSERT_TRUE(desk.params().overrides[0].shadowed_world_from_world[0]);
+    EXPECT_EQ(*desk.params().overrides[0].shadowed_world_from_world[0], derived);
     desk.drag("matrices/S/r0c1", 20.0F);
-    EXPECT_NE(desk.derived.shadow_from_world[1][0], derived[1][0]);
-    EXPECT_EQ(desk.derived.shadow_from_world[0][1], derived[0][1]);
+    EXPECT_NE(desk.derived.planes[0].shadows[0].shadowed_world_from_world[1][0], derived[1][0]);
+    EXPECT_EQ(desk.derived.planes[0].shadows[0].shadowed_world_from_world[0][1], derived[0][1]);
     desk.ui.click("matrices/release");
     desk.ui.frames(3);
-    EXPECT_FALSE(desk.params().overrides.shadow_from_world);
-    EXPECT_EQ(desk.derived.shadow_from_world, derived);
+    EXPECT_FALSE(desk.params().overrides[0].shadowed_world_from_world[0]);
+    EXPECT_EQ(desk.derived.planes[0].shadows[0].shadowed_world_from_world, derived);
 }
 
 TEST(Matrices, EachPlaneAndLightHasItsOwn) {
@@ -516,11 +519,15 @@ TEST(Matrices, EachPlaneAndLightHasItsOwn) {
     EXPECT_EQ(desk.ui.text_of("matrices/R/r2c2"), "−1.000");  // the wall z = −3
     EXPECT_EQ(desk.ui.text_of("matrices/R/r2c3"), "−6.000");
     EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "−2.600");  // −l_x n_z
-    EXPECT_FALSE(desk.ui.has("matrices/edit"));
+    EXPECT_EQ(desk.params().view.plane, 2);
     desk.choose("matrices/light", "matrices/light/light 2");
     EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "2.600");
-    desk.choose("matrices/plane", "matrices/plane/plane 1");
-    EXPECT_TRUE(desk.ui.has("matrices/edit"));  // R's
+    desk.click("matrices/edit");  // the first one is S's
+    desk.ui.frames(3);
+    PlaneOverrides wall;
+    wall.shadowed_world_from_world[1] = desk.derived.planes[1].shadows[1].shadowed_world_from_world;
+    EXPECT_EQ(desk.params().overrides[1], wall);
+    EXPECT_EQ(desk.params().overrides[0], PlaneOverrides{});
     desk.click("plane/Plane 2");
     desk.click("plane/plane 2/remove plane 2");
     desk.ui.frames(3);

@@ -206,7 +206,7 @@ TEST_F(PassesView, OfAHiddenSurfaceMethodStopNowhere) {
 }
 
 TEST_F(PassesView, FitsEverywhereAndChangesNothing) {
-    params.planes = {{.equation = {0.0, 0.0, 1.0, 3.0}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
+    params.planes = {{}, {.equation = {0.0, 0.0, 1.0, 3.0}}, {.equation = {1.0, 0.0, 0.0, 3.0}}};
     params.reflection.bounces = 3;
     for (const Theme theme : {Theme::dark, Theme::projector}) {
         params.ui.theme = theme;

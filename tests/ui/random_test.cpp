@@ -113,7 +113,8 @@ TEST(RandomActions, LeaveAStateThatCanBeReadBack) {
             ASSERT_EQ(*read_back, desk.params());
             for (const glm::dmat4& matrix :
                  {desk.derived.view_from_world, desk.derived.world_from_view, desk.derived.clip_from_view,
-                  desk.derived.clip_from_world, desk.derived.shadow_from_world, desk.derived.mirror_from_world})
+                  desk.derived.clip_from_world, desk.derived.planes[0].shadows[0].shadowed_world_from_world,
+                  desk.derived.planes[0].mirrored_world_from_world})
                 ASSERT_FALSE(has_nan(matrix));
             // A dialog would swallow everything that follows.
             if (action % 10 == 9) desk.press(Key::escape);

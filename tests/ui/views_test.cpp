@@ -7,14 +7,14 @@ namespace {
 class ViewsTest : public UiTest {
 protected:
     ViewsTest() {
-        params.light.position = {0.4, 2.6, 0.6, 1.0};  // inside the picture
+        params.lights.front().position = {0.4, 2.6, 0.6, 1.0};  // inside the picture
         desk.settle();
     }
     void expect_near(ImVec2 a, ImVec2 b, float tolerance_px) {
         EXPECT_NEAR(a.x, b.x, tolerance_px);
         EXPECT_NEAR(a.y, b.y, tolerance_px);
     }
-    glm::dvec3 light() const { return glm::dvec3(params.light.position); }
+    glm::dvec3 light() const { return glm::dvec3(params.lights.front().position); }
 
     /// The vertex of an object that is nearest to the eye: visible when the object is convex and nothing stands before
     /// it.
@@ -43,12 +43,27 @@ TEST_F(ViewsTest, TheLightFollowsItsHandleAndTheNumbersFollowTheLight) {
     const ImVec2 from = desk.in_camera_view(light());
     desk.drag_from(from, 60.0F, -40.0F);
     EXPECT_EQ(differing_fields(before, params), Paths{"light.position"});
-    EXPECT_EQ(params.light.position.w, 1.0);
+    EXPECT_EQ(params.lights.front().position.w, 1.0);
     expect_near(desk.in_camera_view(light()), {from.x + 60.0F, from.y - 40.0F}, 0.5F);
     EXPECT_EQ(ui.text_of("light/position/x"), widgets::NumberText(light().x, 2));
     EXPECT_EQ(ui.text_of("light/position/y"), widgets::NumberText(light().y, 2));
     desk.undo();
     EXPECT_EQ(params, before);
+}
+
+TEST_F(ViewsTest, HandlesBelongToTheChosenLightAndPlane) {
+    params.lights.push_back({{-1.2, 1.8, 0.4, 1.0}});
+    params.planes.push_back({.equation = {0.0, 0.0, 1.0, 1.0}});
+    params.view.light = params.view.plane = 2;
+    desk.settle();
+    const Params before = params;
+    desk.drag_from(desk.in_camera_view(glm::dvec3(params.lights[1].position)), 30.0F, -20.0F);
+    EXPECT_EQ(params.lights[0], before.lights[0]);
+    EXPECT_NE(params.lights[1], before.lights[1]);
+    EXPECT_EQ(params.planes, before.planes);
+    desk.drag_from(desk.in_camera_view({0.0, 0.0, -1.0}), 40.0F, 0.0F);
+    EXPECT_EQ(params.planes[0], before.planes[0]);
+    EXPECT_NE(params.planes[1].equation.w, before.planes[1].equation.w);
 }
 
 TEST_F(ViewsTest, ShiftDragsTheLightUpAndDownOnly) {
@@ -63,46 +78,46 @@ TEST_F(ViewsTest, ShiftDragsTheLightUpAndDownOnly) {
 }
 
 TEST_F(ViewsTest, AParallelLightKeepsItsLength) {
-    params.light.position = {0.3, 1.0, 0.2, 0.0};
+    params.lights.front().position = {0.3, 1.0, 0.2, 0.0};
     params.camera.position = {3.9, 5.0, 9.6};
     desk.settle();
     const double length = glm::length(light());
     desk.drag_from(desk.in_camera_view(glm::normalize(light()) * 5.0), 40.0F, 20.0F);
     EXPECT_NE(light(), glm::dvec3(0.3, 1.0, 0.2));
-    EXPECT_EQ(params.light.position.w, 0.0);
+    EXPECT_EQ(params.lights.front().position.w, 0.0);
     EXPECT_NEAR(glm::length(light()), length, 1e-12);
 }
 
 TEST_F(ViewsTest, ThePlaneMovesAlongItsNormal) {
-    params.plane.equation = {0.0, 2.0, 0.0, 0.0};
+    params.planes.front().equation = {0.0, 2.0, 0.0, 0.0};
     desk.settle();
     const Params before = params;
     desk.drag_from(desk.in_camera_view({0.0, 0.0, 0.0}), 0.0F, -60.0F);
     EXPECT_EQ(differing_fields(before, params), Paths{"plane.equation"});
-    EXPECT_EQ(glm::dvec3(params.plane.equation), glm::dvec3(0.0, 2.0, 0.0));
-    EXPECT_LT(params.plane.equation.w, -0.2);  // y = −d / 2 went up
-    EXPECT_NEAR(*widgets::ParseNumber(ui.text_of("plane/equation/d")), params.plane.equation.w, 0.006);
+    EXPECT_EQ(glm::dvec3(params.planes.front().equation), glm::dvec3(0.0, 2.0, 0.0));
+    EXPECT_LT(params.planes.front().equation.w, -0.2);  // y = −d / 2 went up
+    EXPECT_NEAR(*widgets::ParseNumber(ui.text_of("plane/equation/d")), params.planes.front().equation.w, 0.006);
 }
 
 TEST_F(ViewsTest, TiltingKeepsTheNormalsLengthAndThePatchsCentre) {
-    params.plane.equation = {0.0, 2.0, 0.0, -1.0};  // y = 0.5
-    params.light.position = {3.0, 6.0, 3.0, 1.0};
+    params.planes.front().equation = {0.0, 2.0, 0.0, -1.0};  // y = 0.5
+    params.lights.front().position = {3.0, 6.0, 3.0, 1.0};
     desk.settle();
     const Params before = params;
     desk.drag_from(desk.in_camera_view({0.0, 0.5 + 1.4, 0.0}), 80.0F, 10.0F);
     EXPECT_EQ(differing_fields(before, params), Paths{"plane.equation"});
-    const glm::dvec3 normal(params.plane.equation);
+    const glm::dvec3 normal(params.planes.front().equation);
     EXPECT_GT(normal.x, 0.1);
     EXPECT_NEAR(glm::length(normal), 2.0, 1e-12);
-    EXPECT_NEAR(glm::dot(normal, glm::dvec3(0.0, 0.5, 0.0)) + params.plane.equation.w, 0.0, 1e-12);
+    EXPECT_NEAR(glm::dot(normal, glm::dvec3(0.0, 0.5, 0.0)) + params.planes.front().equation.w, 0.0, 1e-12);
 }
 
 TEST_F(ViewsTest, AFlippedPlaneKeepsItsSignWhenTilted) {
-    params.plane.equation = {0.0, -1.0, 0.0, 0.0};
+    params.planes.front().equation = {0.0, -1.0, 0.0, 0.0};
     desk.settle();
     desk.drag_from(desk.in_camera_view({0.0, -1.4, 0.0}), 30.0F, 0.0F);
-    EXPECT_LT(params.plane.equation.y, -0.5);
-    EXPECT_NE(params.plane.equation.x, 0.0);
+    EXPECT_LT(params.planes.front().equation.y, -0.5);
+    EXPECT_NE(params.planes.front().equation.x, 0.0);
 }
 
 TEST_F(ViewsTest, WithoutHandlesTheMouseLooks) {
@@ -110,7 +125,7 @@ TEST_F(ViewsTest, WithoutHandlesTheMouseLooks) {
     ASSERT_FALSE(desk.workbench.views.handles);
     const Params before = params;
     desk.drag_from(desk.in_camera_view(light()), 60.0F, 0.0F);
-    EXPECT_EQ(params.light, before.light);
+    EXPECT_EQ(params.lights, before.lights);
     EXPECT_NE(params.camera.yaw, before.camera.yaw);
 }
 

@@ -14,7 +14,7 @@ glm::dvec2 contrast_range(const Params& params, const Derived& derived, const Sc
         const double distance = -(derived.view_from_world * glm::dvec4(corner, 1.0)).z;
         range = {std::min(range.x, distance), std::max(range.y, distance)};
     };
-    for (const glm::dvec3& corner : derived.patch.corners()) take(corner);
+    for (const glm::dvec3& corner : derived.planes.front().patch.corners()) take(corner);
     const Bounds& bounds = scene.bounds_world;
     for (int corner = 0; corner < 8 && !bounds.empty(); ++corner)
         take({corner & 1 ? bounds.max.x : bounds.min.x, corner & 2 ? bounds.max.y : bounds.min.y,

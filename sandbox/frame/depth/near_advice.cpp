@@ -154,7 +154,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
     for (const SceneObject& object : scene.objects)
         take(object.description.name, reach_of(*object.mesh, derived.view_from_world * object.world_from_model, view),
              false);
-    take(tr("the plane"), reach_of(derived.patch, derived.view_from_world, view), true);
+    take(tr("the plane"), reach_of(derived.planes.front().patch, derived.view_from_world, view), true);
     return seen;
 }
 

@@ -11,12 +11,13 @@ HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::
 }
 
 HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
+    const DerivedPlane& plane = derived.planes.front();
     HiddenRequest request = hidden_request(params, derived, size_px);
-    request.viewpoint.view_from_world = derived.view_from_world * derived.mirror_from_world;
+    request.viewpoint.view_from_world = derived.view_from_world * plane.mirrored_world_from_world;
     request.visibility.step = -1;
     if (params.reflection.clip != MirrorClip::none) {
         // What lies behind the mirror would stand in this eye's way: its picture begins at the mirror.
-        const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
+        const glm::dvec4 towards_eye = plane_facing(plane.unit_plane, derived.eye_world);
         request.viewpoint.clip_from_view = with_oblique_near_plane(
             request.viewpoint.clip_from_view, towards_eye * glm::inverse(request.viewpoint.view_from_world));
     }

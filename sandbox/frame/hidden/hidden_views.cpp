@@ -11,11 +11,10 @@ bool has_image(const HiddenResult& result) {
 
 /// What has been put in the place of R, or of the side that is mirrored, is no view that a method could take: GL draws
 /// that image as it comes.
-bool is_mirrored_by_gl_alone(const Params& params) {
+bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
-    return params.overrides.mirror_from_world || reflection.printed_by_rows || !reflection.side_of_eye ||
-           has_other_camera;
+    return plane.mirror_by_hand || reflection.printed_by_rows || !reflection.side_of_eye || has_other_camera;
 }
 
 }  // namespace
@@ -28,8 +27,9 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
 
     HiddenQuestion question{.camera = hidden_request(params, derived, size_px)};
     question.draws_camera = !gl_alone || visibility.step >= 0;
+    const DerivedPlane& plane = derived.planes.front();
     if (!gl_alone && visibility.step < 0 && params.reflection.enabled && params.reflection.bounces > 0 &&
-        derived.eye_side != 0.0 && !is_mirrored_by_gl_alone(params))
+        plane.eye_side != 0.0 && !is_mirrored_by_gl_alone(params, plane))
         question.mirrored = mirrored_request(params, derived, size_px);
     if (compares) {
         question.other = question.camera;

@@ -25,7 +25,7 @@ const char* reason_of(Subject subject) {
 }
 
 void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
-    const glm::dvec4 towards_eye = plane_facing(derived.unit_plane, derived.eye_world);
+    const glm::dvec4 towards_eye = plane_facing(derived.planes.front().unit_plane, derived.eye_world);
     Pass beyond = passes.back();
     beyond.name = tr("Objects beyond the plane");
     beyond.clip_planes = {-towards_eye};
@@ -64,8 +64,9 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         pass.reason = reason_of(pass.subject);
     }
     const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);
-    const glm::dvec4 towards_eye = derived.unit_plane * derived.eye_side;
-    if (sorts_itself && derived.eye_side != 0.0 && reaches_beyond(hidden.bounds_world, towards_eye))
+    const DerivedPlane& plane = derived.planes.front();
+    const glm::dvec4 towards_eye = plane.unit_plane * plane.eye_side;
+    if (sorts_itself && plane.eye_side != 0.0 && reaches_beyond(hidden.bounds_world, towards_eye))
         divide_by_the_patch(frame.passes, derived);
 
     if (params.view.shows != Shows::difference || !hidden.difference) return;

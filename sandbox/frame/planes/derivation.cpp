@@ -84,8 +84,9 @@ glm::dmat4 mirror_form(MirrorPlane plane, const glm::dvec4& unit_plane) {
 
 glm::dvec3 derivation_point(const Derived& derived) {
     if (derived.followed) return derived.followed->point_world;
-    const double plane_dot_light_sign = derived.facts.plane_dot_light < 0.0 ? -1.0 : 1.0;
-    return derived.patch.center + plane_dot_light_sign * glm::dvec3(derived.unit_plane);
+    const double plane_dot_light_sign = derived.chosen_shadow().plane_dot_light < 0.0 ? -1.0 : 1.0;
+    const DerivedPlane& plane = derived.chosen_plane();
+    return plane.patch.center + plane_dot_light_sign * glm::dvec3(plane.unit_plane);
 }
 
 const char* sentence_of(ShadowRay ray) {
@@ -172,7 +173,7 @@ MirrorDerivation derive_mirror(const glm::dvec4& unit_plane, const glm::dvec3& p
     found.foot_world = q - found.k * n;
     found.mirrored_world = q - 2.0 * found.k * n;
     found.plane = mirror_plane_of(unit_plane);
-    found.mirror_from_world = mirror_form(found.plane, unit_plane);
+    found.mirrored_world_from_world = mirror_form(found.plane, unit_plane);
 
     const glm::dvec4 homogeneous(q, 1.0);
     for (int row = 0; row < 3; ++row) {

@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// The point whose way is derived: the followed vertex; where none is followed, one unit above the middle of the first
-/// plane's patch, on the light's side.
+/// The point whose way is derived: the followed vertex; where none is followed, one unit above the middle of the
+/// chosen plane's patch, on the chosen light's side.
 glm::dvec3 derivation_point(const Derived& derived);
 
 /// What becomes of the ray from the light through p.
@@ -79,7 +79,7 @@ struct MirrorDerivation {
     double expansion_difference = 0.0;  ///< the largest of a row's sum from q′
 
     MirrorPlane plane = MirrorPlane::general;
-    glm::dmat4 mirror_from_world{1.0};  ///< R as the slide has it for that plane
+    glm::dmat4 mirrored_world_from_world{1.0};  ///< R as the slide has it for that plane
 };
 MirrorDerivation derive_mirror(const glm::dvec4& unit_plane, const glm::dvec3& point_world);
 

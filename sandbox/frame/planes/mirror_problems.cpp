@@ -23,8 +23,7 @@ struct Mirror {
 std::vector<Mirror> drawn_mirrors(const Params& params, const Derived& derived) {
     std::vector<Mirror> mirrors;
     for (const DerivedPlane& plane : drawn_planes(params, derived))
-        if (const double side = eye_side_of(plane, derived); plane.mirrors && side != 0.0)
-            mirrors.push_back({plane, side});
+        if (const double side = plane.eye_side; plane.mirrors && side != 0.0) mirrors.push_back({plane, side});
     return mirrors;
 }
 
@@ -75,7 +74,7 @@ void say_masks(Sayer& say, const Params& params, const Derived& derived, const s
                const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
     const auto image_is_wider = [&](const Mirror& mirror) {
-        return lands_beyond(scene, seen_on_plane(mirror, derived) * mirror.plane.mirror_from_world,
+        return lands_beyond(scene, seen_on_plane(mirror, derived) * mirror.plane.mirrored_world_from_world,
                             mirror.towards_eye(), mirror.plane.patch);
     };
     const auto is_covered = [&](const Mirror& mirror) {
@@ -112,9 +111,8 @@ void say_images(Sayer& say, const Params& params, const Derived& derived, const 
                "the mirrored camera sees with the aspect of a square picture: the image does not fit its mirror",
                "reflection.same_projection=true");
 
-    const bool by_hand = params.overrides.mirror_from_world.has_value();
-    const auto is_moved = [&](const Mirror& mirror) {
-        return mirror.distance_from_origin() > 1e-9 && !(by_hand && &mirror.plane == &derived.planes.front());
+    const auto is_moved = [](const Mirror& mirror) {
+        return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;
     };
     say.broken(reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
                "R is filled by rows as printed, and OpenGL reads columns: Rᵀ has −2d n in its last row, where it bends "

@@ -26,14 +26,14 @@ double turn(const Candidate& a, const Candidate& b, const Candidate& c) {
 /// The shadows of the vertices that throw one.
 std::vector<Candidate> candidates(const SceneObject& object, const glm::dvec4& plane, const glm::dvec4& light) {
     const double plane_dot_light = glm::dot(plane, light);
-    const glm::dmat4 shadow_from_world = shadow_matrix(plane, light);
+    const glm::dmat4 shadowed_world_from_world = shadow_matrix(plane, light);
     const PlanePatch patch = plane_patch(plane, 1.0);
     const std::vector<glm::vec3>& positions = object.mesh->positions;
     const std::size_t step = positions.size() / (most_vertices + 1) + 1;
     std::vector<Candidate> found;
     for (std::size_t i = 0; i < positions.size(); i += step) {
         const glm::dvec4 vertex = object.world_from_model * glm::dvec4(positions[i], 1.0);
-        const glm::dvec4 shadow = shadow_from_world * vertex;
+        const glm::dvec4 shadow = shadowed_world_from_world * vertex;
         const double side = plane_dot_light < 0.0 ? -1.0 : 1.0;
         if (side * glm::dot(plane, vertex) < -touching || side * shadow.w * farthest < std::abs(plane_dot_light))
             continue;

@@ -29,8 +29,8 @@ glm::dmat4 flip() {
 }
 
 /// The scene goes through R, and its lights with it.
-void mirror_scene(Level& inside, const glm::dmat4& mirror_from_world) {
-    inside.world_from_scene = inside.world_from_scene * mirror_from_world;
+void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
+    inside.world_from_scene = inside.world_from_scene * mirrored_world_from_world;
     inside.matrices += " R";
     if (!inside.params.reflection.reflect_light) return;
     for (std::size_t light = 0; light < inside.lights_world.size(); ++light)
@@ -39,19 +39,19 @@ void mirror_scene(Level& inside, const glm::dmat4& mirror_from_world) {
 }
 
 /// The camera goes through R, and its picture is flipped: (F P) (F V R) = P V R. The lights stay where they are.
-void mirror_camera(Level& inside, const glm::dmat4& mirror_from_world) {
+void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     const Params& params = inside.params;
     // As wide as high, whatever the picture.
     if (!params.reflection.same_projection && inside.mirrors_met == 1)
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
-    inside.view_from_world = flip() * inside.view_from_world * mirror_from_world;
+    inside.view_from_world = flip() * inside.view_from_world * mirrored_world_from_world;
     inside.matrices = inside.mirrors_met % 2 == 1 ? "F P F V" : "P V";
     for (int mirror = 0; mirror < inside.mirrors_met; ++mirror) inside.matrices += " R";
     inside.eye_world = inside.eye_scene;
     if (params.reflection.reflect_light) return;
-    for (glm::dvec4& light : inside.lights_world) light = mirror_from_world * light;
-    inside.sky_world = glm::dmat3(mirror_from_world) * inside.sky_world;
+    for (glm::dvec4& light : inside.lights_world) light = mirrored_world_from_world * light;
+    inside.sky_world = glm::dmat3(mirrored_world_from_world) * inside.sky_world;
 }
 
 ClipRange clip_range(const Level& level) {
@@ -89,9 +89,9 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     inside.eye_scene = true_mirror * outside.eye_scene;
     inside.scene_from_world = true_mirror * outside.scene_from_world;
     if (inside.params.reflection.mirrored == MirroredThing::camera)
-        mirror_camera(inside, plane.mirror_from_world);
+        mirror_camera(inside, plane.mirrored_world_from_world);
     else
-        mirror_scene(inside, plane.mirror_from_world);
+        mirror_scene(inside, plane.mirrored_world_from_world);
     clip_at_mirror(inside, inside.params.reflection.side_of_eye ? outside.plane_towards_eye(mirror) : plane.unit_plane);
     return inside;
 }

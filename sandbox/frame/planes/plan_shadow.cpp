@@ -37,7 +37,8 @@ void set_offset(Pass& pass, const Level& level, std::size_t plane) {
             glm::dmat4 lifted_from_plane(1.0);
             lifted_from_plane[3] = glm::dvec4(glm::dvec3(level.plane_towards_eye(plane)) * shadow.lift, 1.0);
             const CastShadow& cast = level.plane(plane).shadows[pass.light];
-            pass.world_from_scene = level.world_from_scene * lifted_from_plane * (cast.sign * cast.shadow_from_world);
+            pass.world_from_scene =
+                level.world_from_scene * lifted_from_plane * (cast.sign * cast.shadowed_world_from_world);
             break;
         }
         case ShadowOffset::no_depth_test:
@@ -54,7 +55,7 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     pass.light = light;
     pass.shading = Shading::flat;
     pass.depth.write = false;
-    pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadow_from_world);
+    pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
     pass.matrices = level.matrices + (cast.sign < 0.0 ? " (−S)" : " S");
     // What is cut off at the light first has no negative w left to force.
     const ShadowParams& shadow = level.params.shadow;

@@ -18,7 +18,7 @@ struct Thrown {
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
     /// · p is the w of the projected p as it should be: positive between light and plane.
-    glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadow_from_world)[3]; }
+    glm::dvec4 right_w() const { return side() * glm::transpose(cast.shadowed_world_from_world)[3]; }
     bool is_from_point() const { return cast.light_world.w > 0.0; }
 };
 
@@ -29,8 +29,7 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived)
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
         const std::vector<CastShadow>& shadows = planes[plane].shadows;
         for (std::size_t light = 0; light < shadows.size(); ++light) {
-            if (!planes[plane].receives_shadow || !shadows[light].reaches(eye_side_of(planes[plane], derived)))
-                continue;
+            if (!planes[plane].receives_shadow || !shadows[light].reaches(planes[plane].eye_side)) continue;
             thrown.push_back(
                 {planes[plane], shadows[light],
                  name_of("light", {light}, shadows.size()) + " and " + name_of("plane", {plane}, planes.size())});
@@ -141,7 +140,7 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
             !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
-                return lands_beyond(scene, one.cast.sign * one.cast.shadow_from_world, one.towards_light(),
+                return lands_beyond(scene, one.cast.sign * one.cast.shadowed_world_from_world, one.towards_light(),
                                     one.plane.patch);
             });
         say.broken(beyond_edge,

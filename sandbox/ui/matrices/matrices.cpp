@@ -10,6 +10,7 @@
 #include "frame/matrix_text.h"
 #include "text/catalogue.h"
 #include "ui/matrices/display_code.h"
+#include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
 
@@ -130,12 +131,8 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     return pressed;
 }
 
-/// S or R with a button to enter it by hand, or to go back, unless it belongs to a further plane or light.
-void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand, bool is_first) {
-    if (!is_first) {
-        show(shown, note, {});
-        return;
-    }
+/// S or R with a button to enter it by hand, or to go back.
+void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand) {
     const char* const buttons[] = {by_hand ? marked("release") : marked("edit")};
     if (!show(shown, note, buttons, &by_hand)) return;
     if (by_hand)
@@ -161,7 +158,10 @@ void followed_point(Session& session, const Derived& derived) {
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
     const std::string of = session.params.follow ? session.params.follow->object : "";
     const bool says_which = has_several && derived.followed;
-    heading(marked("Follow a point"), "p", says_which ? say("{object} · by plane 1, light 1", "object"_a = of) : of,
+    heading(marked("Follow a point"), "p",
+            says_which ? say("{object} · by plane {plane}, light {light}", "object"_a = of,
+                             "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
+                       : of,
             Role::point);
     if (!derived.followed) {
         widgets::Note(
@@ -233,81 +233,70 @@ std::string moved_text(const glm::dmat4& matrix, const PlanePatch& patch) {
     return identity_text(tr("points of the plane stay"), moved);
 }
 
-/// "plane 1", "plane 2", …: which one S and R are of.
-void choose_one(const char* name, std::size_t& index, std::size_t count) {
-    index = index < count ? index : 0;
+/// "plane 1", "plane 2", …: `number` counts from 1 on.
+void choose_one(const char* name, int& number, std::size_t count) {
     if (count == 1) return;
     std::vector<std::string> texts;
     std::vector<const char*> names;
     for (std::size_t i = 0; i < count; ++i)
         texts.push_back(say("{thing} {number}", "thing"_a = tr(name), "number"_a = i + 1));
     for (const std::string& text : texts) names.push_back(text.c_str());
-    int chosen = static_cast<int>(index);
+    int chosen = number - 1;
     ImGui::SameLine(0.0F, px(8.0F));
-    if (widgets::Choice((std::string("##") + name).c_str(), chosen, names, 0)) index = static_cast<std::size_t>(chosen);
-    widgets::Tooltip(name,
-                     "Each plane has an R, and with each light an S. Those of plane 1 and light 1 can be entered "
-                     "by hand.");
+    if (widgets::Choice((std::string("##") + name).c_str(), chosen, names, 0)) number = chosen + 1;
+    explain(field(std::string("view.") + name), name);
 }
 
-void choose_pair(MatrixChoice& choice, const Derived& derived) {
-    if (derived.planes.size() > 1 || derived.lights_world.size() > 1) {
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(tr("S and R of"));
-    }
-    choose_one(marked("plane"), choice.plane, derived.planes.size());
-    choose_one(marked("light"), choice.light, derived.lights_world.size());
+void choose_pair(Params& params) {
+    if (params.planes.size() == 1 && params.lights.size() == 1) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr("S and R of"));
+    choose_one(marked("plane"), params.view.plane, params.planes.size());
+    choose_one(marked("light"), params.view.light, params.lights.size());
 }
 
-/// Hovering an entry points at the first plane's and light's controls: not where it belongs to others.
-MatrixCells cells_for(MatrixCells cells, bool is_first) {
-    if (!is_first)
-        for (widgets::MatrixCell& cell : cells) cell.links = cell.own = 0;
-    return cells;
-}
+void shadow_and_mirror(Session& session, const Derived& derived, const Derived& before) {
+    const DerivedPlane& plane = derived.chosen_plane();
+    const CastShadow& cast = derived.chosen_shadow();
+    const auto [plane_index, light_index] = derived.chosen;
+    PlaneOverrides& overrides = session.params.overrides[plane_index];
+    // Another one that is chosen is no change of its entries.
+    const bool was_there = plane_index < before.planes.size() && light_index < before.lights_world.size();
+    const DerivedPlane& plane_before = was_there ? before.planes[plane_index] : plane;
+    const CastShadow& cast_before = was_there ? plane_before.shadows[light_index] : cast;
 
-void shadow_and_mirror(Session& session, const Derived& derived, const Derived& before, const MatrixChoice& choice) {
-    Overrides& overrides = session.params.overrides;
-    const DerivedPlane& plane = derived.planes[choice.plane];
-    const CastShadow& cast = plane.shadows[choice.light];
-    const bool was_there = choice.plane < before.planes.size() && choice.light < before.lights_world.size();
-    const DerivedPlane& plane_before = was_there ? before.planes[choice.plane] : plane;
-    const glm::dmat4& shadow_before =
-        was_there ? plane_before.shadows[choice.light].shadow_from_world : cast.shadow_from_world;
-    const bool is_first_plane = choice.plane == 0, is_first = is_first_plane && choice.light == 0;
-
-    const glm::dmat4& shadow = cast.shadow_from_world;
+    const glm::dmat4& shadow = cast.shadowed_world_from_world;
     show_overridable(
         {marked("Shadow"), "S", "shadow_from_world",
          marked("S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
                 "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
                 "the same map, but with w > 0, which the clipper keeps."),
-         Role::light, shadow, shadow_before, cells_for(shadow_cells(), is_first), shadow_roles(),
+         Role::light, shadow, cast_before.shadowed_world_from_world, shadow_cells(), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
          moved_text(shadow, plane.patch)},
         say("rank {rank} · {identity}", "rank"_a = rank_of(shadow),
             "identity"_a = identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light))),
-        overrides.shadow_from_world, is_first);
+        overrides.shadowed_world_from_world[light_index]);
 
-    const glm::dmat4& mirror = plane.mirror_from_world;
+    const glm::dmat4& mirror = plane.mirrored_world_from_world;
     const bool by_rows = session.params.reflection.printed_by_rows;
-    const bool is_transposed = by_rows && !(is_first_plane && overrides.mirror_from_world);
+    const bool is_transposed = by_rows && !overrides.mirrored_world_from_world;
     const std::string fact = is_transposed ? tr("as printed") : "det " + number_text(glm::determinant(mirror), 0);
     show_overridable(
         {marked("Reflection"), "R", "mirror_from_world",
          marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
                 "winding around."),
-         Role::mirror, mirror, plane_before.mirror_from_world, cells_for(mirror_cells(by_rows), is_first_plane),
-         mirror_roles(), mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
-        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirror_from_world, is_first_plane);
+         Role::mirror, mirror, plane_before.mirrored_world_from_world, mirror_cells(by_rows), mirror_roles(),
+         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
+        fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirrored_world_from_world);
 }
 
 }  // namespace
 
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
     const widgets::Group group("matrices");
-    choose_pair(choice, derived);
-    shadow_and_mirror(session, derived, before, choice);
+    choose_pair(session.params);
+    shadow_and_mirror(session, derived, before);
     followed_point(session, derived);
     ImGui::Dummy({0.0F, px(4.0F)});
     camera_matrices(session.params, derived, before, choice.shows_camera);

@@ -8,8 +8,7 @@ namespace viewing {
 
 /// Which matrices the column shows; kept between frames.
 struct MatrixChoice {
-    bool shows_camera = false;         ///< C in the place of V
-    std::size_t plane = 0, light = 0;  ///< of S and R; the first ones where there are no such any more
+    bool shows_camera = false;  ///< C in the place of V
 };
 
 /// `before`: the same numbers before the latest edit; entries that differ are tinted.

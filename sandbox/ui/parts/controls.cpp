@@ -80,7 +80,7 @@ struct DrawControl {
     }
 
     template <typename T>
-    bool operator()(T*) const {
+    bool operator()(T) const {
         assert(false && "this field has a widget of its own");
         return false;
     }

@@ -1,6 +1,7 @@
 #include "ui/parts/handles.h"
 
 #include <cmath>
+#include <string>
 
 #include "state/fields.h"
 #include "text/catalogue.h"
@@ -16,15 +17,25 @@ bool is_far_away(const glm::dvec4& light) {
     return length > 0.0 && length >= 1e3 * light.w;
 }
 
-const char* light_label(const glm::dvec4& light) {
-    return is_parallel_light(light) ? tr("l (parallel)") : is_far_away(light) ? tr("l (far away)") : "l";
+/// "l", "l₂", …
+const char* light_name(std::size_t light) {
+    static constexpr const char* names[most_lights] = {"l", "l₂", "l₃", "l₄"};
+    return names[light];
+}
+
+/// Of the light that has the handle: "l₂ (parallel)".
+std::string light_label(const Derived& derived) {
+    const glm::dvec4& light = derived.chosen_light();
+    const char* const name = light_name(derived.chosen.light);
+    if (is_parallel_light(light)) return say("{light} (parallel)", "light"_a = name);
+    return is_far_away(light) ? say("{light} (far away)", "light"_a = name) : name;
 }
 
 /// A light with its name; a parallel one with its direction.
 void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived, const char* name, float radius) {
     const ImU32 color = widgets::CurrentContext().palette.light;
     const glm::dvec3 place = lamp_place(light, derived);
-    if (is_far_away(light)) overlay.arrow(place, place + 0.25 * (derived.patch.center - place), color);
+    if (is_far_away(light)) overlay.arrow(place, place + 0.25 * (derived.chosen_plane().patch.center - place), color);
     overlay.dot(place, color, radius);
     overlay.label(place, name, color);
 }
@@ -39,15 +50,16 @@ glm::dvec3 in_picture_plane(const Ray& ray, const glm::dvec3& point, const glm::
 
 glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived) {
     return is_far_away(light_world)
-               ? derived.patch.center + glm::normalize(glm::dvec3(light_world)) * parallel_light_distance
+               ? derived.chosen_plane().patch.center + glm::normalize(glm::dvec3(light_world)) * parallel_light_distance
                : glm::dvec3(light_world) / light_world.w;
 }
 
 HandlePlaces handle_places(const Derived& derived) {
     HandlePlaces places{};
-    places.plane = derived.patch.center;
-    places.normal_tip = derived.patch.center + glm::dvec3(derived.unit_plane) * 1.4;
-    places.light = lamp_place(derived.lights_world.front(), derived);
+    const DerivedPlane& plane = derived.chosen_plane();
+    places.plane = plane.patch.center;
+    places.normal_tip = plane.patch.center + glm::dvec3(plane.unit_plane) * 1.4;
+    places.light = lamp_place(derived.chosen_light(), derived);
     return places;
 }
 
@@ -76,7 +88,7 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
                          : handle == Handle::plane_tilt ? places.normal_tip
                                                         : places.plane;
     grip.center_world = places.plane;
-    grip.equation = params.plane.equation;
+    grip.equation = params.planes[params.chosen().plane].equation;
     const Ray ray = overlay.ray_at(place);
     grip.offset_world = grip.grabbed_world - in_picture_plane(ray, grip.grabbed_world, ray.direction);
     return grip;
@@ -87,11 +99,13 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
     const glm::dvec3 point = in_picture_plane(ray, grip.grabbed_world, ray.direction) + grip.offset_world;
     const double length = glm::length(glm::dvec3(grip.equation));
     const glm::dvec3 normal = glm::dvec3(grip.equation) / length;
+    const Choice chosen = params.chosen();
+    glm::dvec4& equation = params.planes[chosen.plane].equation;
     switch (grip.handle) {
         case Handle::none:
             return;
         case Handle::light: {
-            glm::dvec4& light = params.light.position;
+            glm::dvec4& light = params.lights[chosen.light].position;
             params.animation.light_orbit = false;  // it stays where it is put
             glm::dvec3 target = point;
             if (along_y) target = {grip.grabbed_world.x, point.y, grip.grabbed_world.z};
@@ -111,13 +125,13 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
                 closest_point_parameter_on_line({ray.origin, pressed - ray.origin}, grip.center_world, normal);
             if (!along || !at_grab) return;  // looking straight along the normal: no way to tell how far
             const glm::dvec3 center = grip.center_world + normal * (*along - *at_grab);
-            params.plane.equation.w = -glm::dot(glm::dvec3(grip.equation), center);
+            equation.w = -glm::dot(glm::dvec3(grip.equation), center);
             break;
         }
         case Handle::plane_tilt: {
             if (glm::length(point - grip.center_world) < 1e-3) return;
             const glm::dvec3 tilted = glm::normalize(point - grip.center_world) * length;
-            params.plane.equation = glm::dvec4(tilted, -glm::dot(tilted, grip.center_world));
+            equation = glm::dvec4(tilted, -glm::dot(tilted, grip.center_world));
             break;
         }
     }
@@ -133,12 +147,11 @@ void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& d
     overlay.label(places.normal_tip, "n", palette.plane);
     if (hovered == Handle::plane_tilt) overlay.ring(places.normal_tip, palette.plane, 9.0F);
 
-    const glm::dvec4& light = derived.lights_world.front();
-    draw_lamp(overlay, light, derived, light_label(light), radius(Handle::light, 6.0F));
+    draw_lamp(overlay, derived.chosen_light(), derived, light_label(derived).c_str(), radius(Handle::light, 6.0F));
     overlay.ring(places.light, palette.light, radius(Handle::light, 10.0F));
-    static constexpr const char* names[] = {"l₂", "l₃", "l₄"};
-    for (std::size_t further = 1; further < derived.lights_world.size() && further <= std::size(names); ++further)
-        draw_lamp(overlay, derived.lights_world[further], derived, names[further - 1], 5.0F);
+    for (std::size_t light = 0; light < derived.lights_world.size(); ++light)
+        if (light != derived.chosen.light)
+            draw_lamp(overlay, derived.lights_world[light], derived, light_name(light), 5.0F);
 }
 
 }  // namespace viewing

@@ -1,4 +1,5 @@
-// What can be taken with the mouse inside a view: the light, the plane along its normal, the tip of its normal.
+// What can be taken with the mouse inside a view: the chosen light, the chosen plane along its normal, the tip of its
+// normal.
 #pragma once
 
 #include "frame/derive.h"
@@ -38,8 +39,7 @@ Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, con
 /// normal, the normal's tip about the patch's centre. The equation keeps its length and sign.
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y);
 
-/// Draws them with their labels, and the lamps that have no handle: of further lights, and of the first one while it
-/// moves by itself, away from its handle.
+/// Draws them with their labels, and the lamps of the other lights, which have no handle.
 void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered);
 
 }  // namespace viewing

@@ -104,7 +104,7 @@ void draw_followed(Overlay& overlay, const Derived& derived) {
     if (!derived.followed) return;
     const FollowedPoint& followed = *derived.followed;
     const glm::dvec3& p = followed.point_world;
-    const glm::dvec4& light = derived.lights_world.front();
+    const glm::dvec4& light = derived.chosen_light();
     if (followed.shadow_world) {
         if (light.w > 1e-3) overlay.line(glm::dvec3(light) / light.w, p, palette().light);
         overlay.line(p, *followed.shadow_world, palette().light);

@@ -31,7 +31,7 @@ void triangle(Overlay& overlay, const glm::dvec3& a, const glm::dvec3& b, const 
 void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDerivation& found) {
     const widgets::Palette& colors = palette();
     const glm::dvec3 &p = found.point_world, &foot = found.point_foot_world;
-    const double far = 20.0 * derived.patch.extent;
+    const double far = 20.0 * derived.chosen_plane().patch.extent;
     const bool has_light = !found.parallel_light && found.light_to_point < far;
     const glm::dvec3 towards = found.parallel_light ? found.light_world : found.light_world - p;
     const double length = glm::length(towards);
@@ -80,9 +80,9 @@ void draw_derivation_overlay(Overlay& overlay, const Params& params, const Deriv
     const bool mirror = is_shown(params, Topic::mirror_derivation);
     if (!shadow && !mirror) return draw_followed(overlay, derived);
     const glm::dvec3 point = derivation_point(derived);
-    if (shadow)
-        shadow_overlay(overlay, derived, derive_shadow(derived.unit_plane, derived.lights_world.front(), point));
-    if (mirror) mirror_overlay(overlay, derive_mirror(derived.unit_plane, point));
+    const glm::dvec4& plane = derived.chosen_plane().unit_plane;
+    if (shadow) shadow_overlay(overlay, derived, derive_shadow(plane, derived.chosen_light(), point));
+    if (mirror) mirror_overlay(overlay, derive_mirror(plane, point));
     overlay.dot(point, palette().point, 5.0F);
     overlay.label(point, shadow ? "p" : "q", palette().point);
 }

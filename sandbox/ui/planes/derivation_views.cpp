@@ -62,13 +62,13 @@ private:
 /// "light: parallel [      ] point": l_w from 0 to 1, where x, y and z stay.
 void light_slider(Params& params) {
     constexpr double smallest = 1e-6;
-    glm::dvec4& light = params.light.position;
+    glm::dvec4& light = params.lights[params.chosen().light].position;
     const bool has_direction = glm::length(glm::dvec3(light)) >= smallest;
     const widgets::NumberStyle style{.min = has_direction ? 0.0 : 0.01,  // never all zero
                                      .max = 1.0,
                                      .step = 0.005,
                                      .decimals = 3,
-                                     .default_value = default_params().light.position.w,
+                                     .default_value = default_params().lights.front().position.w,
                                      .links = link::light[3],
                                      .role = widgets::Role::light};
     const float words = ImGui::CalcTextSize("light: parallel").x + ImGui::CalcTextSize("point").x + px(16.0F);
@@ -172,7 +172,7 @@ void mirror_form(const MirrorDerivation& found) {
     derivation_heading(headings[static_cast<std::size_t>(found.plane)]);
     const float width = std::min(ImGui::GetContentRegionAvail().x, px(420.0F));
     MatrixCells cells = mirror_cells();
-    widgets::Matrix("R derived", found.mirror_from_world, {.cells = cells, .roles = mirror_roles()}, width);
+    widgets::Matrix("R derived", found.mirrored_world_from_world, {.cells = cells, .roles = mirror_roles()}, width);
     if (found.plane == MirrorPlane::general)
         widgets::Note("The buttons yz, xz and xy of the plane give the three that the slide shows.");
 }
@@ -181,16 +181,16 @@ void mirror_form(const MirrorDerivation& found) {
 
 void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect) {
     Params& params = session.params;
-    const ShadowDerivation found =
-        derive_shadow(derived.unit_plane, derived.lights_world.front(), derivation_point(derived));
-    const ShadowForms forms = shadow_forms(derived.unit_plane, derived.lights_world.front());
+    const DerivedPlane& plane = derived.chosen_plane();
+    const ShadowDerivation found = derive_shadow(plane.unit_plane, derived.chosen_light(), derivation_point(derived));
+    const ShadowForms forms = shadow_forms(plane.unit_plane, derived.chosen_light());
     const FigureView view("shadow derivation", rect);
-    draw_shadow_diagram(view.figure(), found, 3.0 * derived.patch.extent);
+    draw_shadow_diagram(view.figure(), found, 3.0 * plane.patch.extent);
 
     const Steps steps(view);
     light_slider(params);
     tell_ray(found.ray);
-    if (params.overrides.shadow_from_world) widgets::Note("S is entered by hand; here it is as derived.");
+    if (derived.chosen_shadow().by_hand) widgets::Note("S is entered by hand; here it is as derived.");
     equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
               "= " + derivation_vector(found.light_world)});
     equation({"p", "= " + derivation_vector(found.point_world)});
@@ -207,13 +207,13 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     show_three_forms(forms);
 }
 
-void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect) {
-    const MirrorDerivation found = derive_mirror(derived.unit_plane, derivation_point(derived));
+void draw_mirror_derivation(const Derived& derived, const Rect& rect) {
+    const MirrorDerivation found = derive_mirror(derived.chosen_plane().unit_plane, derivation_point(derived));
     const FigureView view("mirror derivation", rect);
     draw_mirror_diagram(view.figure(), found);
 
     const Steps steps(view);
-    if (session.params.overrides.mirror_from_world) widgets::Note("R is entered by hand; here it is as derived.");
+    if (derived.chosen_plane().mirror_by_hand) widgets::Note("R is entered by hand; here it is as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     equation({"k", "= n·q + d", "= " + derivation_number(found.k)});

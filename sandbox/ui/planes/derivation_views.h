@@ -13,7 +13,7 @@ namespace viewing {
 void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect);
 
 /// q′ = q − 2 k n, its expansion, and R.
-void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect);
+void draw_mirror_derivation(const Derived& derived, const Rect& rect);
 
 /// What is derived, in the world: light, point, shadow and feet with the similar triangles between them, or the mirror
 /// image with k. While neither derivation is shown, the followed point alone (draw_followed).

@@ -161,19 +161,19 @@ void draw_lines(const Function& function, std::optional<double> dot) {
     ImGui::Dummy({0.0F, px(4.0F)});
 }
 
-void shadow_function(const Params& params, const Derived& derived) {
-    const glm::dvec4& light = derived.lights_world.front();
+void shadow_function(const Derived& derived) {
+    const CastShadow& cast = derived.chosen_shadow();
     const Function function{"ShadowMatrix",
                             "void ShadowMatrix(GLfloat shadowMat[16], GLfloat plane[4], GLfloat lightpos[4])",
                             "shadowMat",
                             'S',
-                            shadow_code(derived.unit_plane, light),
+                            shadow_code(derived.chosen_plane().unit_plane, cast.light_world),
                             shadow_cells(),
                             shadow_roles()};
     title(function);
     widgets::Note("Filled by columns. The plane has a unit normal.");
-    if (params.overrides.shadow_from_world) widgets::Trouble("S is entered by hand and not what this code fills.");
-    draw_lines(function, derived.facts.plane_dot_light);
+    if (cast.by_hand) widgets::Trouble("S is entered by hand and not what this code fills.");
+    draw_lines(function, cast.plane_dot_light);
 }
 
 /// The switch that fills R as the slide does, and what GL makes of either, in one sentence.
@@ -198,12 +198,12 @@ void mirror_function(const Params& params, const Derived& derived) {
                             "void ReflectionMatrix(GLfloat reflectionMat[16], GLfloat plane[4])",
                             "reflectionMat",
                             'R',
-                            mirror_code(derived.unit_plane, printed),
+                            mirror_code(derived.chosen_plane().unit_plane, printed),
                             mirror_cells(printed),
                             mirror_roles()};
     title(function);
     widgets::Note(printed ? "Filled by rows." : "Filled by columns.");
-    if (params.overrides.mirror_from_world) widgets::Trouble("R is entered by hand and not what this code fills.");
+    if (derived.chosen_plane().mirror_by_hand) widgets::Trouble("R is entered by hand and not what this code fills.");
     draw_lines(function, std::nullopt);
 }
 
@@ -214,12 +214,12 @@ void draw_lecture_code(Session& session, const Derived& derived, const Rect& rec
     ImGui::SetCursorScreenPos(rect.min);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
     ImGui::BeginChild("lecture code", {rect.width(), rect.height()}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    order_switch(session.params, derived.unit_plane.w);
+    order_switch(session.params, derived.chosen_plane().unit_plane.w);
     const bool side_by_side = rect.width() >= px(840.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(10.0F), 0.0F});
     if (ImGui::BeginTable("functions", side_by_side ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) {
         ImGui::TableNextColumn();
-        shadow_function(session.params, derived);
+        shadow_function(derived);
         ImGui::TableNextColumn();
         mirror_function(session.params, derived);
         ImGui::EndTable();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "state/lists.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/panel_parts.h"
@@ -10,38 +11,36 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t most_lights = 4, most_planes = 8;  ///< the first one included
-constexpr float second = 142.0F;                         ///< column
-
-/// Removes one of a list when its button is pressed. Returns whether it did.
-template <typename T>
-bool remove_button(std::vector<T>& list, std::size_t index, const std::string& name) {
-    if (!widgets::SmallButton(("remove " + name).c_str())) return false;
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(index));
-    return true;
-}
+constexpr float second = 142.0F;  ///< column
 
 /// Where no light is yet: the first one's place on other sides of the y axis.
 LightParams another_light(const Params& params) {
-    const glm::dvec4& first = params.light.position;
+    const glm::dvec4& first = params.lights.front().position;
     const glm::dvec4 places[] = {{-first.x, first.y, first.z, first.w},
                                  {first.x, first.y, -first.z, first.w},
                                  {-first.x, first.y, -first.z, first.w}};
     for (const glm::dvec4& place : places)
-        if (place != first && std::none_of(params.lights.begin(), params.lights.end(),
-                                           [&](const LightParams& light) { return light.position == place; }))
+        if (std::none_of(params.lights.begin(), params.lights.end(),
+                         [&](const LightParams& light) { return light.position == place; }))
             return {place};
-    return {first + glm::dvec4(2.0 * static_cast<double>(params.lights.size() + 1), 0.0, 0.0, 0.0)};
+    return {first + glm::dvec4(2.0 * static_cast<double>(params.lights.size()), 0.0, 0.0, 0.0)};
+}
+
+/// The entries of the matrices, which are those of the chosen one, point at its controls.
+void light_controls(Params& params, std::size_t index, const char* label) {
+    std::span<const widgets::Links> links;
+    if (index == params.chosen().light) links = link::light;
+    widgets::Light(label, params.lights[index].position, default_params().lights.front().position, links);
 }
 
 void further_lights(Params& params) {
-    for (std::size_t index = 0; index < params.lights.size(); ++index) {
-        const std::string name = "light " + std::to_string(index + 2);
-        widgets::Light(name.c_str(), params.lights[index].position, default_params().light.position);
+    for (std::size_t index = 1; index < params.lights.size(); ++index) {
+        const std::string name = "light " + std::to_string(index + 1);
+        light_controls(params, index, name.c_str());
         explain(field("lights"), name);
-        if (remove_button(params.lights, index, name)) return;
+        if (widgets::SmallButton(("remove " + name).c_str())) return remove_light(params, index);
     }
-    const bool has_room = params.lights.size() + 1 < most_lights;
+    const bool has_room = params.lights.size() < most_lights;
     if (widgets::SmallButton("add a light", has_room, "Four lights are as many as the stencil has bits for."))
         params.lights.push_back(another_light(params));
     if (has_room) explain(field("lights"), "Add a light");
@@ -52,17 +51,19 @@ PlaneParams another_plane(const Params& params) {
     static constexpr glm::dvec4 walls[] = {{0, 0, 1, 3},  {1, 0, 0, 3},   {-1, 0, 0, 3}, {0, 0, -1, 3},
                                            {0, -1, 0, 6}, {0, 0, 1, 3.5}, {1, 0, 0, 3.5}};
     for (const glm::dvec4& wall : walls)
-        if (wall != params.plane.equation &&
-            std::none_of(params.planes.begin(), params.planes.end(),
+        if (std::none_of(params.planes.begin(), params.planes.end(),
                          [&](const PlaneParams& plane) { return plane.equation == wall; }))
             return {.equation = wall};
     return {.equation = walls[0]};
 }
 
-/// A plane's equation, size and flags; `label` stands behind the equation.
-void plane_controls(PlaneParams& plane, const char* label, std::span<const widgets::Links> links) {
+/// A plane's equation, size and flags.
+void plane_controls(Params& params, std::size_t index) {
     static const PlaneParams defaults;
-    widgets::PlaneEquation(label, plane.equation, defaults.equation, links);
+    PlaneParams& plane = params.planes[index];
+    std::span<const widgets::Links> links;
+    if (index == params.chosen().plane) links = link::plane;
+    widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
     explain(field("plane.equation"), "plane");
     const Field& extent = field("plane.extent");
     const widgets::NumberStyle style{.min = 0.5,
@@ -83,14 +84,14 @@ void plane_controls(PlaneParams& plane, const char* label, std::span<const widge
 }
 
 void further_planes(Params& params) {
-    for (std::size_t index = 0; index < params.planes.size(); ++index) {
-        const std::string name = "plane " + std::to_string(index + 2);
-        if (!details(("Plane " + std::to_string(index + 2)).c_str())) continue;
+    for (std::size_t index = 1; index < params.planes.size(); ++index) {
+        const std::string name = "plane " + std::to_string(index + 1);
+        if (!details(("Plane " + std::to_string(index + 1)).c_str())) continue;
         const widgets::Group group(name.c_str());
-        plane_controls(params.planes[index], "equation", {});
-        if (remove_button(params.planes, index, name)) return;
+        plane_controls(params, index);
+        if (widgets::SmallButton(("remove " + name).c_str())) return remove_plane(params, index);
     }
-    const bool has_room = params.planes.size() + 1 < most_planes;
+    const bool has_room = params.planes.size() < most_planes;
     if (widgets::SmallButton("add a plane", has_room, "Eight planes are as many as there may be."))
         params.planes.push_back(another_plane(params));
     if (has_room) explain(field("planes"), "Add a plane");
@@ -149,7 +150,7 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     if (!widgets::Section("Light  l")) return;
     const widgets::Group group("light");
     Params& params = session.params;
-    widgets::Light("position", params.light.position, default_params().light.position, link::light);
+    light_controls(params, 0, "position");
     explain(field("light.position"), "light");
     control(params, "animation.light_orbit", {.label = "Orbit"});
     beside(74.0F);
@@ -161,9 +162,9 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
 void draw_plane_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
     if (!widgets::Section("Plane  n·p + d = 0")) return;
     const widgets::Group group("plane");
-    plane_controls(session.params.plane, "equation", link::plane);
-    const glm::dvec4& unit = derived.unit_plane;
-    if (glm::length(unit - session.params.plane.equation) > 5e-4) {
+    plane_controls(session.params, 0);
+    const glm::dvec4& unit = derived.planes.front().unit_plane;
+    if (glm::length(unit - session.params.planes.front().equation) > 5e-4) {
         const std::string note = "unit normal: (" + widgets::NumberText(unit.x, 3) + ", " +
                                  widgets::NumberText(unit.y, 3) + ", " + widgets::NumberText(unit.z, 3) + ", " +
                                  widgets::NumberText(unit.w, 3) + ")";

@@ -53,7 +53,7 @@ void view_choices(Params& params, const Rect& rect) {
 
 /// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
 void stencil_legend(const Overlay& overlay, const Params& params) {
-    const std::size_t planes = params.planes.size() + 1, lights = params.lights.size() + 1;
+    const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
     std::string values = "+16";
     for (std::size_t light = 1; light < lights; ++light) values += ", " + std::to_string(16 << light);

@@ -13,10 +13,10 @@ constexpr std::size_t most_objects = 8, most_rays = 12;  ///< so that the rays c
 }  // namespace
 
 const std::vector<OutlineVertex>& LightRays::of(const Session& session, const Derived& derived) {
-    const glm::dvec4& light = derived.lights_world.front();
-    if (scene_version_ == session.scene_version() && plane_ == derived.unit_plane && light_ == light) return found_;
+    const glm::dvec4 &plane = derived.chosen_plane().unit_plane, &light = derived.chosen_light();
+    if (scene_version_ == session.scene_version() && plane_ == plane && light_ == light) return found_;
     scene_version_ = session.scene_version();
-    plane_ = derived.unit_plane;
+    plane_ = plane;
     light_ = light;
     found_.clear();
     std::size_t count = 0;
@@ -69,9 +69,9 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
 
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
     // Of the plane itself: R may be broken by hand or by rows.
-    const glm::dmat4 mirror_from_world = mirror_matrix(derived.unit_plane);
+    const glm::dmat4 mirrored_world_from_world = mirror_matrix(derived.chosen_plane().unit_plane);
     const auto mirrored = [&](const glm::dvec3& point) {
-        return glm::dvec3(mirror_from_world * glm::dvec4(point, 1.0));
+        return glm::dvec3(mirrored_world_from_world * glm::dvec4(point, 1.0));
     };
     std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
     std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
@@ -88,9 +88,10 @@ void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& de
 }
 
 void label_image_space(Overlay& overlay, const Derived& derived) {
-    const double behind = derived.eye_side < 0.0 ? 1.0 : -1.0;
-    const glm::dvec3 normal(derived.unit_plane);
-    overlay.label(derived.patch.center + behind * 0.4 * derived.patch.extent * normal, "image space", palette().mirror);
+    const DerivedPlane& plane = derived.chosen_plane();
+    const double behind = plane.eye_side < 0.0 ? 1.0 : -1.0;
+    const glm::dvec3 normal(plane.unit_plane);
+    overlay.label(plane.patch.center + behind * 0.4 * plane.patch.extent * normal, "image space", palette().mirror);
 }
 
 }  // namespace viewing

@@ -10,7 +10,7 @@
 
 namespace viewing {
 
-/// The rays of the first light past the outlines of the scene's first objects to their shadows on the first plane,
+/// The rays of the chosen light past the outlines of the scene's first objects to their shadows on the chosen plane,
 /// found anew only where scene, light or plane is another one.
 class LightRays {
 public:

@@ -68,7 +68,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     draw_patches(overlay, derived);
     draw_frustum(overlay, session.params, derived);
     const ObserverParams& shows = session.params.observer;
-    if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.lights_world.front());
+    if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.chosen_light());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
     if (shows.image_space) label_image_space(overlay, derived);
     draw_hidden_observer(state.hidden.links.now, hidden, overlay);
@@ -85,7 +85,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     world_axes(overlay);
     draw_patches(overlay, derived);
     draw_frustum(overlay, session.params, derived);
-    const glm::dvec3 light = lamp_place(derived.lights_world.front(), derived);
+    const glm::dvec3 light = lamp_place(derived.chosen_light(), derived);
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "l", palette().light);
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");

@@ -40,7 +40,7 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
     picture_item("light view", rect, picture);
     const char* whole = tr("what the light sees: each of its shadows is hidden behind its caster");
     const char* brief = tr("its shadows are hidden");
-    if (derived.light_in_plane) {
+    if (derived.chosen_shadow().light_in_plane) {
         whole = tr("the light lies in the plane and sees it edge-on: there is no shadow");
         brief = tr("there is no shadow");
     }
@@ -95,7 +95,7 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::shadow_derivation:
             return draw_shadow_derivation(session, derived, rect);
         case Topic::mirror_derivation:
-            return draw_mirror_derivation(session, derived, rect);
+            return draw_mirror_derivation(derived, rect);
         case Topic::lecture_code:
             return draw_lecture_code(session, derived, rect);
         case Topic::mirror_ways:

@@ -45,11 +45,19 @@ TEST(Animation, TurnsTheLightToTheLeftAboutTheWorldsY) {
     // Seen from above, x to the right and z towards the onlooker: a quarter turn to the left leads from x to −z.
     const Params quarter =
         testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true", "animation.light_speed=30"});
-    const glm::dvec4 turned = animated_after(quarter, 3.0).light.position;
+    const glm::dvec4 turned = animated_after(quarter, 3.0).lights.front().position;
     EXPECT_LT(glm::length(turned - glm::dvec4(0, 5, -2, 1)), 1e-12);
     Params backwards = quarter;
     backwards.animation.light_speed = -30.0;
-    EXPECT_LT(glm::length(animated_after(backwards, 3.0).light.position - glm::dvec4(0, 5, 2, 1)), 1e-12);
+    EXPECT_LT(glm::length(animated_after(backwards, 3.0).lights.front().position - glm::dvec4(0, 5, 2, 1)), 1e-12);
+}
+
+TEST(Animation, TurnsTheChosenLightAlone) {
+    const Params params = testing::params_with({"light.position=[1,2,3,1]", "lights=[{\"position\":[2,5,0,1]}]",
+                                                "view.light=2", "animation.light_orbit=true"});
+    const Params now = animated_after(params, 3.0);
+    EXPECT_LT(glm::length(now.lights[1].position - glm::dvec4(0, 5, -2, 1)), 1e-12);
+    EXPECT_EQ(now.lights[0], params.lights[0]);
 }
 
 TEST(Animation, KeepsTheLightOnItsCircleAndEverythingElse) {
@@ -57,29 +65,30 @@ TEST(Animation, KeepsTheLightOnItsCircleAndEverythingElse) {
          {"light.position=[2,5,-1,1]", "light.position=[-3,4,2,0]", "light.position=[1,-2,6,0.4]"}) {
         const Params params = testing::params_with(
             {light, "animation.light_orbit=true", "animation.light_speed=-77.5", "lights=[{\"position\":[1,2,3,1]}]"});
-        const glm::dvec4 start = params.light.position;
+        const glm::dvec4 start = params.lights.front().position;
         for (double time_s = 0.0; time_s < 20.0; time_s += 0.37) {
             Params now = animated_after(params, time_s);
-            const glm::dvec4 moved = now.light.position;
+            const glm::dvec4 moved = now.lights.front().position;
             EXPECT_EQ(moved.y, start.y);
             EXPECT_EQ(moved.w, start.w);
             EXPECT_NEAR(std::hypot(moved.x, moved.z), std::hypot(start.x, start.z), 1e-9);
-            now.light.position = start;
+            now.lights.front().position = start;
             EXPECT_EQ(now, params) << "nothing else moves";
         }
-        EXPECT_LT(glm::length(animated_after(params, 360.0 / 77.5).light.position - start), 1e-9) << "a whole turn";
+        EXPECT_LT(glm::length(animated_after(params, 360.0 / 77.5).lights.front().position - start), 1e-9)
+            << "a whole turn";
     }
 }
 
 TEST(Animation, AnotherSpeedGoesOnFromWhereTheLightIs) {
     Params params = testing::params_with({"light.position=[2,5,0,1]", "animation.light_orbit=true"});
     const Moment moment = advanced({}, params, 50.0);
-    const glm::dvec4 before = animated(params, moment).light.position;
+    const glm::dvec4 before = animated(params, moment).lights.front().position;
     params.animation.light_speed = 31.0;
-    EXPECT_EQ(animated(params, moment).light.position, before);
+    EXPECT_EQ(animated(params, moment).lights.front().position, before);
     params.animation.light_speed = 0.0;
     EXPECT_FALSE(is_animated(params));
-    EXPECT_EQ(animated(params, advanced(moment, params, 9.0)).light.position, before);
+    EXPECT_EQ(animated(params, advanced(moment, params, 9.0)).lights.front().position, before);
 }
 
 }  // namespace

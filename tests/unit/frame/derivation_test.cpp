@@ -167,7 +167,7 @@ TEST(MirrorDerivation, TheFootIsHalfWayAndTwiceLeadsBack) {
         EXPECT_NEAR(back.k, -there.k, 1e-12);
         expect_point(there.foot_world, (q + there.mirrored_world) * 0.5, 1e-12);
         EXPECT_NEAR(glm::dot(glm::dvec3(plane), there.foot_world) + plane.w, 0.0, 1e-12);
-        expect_point(glm::dvec3(there.mirror_from_world * glm::dvec4(q, 1.0)), there.mirrored_world, 1e-12);
+        expect_point(glm::dvec3(there.mirrored_world_from_world * glm::dvec4(q, 1.0)), there.mirrored_world, 1e-12);
         for (int row = 0; row < 3; ++row)
             EXPECT_NEAR(there.terms[row][0] + there.terms[row][1] + there.terms[row][2] + there.terms[row][3],
                         there.mirrored_world[row], 1e-12);
@@ -190,7 +190,7 @@ TEST(MirrorDerivation, KnowsTheCoordinatePlanes) {
         const MirrorDerivation found = derive_mirror(one.plane, q);
         EXPECT_EQ(found.plane, one.name);
         expect_point(found.mirrored_world, one.mirrored, 1e-12);
-        expect_point(glm::dvec3(found.mirror_from_world * glm::dvec4(q, 1.0)), one.mirrored, 1e-12);
+        expect_point(glm::dvec3(found.mirrored_world_from_world * glm::dvec4(q, 1.0)), one.mirrored, 1e-12);
     }
 }
 
@@ -198,7 +198,7 @@ TEST(DerivationPoint, IsTheFollowedVertexOrOneAboveThePatch) {
     const Scene scene = box_scene();
     Params params = params_with({"plane.equation=[0,2,0,3]"});
     expect_point(derivation_point(derive(params, scene, {})), {0.0, -0.5, 0.0}, 1e-12);
-    params.light.position = {0.0, -9.0, 0.0, 1.0};
+    params.lights.front().position = {0.0, -9.0, 0.0, 1.0};
     expect_point(derivation_point(derive(params, scene, {})), {0.0, -2.5, 0.0}, 1e-12);
     params.follow = Follow{"box", 0};
     const Derived derived = derive(params, scene, {});

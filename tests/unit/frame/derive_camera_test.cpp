@@ -60,12 +60,12 @@ TEST(DeriveCamera, ParallelLinesOfSightComeFromADirection) {
     EXPECT_EQ(derived.eye_world.w, 0.0);
     EXPECT_NEAR(derived.eye_world.y, 0.5, 1e-12);
     EXPECT_NEAR(derived.eye_world.z, std::sqrt(0.75), 1e-12);
-    EXPECT_NEAR(derived.eye_side, 0.5, 1e-12);
+    EXPECT_NEAR(derived.planes[0].eye_side, 0.5, 1e-12);
     // Looking up from above the plane shows its lower side, wherever the camera stands.
     params.camera.pitch = 30.0;
     derived = derived_of(params);
-    EXPECT_NEAR(derived.eye_side, -0.5, 1e-12);
-    EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.eye_side));
+    EXPECT_NEAR(derived.planes[0].eye_side, -0.5, 1e-12);
+    EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.planes[0].eye_side));
 }
 
 TEST(DeriveCamera, SwappedOrderTurnsThePositionToo) {
@@ -224,14 +224,17 @@ TEST(DeriveEverything, IsFiniteForWhateverCanBeSet) {
                                 run % 2 == 0};
         const Derived derived = derive(params, box_scene(), viewport);
         for (const glm::dmat4* matrix :
-             {&derived.world_from_view, &derived.view_from_world, &derived.clip_from_view, &derived.clip_from_world,
-              &derived.shadow_from_world, &derived.mirror_from_world})
+             {&derived.world_from_view, &derived.view_from_world, &derived.clip_from_view, &derived.clip_from_world})
             EXPECT_TRUE(is_finite(*matrix));
-        EXPECT_TRUE(is_finite(derived.patch.world_from_patch()));
+        for (const DerivedPlane& plane : derived.planes) {
+            EXPECT_TRUE(is_finite(plane.mirrored_world_from_world));
+            EXPECT_TRUE(is_finite(plane.patch.world_from_patch()));
+            for (const CastShadow& cast : plane.shadows) EXPECT_TRUE(is_finite(cast.shadowed_world_from_world));
+        }
         const Facts& facts = derived.facts;
         for (const double number :
-             {facts.plane_dot_light, facts.det_shadow, facts.det_mirror, facts.shadow_residual, facts.mirror_residual,
-              facts.view_residual, facts.depth_step_at_target, facts.target_distance, derived.eye_side, derived.aspect})
+             {derived.chosen_shadow().plane_dot_light, facts.view_residual, facts.depth_step_at_target,
+              facts.target_distance, derived.planes[0].eye_side, derived.aspect})
             EXPECT_TRUE(std::isfinite(number));
         EXPECT_GT(facts.depth_step_at_target, 0.0);
         for (const glm::dvec3& corner : frustum_corners(params, derived)) EXPECT_TRUE(is_finite(corner));

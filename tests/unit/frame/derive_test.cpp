@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "frame/matrix_facts.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -28,8 +29,8 @@ void expect_near(const glm::dvec3& found, const glm::dvec3& expected, double tol
 
 Params with_light_and_plane(const glm::dvec4& light, const glm::dvec4& plane) {
     Params params;
-    params.light.position = light;
-    params.plane.equation = plane;
+    params.lights.front().position = light;
+    params.planes.front().equation = plane;
     return params;
 }
 
@@ -56,17 +57,18 @@ const glm::dvec4 tilted_plane = glm::dvec4(1.0, 1.0, 1.0, -2.0 * std::sqrt(3.0))
 
 TEST(DeriveShadow, ParallelLightOnTheGround) {
     const Derived derived = derived_of(with_light_and_plane({12, 20, 0, 0}, {0, 1, 0, 0}));
-    expect_near(sent_by(derived.shadow_from_world, {0, 10, 0}), {-6, 0, 0});
+    expect_near(sent_by(derived.planes[0].shadows[0].shadowed_world_from_world, {0, 10, 0}), {-6, 0, 0});
 }
 
 TEST(DeriveShadow, PointLightOnTheGround) {
     const Derived derived = derived_of(with_light_and_plane({12, 20, 0, 1}, {0, 1, 0, 0}));
-    expect_near(sent_by(derived.shadow_from_world, {0, 10, 0}), {-12, 0, 0});
+    expect_near(sent_by(derived.planes[0].shadows[0].shadowed_world_from_world, {0, 10, 0}), {-12, 0, 0});
 }
 
 TEST(DeriveShadow, TiltedPlane) {
     const Derived derived = derived_of(with_light_and_plane({5, 9, 7, 1}, tilted_plane));
-    expect_near(sent_by(derived.shadow_from_world, {1, 2, 3}), {0.323760, 0.816581, 2.323760}, 1e-6);
+    expect_near(sent_by(derived.planes[0].shadows[0].shadowed_world_from_world, {1, 2, 3}),
+                {0.323760, 0.816581, 2.323760}, 1e-6);
 }
 
 TEST(DeriveShadow, GroundMatrixIsTheOneOnTheSlide) {
@@ -76,16 +78,17 @@ TEST(DeriveShadow, GroundMatrixIsTheOneOnTheSlide) {
                                 0, 0, 0, 0,   //
                                 0, -z, y, 0,  //
                                 0, -1, 0, y);
-    EXPECT_LT(worst_difference(derived.shadow_from_world, glm::transpose(slide_rows)), 1e-15);
+    EXPECT_LT(worst_difference(derived.planes[0].shadows[0].shadowed_world_from_world, glm::transpose(slide_rows)),
+              1e-15);
 }
 
 TEST(DeriveShadow, SignFollowsTheSideOfTheLight) {
     const glm::dvec4 above(2, 5, 1, 1), below(2, -5, 1, 1);
     const glm::dvec4 up(0, 1, 0, 0);
-    EXPECT_EQ(derived_of(with_light_and_plane(above, up)).shadow_sign, 1.0);
-    EXPECT_EQ(derived_of(with_light_and_plane(below, up)).shadow_sign, -1.0);
-    EXPECT_EQ(derived_of(with_light_and_plane(above, -up)).shadow_sign, -1.0);
-    EXPECT_EQ(derived_of(with_light_and_plane(below, -up)).shadow_sign, 1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(above, up)).planes[0].shadows[0].sign, 1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(below, up)).planes[0].shadows[0].sign, -1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(above, -up)).planes[0].shadows[0].sign, -1.0);
+    EXPECT_EQ(derived_of(with_light_and_plane(below, -up)).planes[0].shadows[0].sign, 1.0);
 }
 
 TEST(DeriveShadow, SignMakesWPositiveBetweenLightAndPlane) {
@@ -95,37 +98,50 @@ TEST(DeriveShadow, SignMakesWPositiveBetweenLightAndPlane) {
         const glm::dvec4 plane = glm::dvec4(random.direction(), random.number(-2, 2)) * random.number(-3, 3);
         const glm::dvec3 light = random.vec3(5);
         const Derived derived = derived_of(with_light_and_plane({light, 1.0}, plane));
-        if (std::abs(derived.facts.plane_dot_light) < 1e-3) continue;
-        const glm::dvec3 foot = light - glm::dvec3(derived.unit_plane) * derived.facts.plane_dot_light;
-        const glm::dvec3 across = glm::cross(glm::dvec3(derived.unit_plane), random.direction());
+        if (std::abs(derived.planes[0].shadows[0].plane_dot_light) < 1e-3) continue;
+        const glm::dvec3 foot =
+            light - glm::dvec3(derived.planes[0].unit_plane) * derived.planes[0].shadows[0].plane_dot_light;
+        const glm::dvec3 across = glm::cross(glm::dvec3(derived.planes[0].unit_plane), random.direction());
         const glm::dvec3 caster = glm::mix(foot, light, random.number(0.01, 0.99)) + across;
-        EXPECT_GT((derived.shadow_sign * derived.shadow_from_world * glm::dvec4(caster, 1.0)).w, 0.0);
+        EXPECT_GT((derived.planes[0].shadows[0].sign * derived.planes[0].shadows[0].shadowed_world_from_world *
+                   glm::dvec4(caster, 1.0))
+                      .w,
+                  0.0);
     }
 }
 
 TEST(DeriveMirror, TiltedPlane) {
     const Derived derived = derived_of(with_light_and_plane({5, 9, 7, 1}, tilted_plane));
-    expect_near(sent_by(derived.mirror_from_world, {1, 2, 3}), {-0.690599, 0.309401, 1.309401}, 1e-6);
+    expect_near(sent_by(derived.planes[0].mirrored_world_from_world, {1, 2, 3}), {-0.690599, 0.309401, 1.309401}, 1e-6);
 }
 
 TEST(DeriveMirror, PlanesOfTheSlide) {
     const glm::dvec3 point(2, 3, 4);
-    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {1, 0, 0, 0})).mirror_from_world, point),
-                {-2, 3, 4});
-    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 1, 0, 0})).mirror_from_world, point),
-                {2, -3, 4});
-    expect_near(sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 0, 1, 0})).mirror_from_world, point),
-                {2, 3, -4});
+    expect_near(
+        sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {1, 0, 0, 0})).planes[0].mirrored_world_from_world,
+                point),
+        {-2, 3, 4});
+    expect_near(
+        sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 1, 0, 0})).planes[0].mirrored_world_from_world,
+                point),
+        {2, -3, 4});
+    expect_near(
+        sent_by(derived_of(with_light_and_plane({9, 9, 9, 1}, {0, 0, 1, 0})).planes[0].mirrored_world_from_world,
+                point),
+        {2, 3, -4});
 }
 
 TEST(DeriveFacts, OfTheOpeningState) {
-    const Facts facts = derived_of(Params{}).facts;
-    EXPECT_DOUBLE_EQ(facts.plane_dot_light, 5.2);
-    EXPECT_EQ(facts.det_shadow, 0.0);
-    EXPECT_DOUBLE_EQ(facts.det_mirror, -1.0);
-    EXPECT_EQ(facts.rank_shadow, 3);
-    EXPECT_LT(facts.shadow_residual, 1e-12);
-    EXPECT_LT(facts.mirror_residual, 1e-12);
+    const Derived derived = derived_of(Params{});
+    const Facts& facts = derived.facts;
+    const CastShadow& cast = derived.planes[0].shadows[0];
+    const glm::dmat4 &shadow = cast.shadowed_world_from_world, &mirror = derived.planes[0].mirrored_world_from_world;
+    EXPECT_DOUBLE_EQ(cast.plane_dot_light, 5.2);
+    EXPECT_EQ(glm::determinant(shadow), 0.0);
+    EXPECT_DOUBLE_EQ(glm::determinant(mirror), -1.0);
+    EXPECT_EQ(rank_of(shadow), 3);
+    EXPECT_LT(shadow_residual(shadow, 5.2), 1e-12);
+    EXPECT_LT(mirror_residual(mirror), 1e-12);
     EXPECT_LT(facts.view_residual, 1e-12);
     // −z of the target in view space, by the angles alone: 3.9, 2.25 and 6.6 apart along the line of sight.
     const double yaw = glm::radians(30.6), pitch = glm::radians(-16.4);
@@ -144,25 +160,25 @@ TEST(DeriveFacts, RankOfTheShadowMatrix) {
         const glm::dvec3 light = random.vec3(8);
         const double side = glm::dot(glm::dvec3(plane), light) + plane.w;
         if (std::abs(side) > 0.01) {
-            EXPECT_EQ(derived_of(with_light_and_plane({light, 1.0}, plane)).facts.rank_shadow, 3);
+            const Derived derived = derived_of(with_light_and_plane({light, 1.0}, plane));
+            EXPECT_EQ(rank_of(derived.chosen_shadow().shadowed_world_from_world), 3);
         }
         const glm::dvec3 in_plane = light - glm::dvec3(plane) * side;
-        const Facts flat = derived_of(with_light_and_plane({in_plane, 1.0}, plane)).facts;
-        EXPECT_EQ(flat.rank_shadow, 1);
+        const CastShadow flat = derived_of(with_light_and_plane({in_plane, 1.0}, plane)).chosen_shadow();
+        EXPECT_EQ(rank_of(flat.shadowed_world_from_world), 1);
         EXPECT_NEAR(flat.plane_dot_light, 0.0, 1e-12);
     }
 }
 
 TEST(DeriveFacts, ResidualsAreMeasured) {
     Params params;
-    params.overrides.shadow_from_world = glm::dmat4(2.0);  // S² − (P·L) S = 4 − 5.2 · 2
-    params.overrides.mirror_from_world = glm::dmat4(3.0);  // R² − I = 9 − 1
-    const Facts facts = derived_of(params).facts;
-    EXPECT_NEAR(facts.shadow_residual, 6.4, 1e-12);
-    EXPECT_NEAR(facts.mirror_residual, 8.0, 1e-12);
-    EXPECT_NEAR(facts.det_shadow, 16.0, 1e-12);
-    EXPECT_NEAR(facts.det_mirror, 81.0, 1e-12);
-    EXPECT_EQ(facts.rank_shadow, 4);
+    params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(2.0);  // S² − (P·L) S = 4 − 5.2 · 2
+    params.overrides[0].mirrored_world_from_world = glm::dmat4(3.0);     // R² − I = 9 − 1
+    const Derived derived = derived_of(params);
+    const glm::dmat4& shadow = derived.chosen_shadow().shadowed_world_from_world;
+    EXPECT_NEAR(shadow_residual(shadow, derived.chosen_shadow().plane_dot_light), 6.4, 1e-12);
+    EXPECT_NEAR(mirror_residual(derived.chosen_plane().mirrored_world_from_world), 8.0, 1e-12);
+    EXPECT_EQ(rank_of(shadow), 4);
     params.slips.camera_as_view = true;
     EXPECT_GT(derived_of(params).facts.view_residual, 1.0);
 }
@@ -224,13 +240,13 @@ TEST(DeriveProblems, NoneInTheOpeningState) {
 
 TEST(DeriveProblems, LightInThePlane) {
     Params params = params_with({"light.position=[3,0,-2,1]"});
-    EXPECT_TRUE(derived_of(params).light_in_plane);
+    EXPECT_TRUE(derived_of(params).chosen_shadow().light_in_plane);
     EXPECT_TRUE(says(params, "light", "lies in the plane"));
     EXPECT_FALSE(says(params, "light", "other side"));
     params = params_with({"light.position=[3,0,-2,0]"});
-    EXPECT_TRUE(derived_of(params).light_in_plane);
+    EXPECT_TRUE(derived_of(params).chosen_shadow().light_in_plane);
     EXPECT_TRUE(says(params, "light", "runs along the plane"));
-    EXPECT_FALSE(derived_of(params_with({"light.position=[3,0.01,-2,1]"})).light_in_plane);
+    EXPECT_FALSE(derived_of(params_with({"light.position=[3,0.01,-2,1]"})).chosen_shadow().light_in_plane);
 }
 
 TEST(DeriveProblems, LightAndEyeOnOppositeSides) {
@@ -240,15 +256,15 @@ TEST(DeriveProblems, LightAndEyeOnOppositeSides) {
             const Params params = params_with({setting, plane});
             const Derived derived = derived_of(params);
             EXPECT_TRUE(says(params, "light", "other side of the plane"));
-            EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.eye_side));
-            EXPECT_TRUE(derived.planes[0].shadows[0].reaches(-derived.eye_side));
+            EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.planes[0].eye_side));
+            EXPECT_TRUE(derived.planes[0].shadows[0].reaches(-derived.planes[0].eye_side));
         }
     }
 }
 
 TEST(DeriveProblems, EyeInThePlane) {
     const Params inside = params_with({"camera.position=[3.9,0,6.6]"});
-    EXPECT_EQ(derived_of(inside).eye_side, 0.0);
+    EXPECT_EQ(derived_of(inside).chosen_plane().eye_side, 0.0);
     EXPECT_TRUE(says(inside, "plane", "the eye lies in the plane"));
     const Params along = params_with({"camera.pitch=0", "projection.type=orthographic"});
     EXPECT_TRUE(says(along, "plane", "lines of sight run along the plane"));
@@ -258,7 +274,7 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
     const Scene scene = scene_of({object("low", box_mesh(), {0, 1, 0}), object("high", sphere_mesh(), {0, 6, 0})});
     const auto problem_with_light_at = [&](double height) {
         Params params;
-        params.light.position = {2.6, height, 2.2, 1.0};
+        params.lights.front().position = {2.6, height, 2.2, 1.0};
         const std::vector<Problem> problems = problems_of(params, scene);
         return problems.empty() ? std::string() : problems.front().sentence;
     };
@@ -284,9 +300,9 @@ TEST(DeriveProblems, OverridesAreUsedAndSaid) {
     const Params params = params_with({"overrides.shadow_from_world=[[1,2,3,4],[5,6,7,8],[9,10,11,12],[0,0,0,1]]",
                                        "overrides.mirror_from_world=[[1,0,0,7],[0,1,0,0],[0,0,1,0],[0,0,0,1]]"});
     const Derived derived = derived_of(params);
-    EXPECT_EQ(derived.shadow_from_world[3][0], 4.0);  // row 0, column 3
-    EXPECT_EQ(derived.shadow_from_world[0][1], 5.0);
-    EXPECT_EQ(derived.mirror_from_world[3][0], 7.0);
+    EXPECT_EQ(derived.planes[0].shadows[0].shadowed_world_from_world[3][0], 4.0);  // row 0, column 3
+    EXPECT_EQ(derived.planes[0].shadows[0].shadowed_world_from_world[0][1], 5.0);
+    EXPECT_EQ(derived.planes[0].mirrored_world_from_world[3][0], 7.0);
     EXPECT_TRUE(says(params, "shadow", "S is overridden"));
     EXPECT_TRUE(says(params, "reflection", "R is overridden"));
 }

@@ -353,7 +353,7 @@ TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
         params.camera.position *= 6.0 / glm::length(params.camera.position);  // all of it before the near plane
         params.cull = {true, static_cast<CullFace>(run % 3), static_cast<FrontFace>(run / 3 % 2)};
         params.reflection.flip_winding = run % 5 != 0;
-        params.plane.equation = glm::dvec4(random.direction(), 2.6);
+        params.planes.front().equation = glm::dvec4(random.direction(), 2.6);
         const Derived derived = derive(params, scene, Viewport{size_px});
         HiddenSurfaceSolver solver(scene);
         for (const HiddenRequest& asked :

@@ -9,9 +9,9 @@ namespace {
 
 ObserverView light_view(const glm::dvec4& light, const glm::dvec4& plane, glm::ivec2 size_px = {400, 300}) {
     Params params;
-    params.light.position = light;
-    params.plane.equation = plane;
-    return derive_light_view(params, derive(params, testing::box_scene(), {}), {size_px});
+    params.lights.front().position = light;
+    params.planes.front().equation = plane;
+    return derive_light_view(derive(params, testing::box_scene(), {}), {size_px});
 }
 
 bool is_finite(const ObserverView& view) {

@@ -160,7 +160,7 @@ TEST(MirrorWay, SaysHowTheImageIsMadeAndNothingElse) {
     odd.reflection.reflectance = 0.7;
     odd.reflection.same_projection = false;
     odd.reflection.enabled = false;
-    odd.light.position.x = 3.5;
+    odd.lights.front().position.x = 3.5;
     for (const Expected& expected :
          {Expected{MirrorWay::clip_distance, MirrorClip::clip_distance, MirroredThing::scene},
           Expected{MirrorWay::none, MirrorClip::none, MirroredThing::scene},

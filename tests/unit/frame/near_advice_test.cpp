@@ -19,7 +19,7 @@ Params looking(double near, double far = 100.0) {
     params.camera.yaw = params.camera.pitch = 0.0;
     params.projection.near = near;
     params.projection.far = far;
-    params.plane.equation = {0.0, 0.0, 1.0, -50.0};  // behind the eye
+    params.planes.front().equation = {0.0, 0.0, 1.0, -50.0};  // behind the eye
     return params;
 }
 
@@ -49,7 +49,7 @@ TEST(SeenThings, ReachAsFarAsWhatIsInView) {
 TEST(SeenThings, OfThePlaneIsItsPatch) {
     Params params = looking(0.1);
     params.projection.fovy = 90.0;
-    params.plane = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind to 10 before it
+    params.planes.front() = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind to 10 before it
     const Scene scene;
     const std::vector<SeenThing> seen = seen_things(params, derive(params, scene, {}), scene);
     ASSERT_EQ(seen.size(), 1U);
@@ -171,7 +171,7 @@ TEST(NearAdvice, NeverCutsWhatIsInView) {
         Params params = looking(std::exp(random.number(std::log(1e-5), std::log(20.0))), 60.0);
         params.camera.yaw = random.number(-180, 180);
         params.camera.pitch = random.number(-80, 80);
-        params.plane = {{0.0, 1.0, 0.0, 1.5}, 6.0};
+        params.planes.front() = {{0.0, 1.0, 0.0, 1.5}, 6.0};
         std::vector<SceneObject> objects;
         for (int i = 0; i < 6; ++i)
             objects.push_back(box_at(random.number(-20, 20), random.number(-20, 20), "box " + std::to_string(i)));

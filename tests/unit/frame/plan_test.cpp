@@ -491,15 +491,15 @@ TEST(PlanPlane, SignAndLengthOfTheEquationDoNotShow) {
         params.camera.position = random.vec3(6);
         params.camera.yaw = random.number(-180, 180);
         params.projection.type = trial % 3 == 0 ? ProjectionType::orthographic : ProjectionType::perspective;
-        params.light.position = {random.vec3(6), trial % 2};
-        params.plane.equation = {random.direction(), random.number(-2, 2)};
+        params.lights.front().position = {random.vec3(6), trial % 2};
+        params.planes.front().equation = {random.direction(), random.number(-2, 2)};
         params.shadow.offset = static_cast<ShadowOffset>(trial % 4);
         params.shadow.style = trial % 5 == 0 ? ShadowStyle::missing_light : ShadowStyle::blend;
         params.reflection.clip = static_cast<MirrorClip>(trial % 3);
         const FramePlan frame = without_told_sign(plan_of(params));
         for (const double factor : {-1.0, 2.0, -0.5}) {
             Params same = params;
-            same.plane.equation *= factor;
+            same.planes.front().equation *= factor;
             EXPECT_EQ(differences(frame, without_told_sign(plan_of(same))), std::set<std::string>{})
                 << "times " << factor;
         }

@@ -45,19 +45,19 @@ TEST(State, ReadsEveryKindOfField) {
     EXPECT_EQ(params.depth.func, CompareFunc::notequal);
     EXPECT_EQ(params.depth.format, DepthFormat::d16);
     EXPECT_EQ(params.depth.offset.units, -2.0);
-    ASSERT_EQ(params.lights.size(), 1U);
-    EXPECT_EQ(params.lights[0].position, glm::dvec4(0, 1, 0, 0));
-    ASSERT_EQ(params.planes.size(), 1U);
-    EXPECT_EQ(params.planes[0].equation, glm::dvec4(0, 0, 2, 1));
-    EXPECT_EQ(params.planes[0].extent, 4.0);
-    EXPECT_TRUE(params.planes[0].receives_shadow);
-    EXPECT_FALSE(params.planes[0].mirrors);
+    ASSERT_EQ(params.lights.size(), 2U);
+    EXPECT_EQ(params.lights[1].position, glm::dvec4(0, 1, 0, 0));
+    ASSERT_EQ(params.planes.size(), 2U);
+    EXPECT_EQ(params.planes[1].equation, glm::dvec4(0, 0, 2, 1));
+    EXPECT_EQ(params.planes[1].extent, 4.0);
+    EXPECT_TRUE(params.planes[1].receives_shadow);
+    EXPECT_FALSE(params.planes[1].mirrors);
     EXPECT_EQ(params.shadow.color, (Color{10, 11, 12}));
     EXPECT_EQ(params.reflection.bounces, 2);
-    ASSERT_TRUE(params.overrides.mirror_from_world);
-    EXPECT_EQ((*params.overrides.mirror_from_world)[3][0], 4.0) << "rows in the file, columns in GLM";
-    EXPECT_EQ((*params.overrides.mirror_from_world)[0][3], 13.0);
-    EXPECT_FALSE(params.overrides.shadow_from_world);
+    ASSERT_TRUE(params.overrides[0].mirrored_world_from_world);
+    EXPECT_EQ((*params.overrides[0].mirrored_world_from_world)[3][0], 4.0) << "rows in the file, columns in GLM";
+    EXPECT_EQ((*params.overrides[0].mirrored_world_from_world)[0][3], 13.0);
+    EXPECT_FALSE(params.overrides[0].shadowed_world_from_world[0]);
     EXPECT_EQ(params.follow, (Follow{"box", 3}));
     EXPECT_EQ(params.view.samples, 0);
 }
@@ -156,7 +156,8 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
   },
   "overrides": {
     "shadow_from_world": null,
-    "mirror_from_world": null
+    "mirror_from_world": null,
+    "further": []
   },
   "follow": null,
   "visibility": {
@@ -176,6 +177,8 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "depth_colors": "grey",
     "depth_range": null,
     "samples": 4,
+    "plane": 1,
+    "light": 1,
     "beside": {
       "shows": "nothing",
       "layout": "halves",
@@ -252,8 +255,12 @@ TEST(State, WhateverTheClampLeavesIsAccepted) {
                 **vec4 = {pick(), pick(), pick(), pick()};
             }
         }
-        params.lights.resize(random() % 6, {glm::dvec4(pick(), pick(), pick(), pick())});
-        params.planes.resize(random() % 9, {glm::dvec4(pick(), pick(), pick(), pick()), pick(), true, false, true});
+        params.lights.resize(1 + random() % 6, {glm::dvec4(pick(), pick(), pick(), pick())});
+        params.planes.resize(1 + random() % 9, {glm::dvec4(pick(), pick(), pick(), pick()), pick(), true, false, true});
+        params.view.plane = static_cast<int>(random());
+        params.view.light = static_cast<int>(random());
+        params.overrides[random() % most_planes].shadowed_world_from_world[random() % most_lights] = glm::dmat4(pick());
+        params.overrides[random() % most_planes].mirrored_world_from_world = glm::dmat4(pick());
         params.reflection.bounces = static_cast<int>(random());
         params.view.samples = static_cast<int>(random() % 9);
         clamp_to_ranges(params);

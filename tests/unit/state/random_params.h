@@ -15,9 +15,15 @@ public:
 
     Params make() {
         Params params;
+        params.lights.resize(static_cast<std::size_t>(whole(1, most_lights)));
+        params.planes.resize(static_cast<std::size_t>(whole(1, most_planes)));
         for (const Field& field : fields()) {
-            fill(field, params);
+            for (std::size_t element = 0; element < element_count(field, params); ++element) {
+                fill(field, params, element);
+            }
         }
+        params.view.plane = whole(1, static_cast<int>(params.planes.size()));
+        params.view.light = whole(1, static_cast<int>(params.lights.size()));
         if (params.projection.near >= params.projection.far) {
             params.projection.near = params.projection.far / 3.0;
         }
@@ -70,8 +76,8 @@ private:
         return made;
     }
 
-    void fill(const Field& field, Params& params) {
-        const FieldRef ref = field.in(params);
+    void fill(const Field& field, Params& params, std::size_t element) {
+        const FieldRef ref = field.in(params, element);
         if (const auto* value = std::get_if<bool*>(&ref)) {
             **value = coin();
         } else if (const auto* value_int = std::get_if<int*>(&ref)) {
@@ -91,22 +97,16 @@ private:
             choice->set(whole(0, static_cast<int>(choice->names.size()) - 1));
         } else if (const auto* scene = std::get_if<SceneSource*>(&ref)) {
             fill_scene(**scene);
-        } else if (const auto* lights = std::get_if<std::vector<LightParams>*>(&ref)) {
-            (*lights)->resize(static_cast<std::size_t>(whole(0, static_cast<int>(max_further_lights))));
-            for (LightParams& light : **lights) {
-                light.position = vector<glm::dvec4>(viewing::field("light.position"));
-            }
-        } else if (const auto* planes = std::get_if<std::vector<PlaneParams>*>(&ref)) {
-            (*planes)->resize(static_cast<std::size_t>(whole(0, static_cast<int>(max_further_planes))));
-            for (PlaneParams& plane : **planes) {
-                plane = {vector<glm::dvec4>(viewing::field("plane.equation")),
-                         number(viewing::field("plane.extent"), 0), coin(), coin(), coin()};
-            }
         } else if (const auto* matrix = std::get_if<std::optional<glm::dmat4>*>(&ref)) {
-            (*matrix)->reset();
-            if (coin()) {
-                **matrix = glm::dmat4(vector<glm::dvec4>(field), vector<glm::dvec4>(field), vector<glm::dvec4>(field),
-                                      vector<glm::dvec4>(field));
+            fill_matrix(**matrix);
+        } else if (std::holds_alternative<FurtherOverrides>(ref)) {
+            for (std::size_t plane = 0; plane < params.planes.size(); ++plane) {
+                if (plane > 0) {
+                    fill_matrix(params.overrides[plane].mirrored_world_from_world);
+                }
+                for (std::size_t light = plane > 0 ? 0 : 1; light < params.lights.size(); ++light) {
+                    fill_matrix(params.overrides[plane].shadowed_world_from_world[light]);
+                }
             }
         } else if (const auto* follow = std::get_if<std::optional<Follow>*>(&ref)) {
             (*follow)->reset();
@@ -124,6 +124,15 @@ private:
             if (coin()) {
                 **pixel = glm::ivec2(whole(0, 16383), whole(0, 16383));
             }
+        }
+    }
+
+    void fill_matrix(std::optional<glm::dmat4>& matrix) {
+        matrix.reset();
+        if (coin()) {
+            const Field& entries = viewing::field("overrides.shadow_from_world");
+            matrix = glm::dmat4(vector<glm::dvec4>(entries), vector<glm::dvec4>(entries), vector<glm::dvec4>(entries),
+                                vector<glm::dvec4>(entries));
         }
     }
 

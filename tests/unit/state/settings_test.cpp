@@ -27,14 +27,14 @@ TEST(Settings, NothingChangesNothing) {
 TEST(Settings, TheContractsExamples) {
     const Params params = set({"projection.near=0.01", "light.position=[2,5,1,0]", "depth.func=always"});
     EXPECT_EQ(params.projection.near, 0.01);
-    EXPECT_EQ(params.light.position, glm::dvec4(2, 5, 1, 0));
+    EXPECT_EQ(params.lights.front().position, glm::dvec4(2, 5, 1, 0));
     EXPECT_EQ(params.depth.func, CompareFunc::always);
 }
 
 TEST(Settings, ApplyInOrder) {
     EXPECT_EQ(set({"camera.yaw=1", "camera.yaw=2"}).camera.yaw, 2.0);
-    EXPECT_EQ(set({"light.position[0]=7", "light.position=[1,2,3,1]"}).light.position.x, 1.0);
-    EXPECT_EQ(set({"light.position=[1,2,3,1]", "light.position[0]=7"}).light.position, glm::dvec4(7, 2, 3, 1));
+    EXPECT_EQ(set({"light.position[0]=7", "light.position=[1,2,3,1]"}).lights.front().position.x, 1.0);
+    EXPECT_EQ(set({"light.position=[1,2,3,1]", "light.position[0]=7"}).lights.front().position, glm::dvec4(7, 2, 3, 1));
 }
 
 TEST(Settings, GroupsChangeOnlyWhatTheyName) {
@@ -57,23 +57,25 @@ TEST(Settings, ValueIsJsonElseText) {
 TEST(Settings, ReachIntoValues) {
     EXPECT_EQ(set({"follow.object=box"}).follow, (Follow{"box", 0}));
     EXPECT_EQ(set({R"(follow={"object":"box"})", "follow.vertex=5"}).follow, (Follow{"box", 5}));
-    EXPECT_EQ(set({"lights[0].position=[1,2,3,1]", "lights[0].position[3]=0"}).lights.at(0).position,
+    EXPECT_EQ(set({"lights[0].position=[1,2,3,1]", "lights[0].position[3]=0"}).lights.at(1).position,
               glm::dvec4(1, 2, 3, 0));
-    EXPECT_EQ(set({"planes[0].extent=2", "planes[1].mirrors=false"}).planes.size(), 2U);
+    EXPECT_EQ(set({"planes[0].extent=2", "planes[1].mirrors=false"}).planes.size(), 3U);
     Params with_scene;
     with_scene.scene = *parse_scene(R"({"objects": [{"name": "a", "shape": "box"}]})", "s");
     const Params moved = set({"scene.objects[0].position[1]=2.5"}, with_scene);
     EXPECT_EQ(std::get<SceneDescription>(moved.scene).objects[0].position.y, 2.5);
     Params with_matrix;
-    with_matrix.overrides.shadow_from_world = glm::dmat4(1.0);
-    EXPECT_EQ((*set({"overrides.shadow_from_world[0][3]=9"}, with_matrix).overrides.shadow_from_world)[3][0], 9.0);
+    with_matrix.overrides[0].shadowed_world_from_world[0] = glm::dmat4(1.0);
+    EXPECT_EQ(
+        (*set({"overrides.shadow_from_world[0][3]=9"}, with_matrix).overrides[0].shadowed_world_from_world[0])[3][0],
+        9.0);
 }
 
 TEST(Settings, RulesBetweenFieldsHoldAtTheEndOnly) {
     const Params params =
         set({"projection.near=50", "projection.far=100", "plane.equation[1]=0", "plane.equation[2]=1"});
     EXPECT_EQ(params.projection.near, 50.0);
-    EXPECT_EQ(params.plane.equation, glm::dvec4(0, 0, 1, 0));
+    EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 0, 1, 0));
     EXPECT_EQ(refusal({"projection.near=50"}), "--set projection.near: must be less than projection.far (40), got 50");
     EXPECT_EQ(refusal({"plane.equation[1]=0"}), "--set plane.equation: the normal (a, b, c) must not be zero");
     EXPECT_NE(refusal({"light.position=[0,0,0,0]"}).find("--set light.position: must not be zero"), std::string::npos);
