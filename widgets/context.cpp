@@ -69,9 +69,11 @@ std::string_view ShownPart(const char* label) {
 }
 
 std::string_view RecordedPart(const char* label) {
-    const std::string_view shown = ShownPart(label);
+    const std::string_view whole = label, shown = ShownPart(label);
+    constexpr std::string_view id_mark = "###";
+    if (const std::size_t id = whole.find(id_mark); id != std::string_view::npos)
+        return whole.substr(id + id_mark.size());
     if (!shown.empty()) return shown;
-    const std::string_view whole = label;
     const std::size_t begin = whole.find_first_not_of('#');
     return begin == std::string_view::npos ? std::string_view{} : whole.substr(begin);
 }

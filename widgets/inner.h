@@ -64,7 +64,7 @@ inline bool IsDisabled() {
 
 /// The part of a label that is shown: up to "##".
 std::string_view ShownPart(const char* label);
-/// The part that the recorder uses: what is shown, else what follows "##".
+/// The part that the recorder uses: what follows "###", else what is shown, else what follows "##".
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 

@@ -10,7 +10,7 @@ namespace viewing {
 namespace {
 
 /// Where a light lies badly: in a plane, or behind it. Planes with the same trouble share a sentence.
-void say_light(Sayer& say, const Params& params, const Derived& derived, std::size_t index) {
+void say_light(Sayer& tell, const Params& params, const Derived& derived, std::size_t index) {
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> holding, turned_away;
     for (std::size_t plane = 0; plane < planes.size(); ++plane) {
@@ -21,58 +21,70 @@ void say_light(Sayer& say, const Params& params, const Derived& derived, std::si
         else if (!cast.reaches(eye_side) && eye_side != 0.0)
             turned_away.push_back(plane);
     }
-    const bool is_alone = derived.lights_world.size() == 1;
-    const bool is_parallel = is_parallel_light(derived.lights_world[index]);
-    const std::string light = name_of("light", {index}, derived.lights_world.size());
+    const std::size_t lights = derived.lights_world.size();
+    const std::string light = light_name(index, lights);
     if (!holding.empty()) {
-        const std::string where = name_of("plane", holding, planes.size());
-        const std::string parallel_light = name_of("parallel light", {index}, derived.lights_world.size());
-        say(is_parallel,
-            parallel_light + " runs along " + where + ": S sends every point to infinity, so no shadow is drawn");
-        say(!is_parallel, light + " lies in " + where + ": S sends every point to the light, so no shadow is drawn");
+        const std::string where = planes_name(holding, planes.size());
+        const std::string parallel =
+            lights == 1 ? tr("the parallel light") : say("parallel light {light}", "light"_a = index + 1);
+        const bool is_parallel = is_parallel_light(derived.lights_world[index]);
+        tell(is_parallel, say("{light} runs along {planes}: S sends every point to infinity, so no shadow is drawn",
+                              "light"_a = parallel, "planes"_a = where));
+        tell(!is_parallel, say("{light} lies in {planes}: S sends every point to the light, so no shadow is drawn",
+                               "light"_a = light, "planes"_a = where));
     }
     if (turned_away.empty()) return;
-    say(true, light + " is on the other side of " + name_of("plane", turned_away, planes.size()) + " than the eye: " +
-                  (is_alone ? "this side of the patch is unlit and no shadow falls on it"
-                            : "it neither lights this side of the patch nor throws a shadow on it"));
+    const std::string behind = planes_name(turned_away, planes.size());
+    tell(lights == 1, say("{light} is on the other side of {planes} than the eye: this side of the patch is unlit and "
+                          "no shadow falls on it",
+                          "light"_a = light, "planes"_a = behind));
+    tell(lights > 1, say("{light} is on the other side of {planes} than the eye: it neither lights this side of the "
+                         "patch nor throws a shadow on it",
+                         "light"_a = light, "planes"_a = behind));
 }
 
 /// Between point and parallel.
-void say_weight(Sayer& say, const Derived& derived, std::size_t index) {
+void say_weight(Sayer& tell, const Derived& derived, std::size_t index) {
     const glm::dvec4& light = derived.lights_world[index];
     if (is_parallel_light(light) || light.w >= 1.0) return;
-    const std::string of = derived.lights_world.size() > 1 ? " of light " + std::to_string(index + 1) : "";
-    const std::string place = signed_figures(light.x / light.w) + ", " + signed_figures(light.y / light.w) + ", " +
-                              signed_figures(light.z / light.w);
-    const std::string sentence = "w = " + signed_figures(light.w) + of + " is a point light at (" + place +
-                                 "): its shadows spread; only w = 0 gives parallel ones";
+    const auto coordinate = [&light](int axis) { return figures(light[axis] / light.w, 3); };
+    const std::string sentence =
+        derived.lights_world.size() == 1
+            ? say("w = {w} is a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives parallel ones",
+                  "w"_a = figures(light.w, 3), "x"_a = coordinate(0), "y"_a = coordinate(1), "z"_a = coordinate(2))
+            : say("w = {w} of light {light} is a point light at ({x}, {y}, {z}): its shadows spread; only w = 0 gives "
+                  "parallel ones",
+                  "w"_a = figures(light.w, 3), "light"_a = index + 1, "x"_a = coordinate(0), "y"_a = coordinate(1),
+                  "z"_a = coordinate(2));
     const bool passes_for_parallel = light.w <= 0.25;
-    say.broken(passes_for_parallel, sentence);
-    say(!passes_for_parallel, sentence);
+    tell.broken(passes_for_parallel, sentence);
+    tell(!passes_for_parallel, sentence);
 }
 
 void find_light_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
-    Sayer say(problems, "light");
+    Sayer tell(problems, "light");
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light) {
-        say_light(say, params, derived, light);
-        say_weight(say, derived, light);
+        say_light(tell, params, derived, light);
+        say_weight(tell, derived, light);
     }
 }
 
 void find_plane_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
-    Sayer say(problems, "plane");
+    Sayer tell(problems, "plane");
     const std::span<const DerivedPlane> planes = drawn_planes(params, derived);
     std::vector<std::size_t> edge_on;
     for (std::size_t plane = 0; plane < planes.size(); ++plane)
         if (planes[plane].eye_side == 0.0) edge_on.push_back(plane);
     if (!edge_on.empty()) {
-        const std::string where = name_of("plane", edge_on, planes.size());
-        const char* const means = ": its patch is seen edge-on and mirrors nothing";
-        say(derived.eye_world.w == 0.0, "the lines of sight run along " + where + means);
-        say(derived.eye_world.w != 0.0, "the eye lies in " + where + means);
+        const std::string where = planes_name(edge_on, planes.size());
+        const bool is_parallel = derived.eye_world.w == 0.0;
+        tell(is_parallel, say("the lines of sight run along {planes}: its patch is seen edge-on and mirrors nothing",
+                              "planes"_a = where));
+        tell(!is_parallel,
+             say("the eye lies in {planes}: its patch is seen edge-on and mirrors nothing", "planes"_a = where));
     }
-    say.broken(planes.size() < derived.planes.size(),
-               "the method of hidden surfaces draws one plane: further ones are left out of its picture");
+    tell.broken(planes.size() < derived.planes.size(),
+                tr("the method of hidden surfaces draws one plane: further ones are left out of its picture"));
 }
 
 /// The w of a point between light and plane, as it is uploaded.
@@ -89,38 +101,43 @@ double uploaded_w(const DerivedPlane& plane, const CastShadow& cast) {
 std::string shadow_name(std::size_t plane, std::size_t light) {
     return plane == 0 && light == 0
                ? "S"
-               : "S of plane " + std::to_string(plane + 1) + ", light " + std::to_string(light + 1);
+               : say("S of plane {plane}, light {light}", "plane"_a = plane + 1, "light"_a = light + 1);
+}
+
+/// "R" of the first plane, "R of plane 2".
+std::string mirror_name(std::size_t plane) {
+    return plane == 0 ? "R" : say("R of plane {plane}", "plane"_a = plane + 1);
 }
 
 void find_overrides(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    Sayer tell_shadow(problems, "shadow"), tell_mirror(problems, "reflection");
     for (std::size_t plane = 0; plane < derived.planes.size(); ++plane) {
         const DerivedPlane& of = derived.planes[plane];
         for (std::size_t light = 0; light < of.shadows.size(); ++light) {
             const CastShadow& cast = of.shadows[light];
             if (!cast.by_hand) continue;
-            problems.push_back(
-                {shadow_name(plane, light) + " is overridden by hand: plane and light no longer change it", "shadow"});
-            if (params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0)
-                problems.push_back({shadow_name(plane, light) +
-                                        " by hand has a negative w between light and plane: the clipper removes the "
-                                        "shadow; −S is the same map",
-                                    "shadow", true});
+            const std::string matrix = shadow_name(plane, light);
+            tell_shadow(
+                true, say("{matrix} is overridden by hand: plane and light no longer change it", "matrix"_a = matrix));
+            tell_shadow.broken(params.shadow.enabled && !cast.light_in_plane && uploaded_w(of, cast) < 0.0,
+                               say("{matrix} by hand has a negative w between light and plane: the clipper removes the "
+                                   "shadow; −S is the same map",
+                                   "matrix"_a = matrix));
         }
     }
     for (std::size_t plane = 0; plane < derived.planes.size(); ++plane)
-        if (derived.planes[plane].mirror_by_hand)
-            problems.push_back({(plane == 0 ? "R" : "R of plane " + std::to_string(plane + 1)) +
-                                    std::string(" is overridden by hand: the plane no longer changes it"),
-                                "reflection"});
+        tell_mirror(
+            derived.planes[plane].mirror_by_hand,
+            say("{matrix} is overridden by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
 }
 
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
-    Sayer say(problems, "camera");
-    say(slips.walk_slows, "slip: walking follows the view direction, so it slows when looking up or down");
-    say(slips.creeping_roll, "slip: yaw and pitch both turn about the camera's own axes, so roll creeps in");
-    say(slips.pole_flip, "slip: orbiting over the pole flips the picture");
-    say(slips.swapped_order, "slip: C = R·T in place of T·R, so the camera turns about the world's origin");
-    say(slips.camera_as_view, "slip: C is uploaded where V belongs, so V C is not I");
+    Sayer tell(problems, "camera");
+    tell(slips.walk_slows, tr("slip: walking follows the view direction, so it slows when looking up or down"));
+    tell(slips.creeping_roll, tr("slip: yaw and pitch both turn about the camera's own axes, so roll creeps in"));
+    tell(slips.pole_flip, tr("slip: orbiting over the pole flips the picture"));
+    tell(slips.swapped_order, tr("slip: C = R·T in place of T·R, so the camera turns about the world's origin"));
+    tell(slips.camera_as_view, tr("slip: C is uploaded where V belongs, so V C is not I"));
 }
 
 }  // namespace
@@ -136,7 +153,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_overrides(problems, params, derived);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)
-        problems.push_back({"the followed vertex does not exist in this scene", "follow"});
+        problems.push_back({tr("the followed vertex does not exist in this scene"), "follow"});
     return problems;
 }
 

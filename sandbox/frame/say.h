@@ -39,10 +39,4 @@ std::string planes_name(std::span<const std::size_t> planes, std::size_t count);
 /// "2, 3".
 std::string numbers_name(std::span<const std::size_t> indices);
 
-/// "the plane", or where there are several "plane 2", "planes 2, 3". `which` counts from 0.
-std::string name_of(const char* thing, const std::vector<std::size_t>& which, std::size_t count);
-
-/// "−0.25": figures() with a sign, and 0.
-std::string signed_figures(double value);
-
 }  // namespace viewing

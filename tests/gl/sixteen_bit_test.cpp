@@ -162,7 +162,7 @@ TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
         }
 
         FramePlan unlabelled = frame_16;
-        std::erase_if(unlabelled.passes, [](const Pass& pass) { return pass.name == "Decals"; });
+        std::erase_if(unlabelled.passes, [](const Pass& pass) { return pass.chosen == Chosen::decals; });
         with_label += draw(unlabelled, scene, size_px) != picture_24 ? 1 : 0;
         frame_16.shows = frame_24.shows = Shows::stencil;
         const Image stencil = draw(frame_24, scene, size_px, renderer(), view_24);

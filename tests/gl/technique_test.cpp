@@ -413,7 +413,8 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         params.camera.pitch = angles.pitch_deg;
         const Derived derived = derive_for(params, scene, size_px);
         FramePlan image = plan(params, derived);
-        std::erase_if(image.passes, [](const Pass& pass) { return pass.name != "Mirror image"; });
+        std::erase_if(image.passes,
+                      [](const Pass& pass) { return pass.subject != Subject::objects || !pass.is_mirror_image; });
         ASSERT_EQ(image.passes.size(), 1U);
         image.passes[0].stencil = {};
         image.passes[0].clip_planes.clear();
@@ -428,7 +429,8 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         from_behind.camera.pitch = mirrored_angles.pitch_deg;
         from_behind.camera.roll = mirrored_angles.roll_deg;
         FramePlan direct = plan(from_behind, derive_for(from_behind, scene, size_px));
-        std::erase_if(direct.passes, [](const Pass& pass) { return pass.name != "Objects"; });
+        std::erase_if(direct.passes,
+                      [](const Pass& pass) { return pass.subject != Subject::objects || pass.is_mirror_image; });
 
         Image flipped = draw(direct, scene, size_px);
         for (int y = 0; y < flipped.height; ++y)

@@ -23,9 +23,7 @@ protected:
     Params& params = desk.session.params;
 
     int count() const { return static_cast<int>(desk.frame_plan.passes.size()); }
-    std::string title(int pass) const {
-        return "lower/" + std::to_string(pass + 1) + "  " + desk.frame_plan.passes[static_cast<std::size_t>(pass)].name;
-    }
+    std::string title(int pass) const { return "lower/pass " + std::to_string(pass + 1); }
     void stop_after(int pass) {
         params.view.pass = pass;
         desk.settle();

@@ -226,7 +226,7 @@ TEST_F(ControlsTest, LabelsAreRecordedWithTheirPath) {
     double value = 0.0;
     start([&] {
         const Group group("camera");
-        return Number("##hidden", value, {}) || Number("yaw###same", value, {});
+        return Number("##hidden", value, {}) || Number("Gierwinkel###yaw", value, {});
     });
     EXPECT_TRUE(ui.has("camera/hidden"));
     EXPECT_TRUE(ui.has("camera/yaw"));

@@ -1,6 +1,7 @@
 // The switches of the planar shadow, each with the sentence that says why it breaks the picture, told only where that
 // can be seen. Part of problems.h; mirror_problems.cpp is its counterpart.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "frame/planes/object_reach.h"
@@ -13,7 +14,7 @@ namespace {
 struct Thrown {
     const DerivedPlane& plane;
     const CastShadow& cast;
-    std::string name;  ///< "the light and the plane", "light 2 and plane 1"
+    std::string light_name, plane_name;
 
     double side() const { return cast.plane_dot_light < 0.0 ? -1.0 : 1.0; }
     glm::dvec4 towards_light() const { return side() * plane.unit_plane; }
@@ -30,58 +31,64 @@ std::vector<Thrown> thrown_shadows(const Params& params, const Derived& derived)
         const std::vector<CastShadow>& shadows = planes[plane].shadows;
         for (std::size_t light = 0; light < shadows.size(); ++light) {
             if (!planes[plane].receives_shadow || !shadows[light].reaches(planes[plane].eye_side)) continue;
-            thrown.push_back(
-                {planes[plane], shadows[light],
-                 name_of("light", {light}, shadows.size()) + " and " + name_of("plane", {plane}, planes.size())});
+            thrown.push_back({planes[plane], shadows[light], light_name(light, shadows.size()),
+                              planes_name(std::array{plane}, planes.size())});
         }
     }
     return thrown;
 }
 
 /// Casters beyond a point light. Returns whether there are any.
-bool say_beyond(Sayer& say, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
+bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, const Scene& scene) {
     const std::string beyond = one.is_from_point() ? objects_at_most(scene, one.right_w(), 0.0) : "";
     if (beyond.empty()) return false;
     const std::string across = shadow.clip_at_light ? "" : objects_across(scene, one.right_w(), 0.0);
     if (shadow.sign == ShadowSign::forced && !shadow.clip_at_light)
-        say.broken(true,
-                   "w ≤ 0 for what of " + beyond +
-                       " is beyond the light: its sign is forced, so it throws an anti-shadow" +
-                       (across.empty() ? "" : ", and what crosses w = 0 stretches to infinity"),
-                   across.empty() ? "shadow.sign=plane_dot_light" : "shadow.clip_at_light=true");
+        across.empty() ? tell.broken(true,
+                                     say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
+                                         "throws an anti-shadow",
+                                         "objects"_a = beyond),
+                                     "shadow.sign=plane_dot_light")
+                       : tell.broken(true,
+                                     say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
+                                         "throws an anti-shadow, and what crosses w = 0 stretches to infinity",
+                                         "objects"_a = beyond),
+                                     "shadow.clip_at_light=true");
     else if (!across.empty())
-        say(true, across +
-                      " crosses the plane through the light, where w = 0: its shadow reaches to infinity, and GL alone "
-                      "cuts off what lies beyond (w ≤ 0)");
+        tell(true, say("{objects} crosses the plane through the light, where w = 0: its shadow reaches to infinity, "
+                       "and GL alone cuts off what lies beyond (w ≤ 0)",
+                       "objects"_a = across));
     else
-        say(true, "what of " + beyond + " is not between " + one.name + " (w ≤ 0 there) casts no shadow");
+        tell(true, say("what of {objects} is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
+                       "objects"_a = beyond, "light"_a = one.light_name, "plane"_a = one.plane_name));
     return true;
 }
 
 /// Where a caster is not between light and plane, and what the switches make of it.
-void say_casters(Sayer& say, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
+void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown, const Scene& scene) {
     const bool vanishes = shadow.sign == ShadowSign::none &&
                           std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.side() < 0.0; });
-    say.broken(vanishes,
-               "S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every "
-               "shadow",
-               "shadow.sign=plane_dot_light");
+    tell.broken(
+        vanishes,
+        tr("S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every shadow"),
+        "shadow.sign=plane_dot_light");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
-        say.broken(true,
-                   "behind the plane w is positive, too: what is there of " + names +
-                       " is not clipped, and throws a false shadow",
-                   "shadow.clip_casters=true");
+        tell.broken(true,
+                    say("behind the plane w is positive, too: what is there of {objects} is not clipped, and throws a "
+                        "false shadow",
+                        "objects"_a = names),
+                    "shadow.clip_casters=true");
         break;
     }
     if (vanishes) return;
     for (const Thrown& one : thrown)
-        if (say_beyond(say, shadow, one, scene)) return;
+        if (say_beyond(tell, shadow, one, scene)) return;
 }
 
 /// The offset that keeps a blended shadow from fighting with its plane.
-void say_offset(Sayer& say, const Params& params, const Derived& derived) {
+void say_offset(Sayer& tell, const Params& params, const Derived& derived) {
     const ShadowParams& shadow = params.shadow;
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
@@ -91,41 +98,40 @@ void say_offset(Sayer& say, const Params& params, const Derived& derived) {
     const bool is_nothing = shadow.offset == ShadowOffset::none || (by_polygon && factor == 0.0 && units == 0.0) ||
                             (by_lift && shadow.lift == 0.0);
     if (is_nothing)
-        return say.broken(
+        return tell.broken(
             true,
-            "nothing lifts the shadow off the plane it lies in: the two have the same depth but for "
-            "rounding, and fight",
+            tr("nothing lifts the shadow off the plane it lies in: the two have the same depth but for rounding, and "
+               "fight"),
             shadow.offset == ShadowOffset::none ? "shadow.offset=polygon_offset" : "shadow.offset=no_depth_test");
-    say.broken(by_polygon && factor >= 0.0 && units >= 0.0,
-               "the polygon offset pushes the shadow away from the eye: the plane hides it");
-    say.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
-               "the shadow writes its depth, offset included: the stored depths are no longer the plane's own",
-               "shadow.write_depth=false");
+    tell.broken(by_polygon && factor >= 0.0 && units >= 0.0,
+                tr("the polygon offset pushes the shadow away from the eye: the plane hides it"));
+    tell.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
+                tr("the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
+                "shadow.write_depth=false");
     // The slope's part is about one pixel of the plane for each 1, the constant one a step of depth.
     const bool pulls = factor < -8.0 || units * derived.facts.depth_step_at_target < -0.1;
-    say.broken(by_polygon && pulls,
-               "the polygon offset is too large: the shadow is pulled before objects that should hide it, and bleeds "
-               "through them");
-    say.broken(by_lift,
-               "the shadow floats " + signed_figures(shadow.lift) +
-                   " above the plane: at a grazing view it slides away from its caster",
-               "shadow.offset=polygon_offset");
+    tell.broken(by_polygon && pulls, tr("the polygon offset is too large: the shadow is pulled before objects that "
+                                        "should hide it, and bleeds through them"));
+    tell.broken(by_lift,
+                say("the shadow floats {height} above the plane: at a grazing view it slides away from its caster",
+                    "height"_a = figures(shadow.lift, 3)),
+                "shadow.offset=polygon_offset");
 }
 
 /// What paint cannot do that missing light does.
-void say_paint(Sayer& say, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
-    say.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
-               "each face of each caster is blended where it falls, one over the other: without the stencil's count, "
-               "shadow darkens shadow",
-               "shadow.stencil_once=true");
+void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown>& thrown) {
+    tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
+                tr("each face of each caster is blended where it falls, one over the other: without the stencil's "
+                   "count, shadow darkens shadow"),
+                "shadow.stencil_once=true");
     const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
-    say.broken(has_gloss && shadow.opacity > 0.0,
-               "blending darkens the highlight, which should be missing: where the light does not arrive, it cannot "
-               "gleam",
-               "shadow.style=missing_light");
-    say.broken(shadow.opacity >= 1.0,
-               "paint of opacity 1 covers the plane's pattern: in a true shadow ambient light still shows it",
-               "shadow.style=missing_light");
+    tell.broken(
+        has_gloss && shadow.opacity > 0.0,
+        tr("blending darkens the highlight, which should be missing: where the light does not arrive, it cannot gleam"),
+        "shadow.style=missing_light");
+    tell.broken(shadow.opacity >= 1.0,
+                tr("paint of opacity 1 covers the plane's pattern: in a true shadow ambient light still shows it"),
+                "shadow.style=missing_light");
 }
 
 }  // namespace
@@ -135,26 +141,26 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     const std::vector<Thrown> thrown = thrown_shadows(params, derived);
     if (thrown.empty() || !shows_effects(params)) return;
     const ShadowParams& shadow = params.shadow;
-    Sayer say(problems, "shadow");
-    say_casters(say, shadow, thrown, scene);
+    Sayer tell(problems, "shadow");
+    say_casters(tell, shadow, thrown, scene);
     if (shadow.style == ShadowStyle::blend) {
         const bool beyond_edge =
             !shadow.clip_to_receiver && std::any_of(thrown.begin(), thrown.end(), [&](const Thrown& one) {
                 return lands_beyond(scene, one.cast.sign * one.cast.shadowed_world_from_world, one.towards_light(),
                                     one.plane.patch);
             });
-        say.broken(beyond_edge,
-                   "S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the floor's "
-                   "edge, in the air",
-                   "shadow.clip_to_receiver=true");
-        say_paint(say, shadow, thrown);
-        say_offset(say, params, derived);
+        tell.broken(beyond_edge,
+                    tr("S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the "
+                       "floor's edge, in the air"),
+                    "shadow.clip_to_receiver=true");
+        say_paint(tell, shadow, thrown);
+        say_offset(tell, params, derived);
     }
     const bool shares = !shadow.own_stencil && (thrown.size() > 1 || drawn_planes(params, derived).size() > 1);
-    say.broken(shares,
-               "planes and lights share one stencil value: where one shadow was counted the next one is missing, and "
-               "shadows leak from plane to plane",
-               "shadow.own_stencil=true");
+    tell.broken(shares,
+                tr("planes and lights share one stencil value: where one shadow was counted the next one is missing, "
+                   "and shadows leak from plane to plane"),
+                "shadow.own_stencil=true");
 }
 
 }  // namespace viewing

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/figure.h"
 #include "ui/parts/look.h"
 #include "ui/planes/derivation_text.h"
@@ -134,7 +135,7 @@ void draw_mirror_diagram(const Rect& rect, const MirrorDerivation& found) {
         const glm::dvec3 &q = found.point_world, &foot = found.foot_world, &image = found.mirrored_world;
         figure.name(q, "q", palette().point);
         figure.name(image, "q′", palette().mirror);
-        figure.name(foot, "foot", palette().plane);
+        figure.name(foot, tr("foot"), palette().plane);
         figure.line(q, foot, palette().point, 2.0F);
         figure.dashed(foot, image, palette().mirror);
         figure.right_angle(foot, across, n * (found.k < 0.0 ? -1.0 : 1.0));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
 #include "ui/planes/derivation_text.h"
@@ -21,39 +22,40 @@ struct Form {
 
 void show_form(const Form& form, float width) {
     ImGui::BeginGroup();
-    ImGui::TextUnformatted(form.name);
+    ImGui::TextUnformatted(tr(form.name));
     if (form.matrix) {
         MatrixCells cells = shadow_cells();
         for (std::size_t cell = 0; cell < cells.size(); ++cell)
             if (form.symbols[cell]) cells[cell].symbol = form.symbols[cell];
         widgets::Matrix(form.name, *form.matrix, {.cells = cells, .roles = derivation_roles()}, width);
     } else {
-        equation({"only for", form.needs, "l_w = 1"}, width);
+        equation({marked("only for"), form.needs, "l_w = 1"}, width);
     }
     ImGui::EndGroup();
 }
 
 std::string difference_text(double difference) {
-    if (difference == 0.0) return "Largest difference of any two entries: 0.";
+    if (difference == 0.0) return tr("Largest difference of any two entries: 0.");
     const int exponent = static_cast<int>(std::floor(-std::log10(difference)));
-    return "Largest difference of any two entries: below 10⁻" + raised_text(std::max(exponent, 0)) + ".";
+    return say("Largest difference of any two entries: below {bound}.",
+               "bound"_a = "10⁻" + raised_text(std::max(exponent, 0)));
 }
 
 }  // namespace
 
 void show_three_forms(const ShadowForms& forms) {
-    derivation_heading("The same matrix three times");
+    derivation_heading(marked("The same matrix three times"));
     const Form shown[] = {
-        {"for y = 0 (Blinn)",
+        {marked("for y = 0 (Blinn)"),
          forms.blinn ? &*forms.blinn : nullptr,
          "n = (0, 1, 0), d = 0,",
          {"l_y", "-l_x", "0", "0", "0", "0", "0", "0", "0", "-l_z", "l_y", "0", "0", "-1", "0", "l_y"}},
-        {"with d",
+        {marked("with d"),
          forms.with_d ? &*forms.with_d : nullptr,
          "",
          {"n·l + d − l_x n_x", "−l_x n_y", "−l_x n_z", "−l_x d", "−l_y n_x", "n·l + d − l_y n_y", "−l_y n_z", "−l_y d",
           "−l_z n_x", "−l_z n_y", "n·l + d − l_z n_z", "−l_z d", "−n_x", "−n_y", "−n_z", "n·l"}},
-        {"as 4-vectors: (P·L) I − L Pᵀ", &forms.four_vectors, "", {}}};
+        {marked("as 4-vectors: (P·L) I − L Pᵀ"), &forms.four_vectors, "", {}}};
     if (forms.with_d) widgets::Note(difference_text(forms.largest_difference).c_str());
     const float room = ImGui::GetContentRegionAvail().x, gap = px(10.0F);
     const bool in_a_row = room >= 3.0F * px(250.0F) + 2.0F * gap;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -71,10 +72,11 @@ void equation(std::initializer_list<std::string> parts, float width_px) {
     std::string recorded;
     for (const std::string& part : parts) {
         if (part.empty()) continue;
-        const float width = formula(nullptr, at, part);
+        const std::string shown(tr_part(part));
+        const float width = formula(nullptr, at, shown);
         if (indent > 0.0F && at.x > from.x + indent && at.x + width > from.x + room)
             at = {from.x + indent, at.y + line};
-        formula(ImGui::GetWindowDrawList(), at, part);
+        formula(ImGui::GetWindowDrawList(), at, shown);
         at.x += width + blank;
         if (indent == 0.0F) indent = at.x - from.x;
         recorded += (recorded.empty() ? "" : " ") + part;
@@ -87,7 +89,7 @@ void equation(std::initializer_list<std::string> parts, float width_px) {
 void derivation_heading(const char* text) {
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(tr(text));
     ImGui::PopFont();
     widgets::Record(text);
 }

@@ -21,10 +21,11 @@ std::string derivation_vector(const glm::dvec3& value);
 
 /// The parts of one equation behind each other: {"t", "= l_y/(l_y - p_y)", "= 5.200/3.900", "= 1.333"}, each of them a
 /// widgets::Formula. A part for which the line has no more room stands on the next one, below the second part. The
-/// number font where the line is wide, else the small one. Recorded by its text. `width_px` 0: what is there.
+/// number font where the line is wide, else the small one. Parts that are marked() are looked up; recorded in English.
+/// `width_px` 0: what is there.
 void equation(std::initializer_list<std::string> parts, float width_px = 0.0F);
 
-/// A line in semibold above the equations that follow.
+/// A line in semibold above the equations that follow; looks its text up.
 void derivation_heading(const char* text);
 
 }  // namespace viewing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
@@ -71,25 +72,26 @@ void light_slider(Params& params) {
                                      .default_value = default_params().lights.front().position.w,
                                      .links = link::light[3],
                                      .role = widgets::Role::light};
-    const float words = ImGui::CalcTextSize("light: parallel").x + ImGui::CalcTextSize("point").x + px(16.0F);
+    const float words = ImGui::CalcTextSize(tr("light: parallel")).x + ImGui::CalcTextSize(tr("point")).x + px(16.0F);
     const float room = ImGui::GetContentRegionAvail().x;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("light: parallel");
+    ImGui::TextUnformatted(tr("light: parallel"));
     ImGui::SameLine(0.0F, px(8.0F));
     widgets::Slider("##l_w", light.w, style, std::clamp(room - words, px(60.0F), px(260.0F)));
-    widgets::Tooltip(
-        "Parallel or point light",
-        "The light's fourth coordinate. 1: a point light at l. 0: a parallel light from the direction "
-        "(x, y, z). Between them the light is at (x, y, z) divided by it, farther away the smaller it is.");
+    widgets::Tooltip("Parallel or point light",
+                     "The light's fourth coordinate. 1: a point light at l. 0: a parallel light from the direction (x, "
+                     "y, z). Between them the light is at (x, y, z) divided by it, farther away the smaller it is.");
     ImGui::SameLine(0.0F, px(8.0F));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("point");
+    ImGui::TextUnformatted(tr("point"));
 }
 
 void tell_point(const Derived& derived, const char* letter) {
     if (derived.followed) return;
-    const std::string note = "Click an object to follow one of its vertices; until then " + std::string(letter) +
-                             " is one unit above the middle of the plane's patch.";
+    const std::string note =
+        say("Click an object to follow one of its vertices; until then {point} is one unit above the middle of the "
+            "plane's patch.",
+            "point"_a = letter);
     widgets::Note(note.c_str());
 }
 
@@ -132,7 +134,7 @@ void point_light_steps(const ShadowDerivation& found, bool is_blinn, bool is_sho
     if (is_blinn)
         equation({"t", "= l_y/(l_y − p_y)",
                   is_short ? "" : quotient(found.light_world.y, found.light_world.y, found.point_world.y),
-                  is_short ? "" : t, "for y = 0"});
+                  is_short ? "" : t, marked("for y = 0")});
     equation({"s", "= " + derivation_vector(*found.shadow_world)});
     const double length_ratio = std::abs(found.t);
     equation({"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
@@ -141,7 +143,7 @@ void point_light_steps(const ShadowDerivation& found, bool is_blinn, bool is_sho
 }
 
 void parallel_light_steps(const ShadowDerivation& found, bool is_short) {
-    equation({"s", "= p + τ l", "for l_w = 0"});
+    equation({"s", "= p + τ l", marked("for l_w = 0")});
     equation({"n·s + d", "= 0"});
     if (!is_short) equation({"n·(p + τ l) + d", "= 0"});
     if (!found.shadow_world) return;
@@ -154,7 +156,7 @@ void parallel_light_steps(const ShadowDerivation& found, bool is_short) {
 
 /// The lecture's expansion of q′, row by row, with the slip of its second line put right.
 void expansion(const MirrorDerivation& found) {
-    derivation_heading("Expanded");
+    derivation_heading(marked("Expanded"));
     static constexpr const char* rows[3][5] = {{"x_0′", "= (1 - 2a^2) x_0", "- 2ab y_0", "- 2ac z_0", "- 2ad"},
                                                {"y_0′", "= -2ab x_0", "+ (1 - 2b^2) y_0", "- 2bc z_0", "- 2bd"},
                                                {"z_0′", "= -2ac x_0", "- 2bc y_0", "+ (1 - 2c^2) z_0", "- 2cd"}};
@@ -167,8 +169,8 @@ void expansion(const MirrorDerivation& found) {
 }
 
 void mirror_form(const MirrorDerivation& found) {
-    static constexpr const char* headings[] = {"R for the yz-plane", "R for the xz-plane", "R for the xy-plane",
-                                               "R for any plane"};
+    static constexpr const char* headings[] = {marked("R for the yz-plane"), marked("R for the xz-plane"),
+                                               marked("R for the xy-plane"), marked("R for any plane")};
     derivation_heading(headings[static_cast<std::size_t>(found.plane)]);
     const float width = std::min(ImGui::GetContentRegionAvail().x, px(420.0F));
     MatrixCells cells = mirror_cells();
@@ -196,7 +198,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     equation({"p", "= " + derivation_vector(found.point_world)});
     if (!steps.is_short()) {
         plane_line(found.unit_plane);
-        derivation_heading("Step by step");
+        derivation_heading(marked("Step by step"));
     }
     if (found.parallel_light)
         parallel_light_steps(found, steps.is_short());
@@ -217,7 +219,7 @@ void draw_mirror_derivation(const Derived& derived, const Rect& rect) {
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     equation({"k", "= n·q + d", "= " + derivation_number(found.k)});
-    equation({"foot", "= q − k n", "= " + derivation_vector(found.foot_world)});
+    equation({marked("foot"), "= q − k n", "= " + derivation_vector(found.foot_world)});
     equation({"q′", "= q − 2 k n", "= " + derivation_vector(found.mirrored_world)});
     tell_point(derived, "q");
     expansion(found);

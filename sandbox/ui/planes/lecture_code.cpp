@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "frame/planes/lecture_code.h"
+#include "text/catalogue.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
@@ -101,8 +102,8 @@ std::string code_of(const Function& function, const CodeLine& line, bool names_a
 }
 
 std::string place_of(const Function& function, const CodeLine& line) {
-    return std::string("Row ") + std::to_string(line.row + 1) + ", column " + std::to_string(line.column + 1) + " of " +
-           function.letter + ": OpenGL reads the array column by column.";
+    return say("Row {row}, column {column} of {matrix}: OpenGL reads the array column by column.",
+               "row"_a = line.row + 1, "column"_a = line.column + 1, "matrix"_a = function.letter);
 }
 
 void draw_line(const Function& function, const CodeLine& line, const Writing& writing) {
@@ -148,10 +149,10 @@ void draw_lines(const Function& function, std::optional<double> dot) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
     code_item(writing, function.signature, "");
     if (dot) {
-        code_item(writing,
-                  "dot = plane[0] * lightpos[0] + plane[1] * lightpos[1] + plane[2] * lightpos[2] + plane[3] * "
-                  "lightpos[3];",
-                  widgets::NumberText(*dot, 3));
+        code_item(
+            writing,
+            "dot = plane[0] * lightpos[0] + plane[1] * lightpos[1] + plane[2] * lightpos[2] + plane[3] * lightpos[3];",
+            widgets::NumberText(*dot, 3));
         follow_entry(0, link::all_light | link::all_plane);
         widgets::Record("dot");
     }
@@ -178,7 +179,7 @@ void shadow_function(const Derived& derived) {
 
 /// The switch that fills R as the slide does, and what GL makes of either, in one sentence.
 void order_switch(Params& params, double d) {
-    control(params, "reflection.printed_by_rows", {.label = "R as printed on the slide"});
+    control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});
     if (!params.reflection.printed_by_rows)
         widgets::Note(
             "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is put right.");
@@ -202,7 +203,7 @@ void mirror_function(const Params& params, const Derived& derived) {
                             mirror_cells(printed),
                             mirror_roles()};
     title(function);
-    widgets::Note(printed ? "Filled by rows." : "Filled by columns.");
+    widgets::Note(printed ? marked("Filled by rows.") : marked("Filled by columns."));
     if (derived.chosen_plane().mirror_by_hand) widgets::Trouble("R is entered by hand and not what this code fills.");
     draw_lines(function, std::nullopt);
 }

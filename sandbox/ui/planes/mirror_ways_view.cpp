@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cfloat>
-#include <cstdio>
 #include <string>
 #include <vector>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 
@@ -17,42 +17,39 @@ constexpr float gap = 6.0F, margin = 6.0F;
 const char* explanation_of(MirrorWay way) {
     switch (way) {
         case MirrorWay::clip_distance:
-            return "The mirrored scene is cut at the mirror, vertex by vertex, with gl_ClipDistance. The other "
-                   "pictures "
-                   "are compared with this one.";
+            return tr(
+                "The mirrored scene is cut at the mirror, vertex by vertex, with gl_ClipDistance. The other pictures "
+                "are compared with this one.");
         case MirrorWay::none:
-            return "Nothing is cut: what lies behind the mirror, or crosses it, stands in front of the image.";
+            return tr("Nothing is cut: what lies behind the mirror, or crosses it, stands in front of the image.");
         case MirrorWay::oblique:
-            return "The near plane is the mirror itself: nothing else is needed, but depth is measured from that plane "
-                   "on, and the far plane tilts with it.";
+            return tr(
+                "The near plane is the mirror itself: nothing else is needed, but depth is measured from that plane "
+                "on, and the far plane tilts with it.");
         case MirrorWay::camera:
             break;
     }
-    return "The camera is mirrored in place of the scene and its picture flipped left and right: the same picture.";
-}
-
-std::string percent(std::int64_t part, std::int64_t whole) {
-    return widgets::NumberText(whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0.0, 2) +
-           " %";
+    return tr("The camera is mirrored in place of the scene and its picture flipped left and right: the same picture.");
 }
 
 /// With three decimals, whatever the size: depths are from 0 to 1.
 std::string depth_text(double depth) {
-    char text[16];
-    std::snprintf(text, sizeof text, "%.3f", depth);
-    return text;
+    return plain_decimals(depth, 3);
 }
 
 std::string difference_of(MirrorWay way, const MirrorWayReport& report) {
-    if (report.image_pixels == 0 && report.different == 0) return "no image";
-    if (way == MirrorWay::clip_distance) return "the reference";
-    return report.different == 0 ? "none differ" : percent(report.different, report.compared) + " differ";
+    if (report.image_pixels == 0 && report.different == 0) return tr("no image");
+    if (way == MirrorWay::clip_distance) return tr("the reference");
+    if (report.different == 0) return tr("none differ");
+    const double share = static_cast<double>(report.different) / static_cast<double>(report.compared);
+    return say("{share} differ", "share"_a = percent(share, 2));
 }
 
 /// Empty where the image leaves no depth.
 std::string depths_of(const MirrorWayReport& report) {
     if (report.image_pixels == 0) return "";
-    return "depth " + depth_text(report.first_depth) + "…" + depth_text(report.last_depth);
+    return say("depth {first}…{last}", "first"_a = depth_text(report.first_depth),
+               "last"_a = depth_text(report.last_depth));
 }
 
 bool is_chosen(const ReflectionParams& reflection, MirrorWay way) {
@@ -96,7 +93,8 @@ void way_picture(Session& session, const Rect& place, MirrorWay way, const Mirro
     std::string told = explanation_of(way);
     const DepthParams& depth = session.params.depth;
     if (way == MirrorWay::oblique && depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex)
-        told += " Here each vertex writes its own z, the logarithm, and nothing is left of that near plane.";
+        told += std::string(" ") +
+                tr("Here each vertex writes its own z, the logarithm, and nothing is left of that near plane.");
     std::vector<std::string> numbers;
     if (shown.ways) {
         const MirrorWayReport& report = shown.ways->reports[index];
@@ -104,7 +102,7 @@ void way_picture(Session& session, const Rect& place, MirrorWay way, const Mirro
         for (const std::string& number : numbers) told += "\n" + number;
     }
     widgets::Tooltip(name_of(way), told.c_str());
-    captions(draw, place, name_of(way), numbers);
+    captions(draw, place, tr(name_of(way)), numbers);
 }
 
 }  // namespace

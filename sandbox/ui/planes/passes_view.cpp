@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 
 namespace viewing {
 namespace {
 
-constexpr const char* buffer_names[] = {"colour", "depth", "stencil"};
-constexpr const char* whole_frame = "The frame of this hidden-surface method is drawn whole: it stops after no pass.";
+constexpr const char* buffer_names[] = {marked("colour"), marked("depth"), marked("stencil")};
+constexpr const char* whole_frame =
+    marked("The frame of this hidden-surface method is drawn whole: it stops after no pass.");
 
 /// A part of the place, since pictures are sized before there is a frame to ask for its scale.
 float gap_in(const Rect& rect) {
@@ -90,15 +92,16 @@ void entry(Session& session, const FramePlan& plan, int number) {
     ImGui::PushID(number);
     if (!is_drawn) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.45F);
     ImGui::PushFont(context.fonts.heading);
-    const std::string title = std::to_string(number + 1) + "  " + pass.name;
+    const std::string pass_number = std::to_string(number + 1);
+    const std::string title = pass_number + "  " + pass.name + "###headline";
     const bool stops = can_stop(session);
     const ImGuiSelectableFlags flags = stops ? ImGuiSelectableFlags_None : ImGuiSelectableFlags_Disabled;
     if (ImGui::Selectable(title.c_str(), stops && stop == number, flags)) stop = goes_on ? -1 : number;
-    widgets::Record(title.c_str());
+    widgets::Record(("pass " + pass_number).c_str());
     ImGui::PopFont();
     widgets::Tooltip(pass.name.c_str(), !stops    ? whole_frame
-                                        : goes_on ? "Click to draw the whole frame."
-                                                  : "Click to stop the frame after this pass.");
+                                        : goes_on ? marked("Click to draw the whole frame.")
+                                                  : marked("Click to stop the frame after this pass."));
     widgets::Note(pass.reason.c_str());
     const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
     call_lines(gl_calls(pass, before));
@@ -138,7 +141,7 @@ void draw_passes_view(Session& session, const FramePlan& plan, const Rect& rect,
         const Rect& place = places.pictures[buffer];
         picture_item(buffer_names[buffer], place, pictures[buffer]);
         widgets::HaloText(ImGui::GetWindowDrawList(), {place.min.x + px(6.0F), place.min.y + px(3.0F)}, palette().text,
-                          buffer_names[buffer]);
+                          tr(buffer_names[buffer]));
     }
     ImGui::SetCursorScreenPos(rect.min);
     const ImVec2 room(std::max(places.list.width(), 1.0F), std::max(places.list.height(), 1.0F));

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "state/lists.h"
+#include "text/catalogue.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/panel_parts.h"
@@ -35,15 +36,18 @@ void light_controls(Params& params, std::size_t index, const char* label) {
 
 void further_lights(Params& params) {
     for (std::size_t index = 1; index < params.lights.size(); ++index) {
-        const std::string name = "light " + std::to_string(index + 1);
-        light_controls(params, index, name.c_str());
-        explain(field("lights"), name);
-        if (widgets::SmallButton(("remove " + name).c_str())) return remove_light(params, index);
+        const std::size_t number = index + 1;
+        const std::string id = std::to_string(number);
+        const std::string label = say("light {number}", "number"_a = number) + "###light " + id;
+        light_controls(params, index, label.c_str());
+        explain(field("lights"), label);
+        const std::string remove = say("remove light {number}", "number"_a = number) + "###remove light " + id;
+        if (widgets::SmallButton(remove.c_str())) return remove_light(params, index);
     }
     const bool has_room = params.lights.size() < most_lights;
     if (widgets::SmallButton("add a light", has_room, "Four lights are as many as the stencil has bits for."))
         params.lights.push_back(another_light(params));
-    if (has_room) explain(field("lights"), "Add a light");
+    if (has_room) explain(field("lights"), marked("Add a light"));
 }
 
 /// The walls of a room about the scene, one after the other.
@@ -64,7 +68,7 @@ void plane_controls(Params& params, std::size_t index) {
     std::span<const widgets::Links> links;
     if (index == params.chosen().plane) links = link::plane;
     widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
-    explain(field("plane.equation"), "plane");
+    explain(field("plane.equation"), marked("plane"));
     const Field& extent = field("plane.extent");
     const widgets::NumberStyle style{.min = 0.5,
                                      .max = 50.0,
@@ -72,76 +76,80 @@ void plane_controls(Params& params, std::size_t index) {
                                      .logarithmic = extent.logarithmic,
                                      .default_value = defaults.extent};
     widgets::Slider("extent", plane.extent, style);
-    explain(extent, "extent");
-    widgets::Toggle("Receiver", plane.receives_shadow, defaults.receives_shadow);
-    explain(field("plane.receives_shadow"), "Receiver");
+    explain(extent, marked("extent"));
+    widgets::Toggle(marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
+    explain(field("plane.receives_shadow"), marked("Receiver"));
     beside(second);
-    widgets::Toggle("Mirrors", plane.mirrors, defaults.mirrors);
-    explain(field("plane.mirrors"), "Mirrors");
+    widgets::Toggle(marked("Mirrors"), plane.mirrors, defaults.mirrors);
+    explain(field("plane.mirrors"), marked("Mirrors"));
     beside(second + 76.0F);
-    widgets::Toggle("Gloss", plane.gloss, defaults.gloss);
-    explain(field("plane.gloss"), "Gloss");
+    widgets::Toggle(marked("Gloss"), plane.gloss, defaults.gloss);
+    explain(field("plane.gloss"), marked("Gloss"));
 }
 
 void further_planes(Params& params) {
     for (std::size_t index = 1; index < params.planes.size(); ++index) {
-        const std::string name = "plane " + std::to_string(index + 1);
-        if (!details(("Plane " + std::to_string(index + 1)).c_str())) continue;
-        const widgets::Group group(name.c_str());
+        const std::size_t number = index + 1;
+        const std::string id = std::to_string(number);
+        const std::string headline = say("Plane {number}", "number"_a = number) + "###Plane " + id;
+        if (!details(headline.c_str())) continue;
+        const widgets::Group group(("plane " + id).c_str());
         plane_controls(params, index);
-        if (widgets::SmallButton(("remove " + name).c_str())) return remove_plane(params, index);
+        const std::string remove = say("remove plane {number}", "number"_a = number) + "###remove plane " + id;
+        if (widgets::SmallButton(remove.c_str())) return remove_plane(params, index);
     }
     const bool has_room = params.planes.size() < most_planes;
     if (widgets::SmallButton("add a plane", has_room, "Eight planes are as many as there may be."))
         params.planes.push_back(another_plane(params));
-    if (has_room) explain(field("planes"), "Add a plane");
+    if (has_room) explain(field("planes"), marked("Add a plane"));
 }
 
 void shadow_style(Params& params) {
-    static constexpr const char* styles[] = {"Blend", "Missing light"};
+    static constexpr const char* styles[] = {marked("Blend"), marked("Missing light")};
     control(params, "shadow.style", {.segments = true, .names = styles, .label = "##style"});
     if (params.shadow.style == ShadowStyle::missing_light) {
         widgets::Note("Ambient light first, then the light only where the stencil is clear: no colour, no offset.");
         return;
     }
     control(params, "shadow.color");
-    static constexpr const char* offsets[] = {"none", "glPolygonOffset", "lift", "no depth test"};
-    control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = "offset"});
+    static constexpr const char* offsets[] = {marked("none"), "glPolygonOffset", marked("lift"),
+                                              marked("no depth test")};
+    control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = marked("offset")});
     if (params.shadow.offset == ShadowOffset::polygon_offset) {
-        control(params, "shadow.offset_factor", {.label = "factor"});
-        control(params, "shadow.offset_units", {.label = "units"});
+        control(params, "shadow.offset_factor", {.label = marked("factor")});
+        control(params, "shadow.offset_units", {.label = marked("units")});
     } else if (params.shadow.offset == ShadowOffset::lift) {
         control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
     }
-    control(params, "shadow.write_depth", {.label = "Write depth"});
+    control(params, "shadow.write_depth", {.label = marked("Write depth")});
 }
 
 void shadow_switches(Params& params) {
-    control(params, "shadow.clip_at_light", {.label = "Clip at light"});
+    control(params, "shadow.clip_at_light", {.label = marked("Clip at light")});
     beside(second);
-    control(params, "shadow.own_stencil", {.label = "Own stencil"});
-    static constexpr const char* signs[] = {"sign(P·L)", "none", "forced"};
-    control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = "sign of S"});
+    control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
+    static constexpr const char* signs[] = {"sign(P·L)", marked("none"), marked("forced")};
+    control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
 }
 
 void mirror_switches(Params& params) {
-    static constexpr const char* things[] = {"Mirror the scene", "the camera"};
+    static constexpr const char* things[] = {marked("Mirror the scene"), marked("the camera")};
     control(params, "reflection.mirrored", {.segments = true, .names = things, .label = "##mirrored"});
     struct Row {
         const char *left, *left_label, *right, *right_label;
     };
     static constexpr Row rows[] = {
-        {"reflection.side_of_eye", "Side of the eye", "reflection.shadows", "Shadows inside"},
-        {"reflection.after_objects", "Mirror last", "reflection.printed_by_rows", "R as printed"},
+        {"reflection.side_of_eye", marked("Side of the eye"), "reflection.shadows", marked("Shadows inside")},
+        {"reflection.after_objects", marked("Mirror last"), "reflection.printed_by_rows", marked("R as printed")},
     };
     for (const Row& row : rows) {
         control(params, row.left, {.label = row.left_label});
         beside(second);
         control(params, row.right, {.label = row.right_label});
     }
-    control(params, "reflection.mask_writes_depth", {.label = "Mask writes depth"});
+    control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
     if (params.reflection.mirrored == MirroredThing::camera)
-        control(params, "reflection.same_projection", {.label = "Same projection"});
+        control(params, "reflection.same_projection", {.label = marked("Same projection")});
 }
 
 }  // namespace
@@ -150,11 +158,11 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     if (!widgets::Section("Light  l")) return;
     const widgets::Group group("light");
     Params& params = session.params;
-    light_controls(params, 0, "position");
-    explain(field("light.position"), "light");
-    control(params, "animation.light_orbit", {.label = "Orbit"});
+    light_controls(params, 0, marked("position"));
+    explain(field("light.position"), marked("light"));
+    control(params, "animation.light_orbit", {.label = marked("Orbit")});
     beside(74.0F);
-    control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = "speed"});
+    control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = marked("speed")});
     further_lights(params);
     tell_problems(problems, "light");
 }
@@ -165,9 +173,9 @@ void draw_plane_section(Session& session, const Derived& derived, const std::vec
     plane_controls(session.params, 0);
     const glm::dvec4& unit = derived.planes.front().unit_plane;
     if (glm::length(unit - session.params.planes.front().equation) > 5e-4) {
-        const std::string note = "unit normal: (" + widgets::NumberText(unit.x, 3) + ", " +
-                                 widgets::NumberText(unit.y, 3) + ", " + widgets::NumberText(unit.z, 3) + ", " +
-                                 widgets::NumberText(unit.w, 3) + ")";
+        const std::string note =
+            say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
+                "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
         widgets::Note(note.c_str());
     }
     further_planes(session.params);
@@ -181,10 +189,10 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
         const char *shadow, *shadow_label, *reflection, *reflection_label;
     };
     static constexpr Row rows[] = {
-        {"shadow.enabled", "Shadow", "reflection.enabled", "Reflection"},
-        {"shadow.stencil_once", "Stencil once", "reflection.stencil", "Clip to mirror"},
-        {"shadow.clip_to_receiver", "Clip to patch", "reflection.flip_winding", "Flip winding"},
-        {"shadow.clip_casters", "Clip casters", "reflection.reflect_light", "Mirror light"},
+        {"shadow.enabled", marked("Shadow"), "reflection.enabled", marked("Reflection")},
+        {"shadow.stencil_once", marked("Stencil once"), "reflection.stencil", marked("Clip to mirror")},
+        {"shadow.clip_to_receiver", marked("Clip to patch"), "reflection.flip_winding", marked("Flip winding")},
+        {"shadow.clip_casters", marked("Clip casters"), "reflection.reflect_light", marked("Mirror light")},
     };
     for (const Row& row : rows) {
         {
@@ -198,16 +206,17 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     {
         const widgets::Group group("shadow");
         if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
-        if (details("Shadow: style and offset")) shadow_style(params);
-        if (details("Shadow: clip at light, sign, stencil")) shadow_switches(params);
+        if (details(marked("Shadow: style and offset"))) shadow_style(params);
+        if (details(marked("Shadow: clip at light, sign, stencil"))) shadow_switches(params);
         tell_problems(problems, "shadow");
     }
     const widgets::Group group("reflection");
     control(params, "reflection.reflectance", {.slider = true});
     control(params, "reflection.bounces", {.slider = true});
-    static constexpr const char* clips[] = {"no clipping", "clip distance", "oblique near plane"};
-    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = "clip at the plane"});
-    if (details("Mirror: how it is drawn")) mirror_switches(params);
+    static constexpr const char* clips[] = {marked("no clipping"), marked("clip distance"),
+                                            marked("oblique near plane")};
+    control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
+    if (details(marked("Mirror: how it is drawn"))) mirror_switches(params);
     if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
         widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
     tell_problems(problems, "reflection");

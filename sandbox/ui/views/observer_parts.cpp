@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/plane.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -62,9 +63,9 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
     if (params.projection.type == ProjectionType::perspective)
         for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
     overlay.dot(eye, palette().camera, 5.0F);
-    overlay.label(eye, "camera", palette().camera);
-    overlay.label((corners[0] + corners[1]) * 0.5, "near", palette().camera);
-    overlay.label((corners[4] + corners[5]) * 0.5, "far", palette().camera);
+    overlay.label(eye, tr("camera"), palette().camera);
+    overlay.label((corners[0] + corners[1]) * 0.5, tr("near"), palette().camera);
+    overlay.label((corners[4] + corners[5]) * 0.5, tr("far"), palette().camera);
 }
 
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
@@ -84,14 +85,14 @@ void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& de
         overlay.line(perspective ? eye : corners[corner], corners[corner + 4], thin, 1.0F);
     }
     overlay.dot(eye, palette().mirror, 5.0F);
-    overlay.label(eye, "mirrored eye", palette().mirror);
+    overlay.label(eye, tr("mirrored eye"), palette().mirror);
 }
 
 void label_image_space(Overlay& overlay, const Derived& derived) {
     const DerivedPlane& plane = derived.chosen_plane();
     const double behind = plane.eye_side < 0.0 ? 1.0 : -1.0;
     const glm::dvec3 normal(plane.unit_plane);
-    overlay.label(plane.patch.center + behind * 0.4 * plane.patch.extent * normal, "image space", palette().mirror);
+    overlay.label(plane.patch.center + behind * 0.4 * plane.patch.extent * normal, tr("image space"), palette().mirror);
 }
 
 }  // namespace viewing
