@@ -1,5 +1,5 @@
 // C++ and GLSL agree: the tables of uniforms are what the driver finds in the programs, constants are typed on one side
-// only, and all programs compile as GLSL ES 3.00 too, where WebGL 2 will want them.
+// only, and all programs compile as GLSL ES 3.00 too, where WebGL 2 will want them, and draw the same.
 #include <epoxy/egl.h>
 
 #include <cstdlib>
@@ -180,6 +180,44 @@ TEST(ProgramsInEs, CompileWithTheSameTables) {
     Programs programs(gl::Capabilities::of_current_context());
     expect_all_tables(programs);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
+/// Of the opening scene, by a renderer of the current context that uses nothing beyond what GL and GL ES both have.
+std::vector<Image> pictures_in_common() {
+    Result<Renderer> renderer = Renderer::make(gl::Capabilities{});
+    EXPECT_TRUE(renderer) << renderer.error();
+    const Scene scene = scene_named("torus-and-boxes");
+    constexpr glm::ivec2 size_px(96, 54);
+    std::vector<Image> pictures;
+    for (const std::vector<std::string>& settings : {std::vector<std::string>{},
+                                                     {"depth.format=d16", "shadow.style=missing_light"},
+                                                     {"depth.format=d8", "depth.mapping=reversed"},
+                                                     {"view.shows=depth"},
+                                                     {"view.shows=stencil"}}) {
+        const Params params = params_with(settings);
+        View view;
+        const Status drawn =
+            renderer->draw(plan(params, derive(params, scene, {size_px, false})), scene, size_px, view);
+        EXPECT_TRUE(drawn) << drawn.error();
+        pictures.push_back(renderer->read(view));
+    }
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return pictures;
+}
+
+TEST(ProgramsInEs, DrawThePicturesOfGl) {
+    std::vector<Image> in_es;
+    {
+        const EsContext context;
+        if (!context) GTEST_SKIP() << "EGL gives no OpenGL ES 3.0 context";
+        in_es = pictures_in_common();
+    }
+    const Result<gl::EglContext> context = gl::EglContext::make();
+    ASSERT_TRUE(context) << context.error();
+    const std::vector<Image> in_gl = pictures_in_common();
+    ASSERT_EQ(in_es.size(), in_gl.size());
+    for (std::size_t index = 0; index < in_gl.size(); ++index)
+        EXPECT_EQ(testing::pixels_beyond(in_es[index], in_gl[index], 1), 0) << index;
 }
 
 }  // namespace
