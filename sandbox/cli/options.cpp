@@ -1,11 +1,9 @@
 #include "cli/options.h"
 
 #include <algorithm>
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-#include <deque>
+#include <cctype>
 #include <sstream>
+#include <variant>
 
 #include "cli/output.h"
 #include "text/words.h"
@@ -25,6 +23,12 @@ struct Entry {
 std::size_t shown_length(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
+}
+
+/// Not "-" alone, "--" or a number.
+bool is_option(const std::string& word) {
+    const std::size_t name = word.starts_with("--") ? 2 : 1;
+    return word.starts_with('-') && word.size() > name && std::isalpha(static_cast<unsigned char>(word[name])) != 0;
 }
 
 }  // namespace
@@ -49,42 +53,49 @@ std::string exit_status_table(const std::string& digits) {
     return table;
 }
 
-/// CLI11 collects texts; one value too many is noticed here, so that every message has the same form.
 struct Options::Parser {
-    struct Text {
-        std::string name;
-        std::vector<std::string> given;
-        std::optional<std::string>* target;
+    using Target = std::variant<bool*, std::optional<std::string>*, std::vector<std::string>*>;
+    struct Option {
+        std::vector<std::string> names;  ///< messages use the last one
+        Target target;
+        bool is_doubled = false;
     };
 
-    explicit Parser(const Command& parsed) : command(parsed) {
-        app.set_help_flag();
-        app.allow_extras();
-        app.add_flag("-h,--help", help_wanted);
-        names.insert(names.end(), {"-h", "--help"});
-    }
+    explicit Parser(const Command& parsed) : command(parsed) { names = {"-h", "--help"}; }
 
-    void add(const char* option_names, const char* value_name, const char* help) {
+    void add(const char* option_names, const char* value_name, const Target& target, const char* help) {
+        Option option{{}, target};
         std::istringstream parts(option_names);
         std::string shown;
         for (std::string name; std::getline(parts, name, ',');) {
             shown += (shown.empty() ? "" : ", ") + name;
-            if (name.starts_with('-')) names.push_back(name);
+            option.names.push_back(name);
         }
+        names.insert(names.end(), option.names.begin(), option.names.end());
+        options.push_back(std::move(option));
         if (*value_name != '\0') shown += " " + std::string(value_name);
         entries.push_back({group, shown, help});
     }
 
+    Option* find(const std::string& name) {
+        const auto has_name = [&name](const Option& option) {
+            return std::find(option.names.begin(), option.names.end(), name) != option.names.end();
+        };
+        const auto found = std::find_if(options.begin(), options.end(), has_name);
+        return found == options.end() ? nullptr : &*found;
+    }
+
     std::string help() const;
-    void check_leftovers(const Options& options) const;
+    void take(const Arguments& arguments, const Options& owner);
+    void check_leftovers(const Options& owner) const;
 
     const Command& command;
-    CLI::App app;
-    bool help_wanted = false;
     std::string group = "Options";
     std::vector<Entry> entries;
-    std::vector<std::string> names;
-    std::deque<Text> texts;  // CLI11 keeps references into it
+    std::vector<std::string> names;  ///< of all options
+    std::vector<Option> options;
+    std::vector<std::string*> positionals;
+    std::vector<std::string> leftovers;  ///< what no option and no positional took
 };
 
 std::string Options::Parser::help() const {
@@ -110,16 +121,55 @@ std::string Options::Parser::help() const {
     return text + "\n" + exit_status_table(command.statuses);
 }
 
-/// What no option and no positional took.
-void Options::Parser::check_leftovers(const Options& options) const {
-    for (const std::string& left : app.remaining()) {
+/// Words to targets: "--name value", "--name=value", "-n value" and "-nvalue". An option takes the word after it,
+/// whatever it looks like.
+void Options::Parser::take(const Arguments& arguments, const Options& owner) {
+    std::size_t positional = 0;
+    for (auto word = arguments.begin(); word != arguments.end(); ++word) {
+        if (!is_option(*word)) {
+            const bool is_wanted = positional < positionals.size() && *word != "--";
+            if (is_wanted) *positionals[positional++] = *word;
+            if (!is_wanted) leftovers.push_back(*word);
+            continue;
+        }
+        const bool is_long = word->starts_with("--");
+        const std::size_t end = std::min(is_long ? word->find('=') : 2, word->size());
+        Option* const option = find(word->substr(0, end));
+        if (option == nullptr) {
+            leftovers.push_back(*word);
+            continue;
+        }
+        if (bool* const* flag = std::get_if<bool*>(&option->target)) {
+            if (end < word->size()) owner.refuse(option->names.back() + ": takes no value");
+            **flag = true;
+            continue;
+        }
+        std::string value = word->substr(std::min(end + (is_long ? 1 : 0), word->size()));
+        if (value.empty()) {
+            if (++word == arguments.end())
+                owner.refuse(option->names.back() + ": its value is missing; see viewing-sandbox " + command.name +
+                             " --help");
+            value = *word;
+        }
+        if (auto* const* texts = std::get_if<std::vector<std::string>*>(&option->target)) {
+            (*texts)->push_back(value);
+        } else {
+            auto& text = *std::get<std::optional<std::string>*>(option->target);
+            option->is_doubled = text.has_value();
+            text = value;
+        }
+    }
+}
+
+void Options::Parser::check_leftovers(const Options& owner) const {
+    for (const std::string& left : leftovers) {
         if (left.size() > 1 && left.starts_with('-') && left != "--") {
             const std::string name = one_line(left.substr(0, left.find('=')));
             const std::string hint = name.starts_with("--") ? suggestion(name, names) : "";
-            options.refuse(name + ": no such option" + hint + "; see viewing-sandbox " + command.name + " --help");
+            owner.refuse(name + ": no such option" + hint + "; see viewing-sandbox " + command.name + " --help");
         }
-        options.refuse("\"" + one_line(left) + "\": one argument too many; usage: viewing-sandbox " + command.name +
-                       " " + command.synopsis);
+        owner.refuse("\"" + one_line(left) + "\": one argument too many; usage: viewing-sandbox " + command.name + " " +
+                     command.synopsis);
     }
 }
 
@@ -131,24 +181,20 @@ void Options::group(const char* title) {
 }
 
 void Options::positional(const char* name, std::string& value, const char* help) {
-    parser_->app.add_option(name, value);
-    parser_->add(name, "", help);
+    parser_->positionals.push_back(&value);
+    parser_->entries.push_back({parser_->group, name, help});
 }
 
 void Options::text(const char* names, const char* value_name, std::optional<std::string>& value, const char* help) {
-    parser_->texts.push_back({names, {}, &value});
-    parser_->app.add_option(names, parser_->texts.back().given)->allow_extra_args(false);
-    parser_->add(names, value_name, help);
+    parser_->add(names, value_name, &value, help);
 }
 
 void Options::texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help) {
-    parser_->app.add_option(names, values)->allow_extra_args(false);
-    parser_->add(names, value_name, help);
+    parser_->add(names, value_name, &values, help);
 }
 
 void Options::flag(const char* names, bool& value, const char* help) {
-    parser_->app.add_flag(names, value);
-    parser_->add(names, "", help);
+    parser_->add(names, "", &value, help);
 }
 
 bool Options::parse(const Arguments& arguments) {
@@ -160,20 +206,10 @@ bool Options::parse(const Arguments& arguments) {
         print(parser_->help());
         return false;
     }
-    try {
-        parser_->app.parse(Arguments(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::ArgumentMismatch& missing) {
-        const std::string what = missing.what();
-        refuse(what.substr(0, what.find(':')) + ": its value is missing; see viewing-sandbox " + parser_->command.name +
-               " --help");
-    } catch (const CLI::ParseError& other) {
-        refuse(other.what());
-    }
+    parser_->take(arguments, *this);
     parser_->check_leftovers(*this);
-    for (const Parser::Text& text : parser_->texts) {
-        if (text.given.size() > 1) refuse(text.name.substr(text.name.find(',') + 1) + ": given more than once");
-        if (!text.given.empty()) *text.target = text.given.front();
-    }
+    for (const Parser::Option& option : parser_->options)
+        if (option.is_doubled) refuse(option.names.back() + ": given more than once");
     return true;
 }
 

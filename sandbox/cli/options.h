@@ -1,4 +1,5 @@
-// What one command takes, declared once: parsed by CLI11, and printed as the command's --help.
+// What one command takes, declared once: parsed, and printed as the command's --help. By hand, since every message is
+// the program's own and a library would only split words.
 #pragma once
 
 #include <memory>
