@@ -4,11 +4,11 @@
 
 #include <memory>
 
+#include "app/inspection.h"
+#include "app/looks.h"
+#include "app/shown_answer.h"
+#include "app/view_pictures.h"
 #include "frame/animation.h"
-#include "measure/depth_inspector.h"
-#include "measure/fighting_counter.h"
-#include "measure/hidden_worker.h"
-#include "render/renderer.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {
@@ -39,43 +39,29 @@ public:
     GLuint framebuffer() const { return window_.framebuffer(); }
     Image read() const;
     /// The camera's picture alone.
-    const View& camera_view() const { return camera_; }
+    const View& camera_view() const { return pictures_.camera(); }
 
     /// In how many seconds another frame is wanted though no input comes: 0 at once, negative never.
     double redraw_in_s() const { return redraw_in_s_; }
 
 private:
-    void apply_looks(double device_scale);
+    /// Makes and draws again what the latest frame's parameters, sizes and answers have changed.
+    void update(const Layout& layout, const Surroundings& surroundings);
     Status draw_views(const Layout& layout, bool is_interactive);
-    Status draw_camera_view(const Layout& layout);
-    Status draw_beside_view(const Layout& layout);
-    Status draw_after_pass(glm::ivec2 size_px);
-    Status draw_mirror_ways();
-    Status draw_lower_view(Slot slot, const Layout& layout);
-    Status draw_depth_below(glm::ivec2 size_px, View& view);
-    /// What GL's own methods show of their steps.
-    HiddenPictures pictures_by_gl() const;
-    std::vector<std::string> pixel_parts();
-    Status inspect();
-    /// Asks the worker for what the camera view needs; what is not there in a moment is taken when it comes.
-    Status update_hidden(glm::ivec2 camera_px, bool is_interactive);
+    StatusLine status(bool shows_time);
+    Requests draw_interface(const Surroundings& surroundings);
+    double next_redraw_in_s() const;
+    bool is_held() const;  ///< something is moved by hand
+    void report(const Status& done);
 
     Renderer& renderer_;
     std::string renderer_name_;
-    glm::ivec2 camera_px_{1280, 720};  ///< of the camera's view when it was shown last
-    View camera_, beside_;
-    std::array<View, 2> lower_;  ///< of each Slot
-    std::array<View, mirror_way_count> mirror_way_views_;
-    std::shared_ptr<const MirrorWays> mirror_ways_;
-    std::array<View, 3> after_pass_;  ///< colour, depth and stencil
+    Looks looks_;
+    ShownFrame shown_;
+    ShownAnswer answer_;
+    ViewPictures pictures_;
+    Inspection inspection_;
     gl::ColorTarget window_;
-    HiddenWorker hidden_worker_;
-    std::shared_ptr<const HiddenAnswer> hidden_;  ///< what the camera view shows
-    DepthParams hidden_depth_;                    ///< that its difference was made with
-    bool hidden_is_behind_ = false;               ///< a newer answer is awaited
-    DepthInspector inspector_;
-    FightingCounter fighting_;
-    bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
 
     // What the pictures were drawn for: nothing is drawn again while it is the same.
     struct Drawn {
@@ -87,16 +73,11 @@ private:
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;
-    Params params_;  ///< the session's, as they are at the time: of all pictures
-    Derived derived_, before_;
-    FramePlan plan_;
-    std::vector<Problem> problems_;
-    FramePlan inspected_;  ///< the same with its colours, to be read
+    bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
 
-    Theme theme_ = Theme::dark;
-    float looks_scale_ = 0.0F;
-    int settling_ = 0;  ///< frames until ImGui has laid out what changed
-    Moment moment_;     ///< of what moves by itself
+    Moment moment_;       ///< of what moves by itself
+    bool moves_ = false;  ///< something does
+    int settling_ = 0;    ///< frames until ImGui has laid out what changed
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

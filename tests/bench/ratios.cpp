@@ -186,16 +186,15 @@ void compare_windows(const Programs& programs, int rounds) {
 }
 
 /// Both buffers, histogram and precision chart, all drawn anew for each picture.
-void compare_depth_laboratory(const Programs& programs, int rounds) {
+void compare_depth_views(const Programs& programs, int rounds) {
     const std::string depth = fs::path(programs.dense).replace_filename("depth.json");
     Rate floor, window;
     for (int round = 0; round < rounds; ++round) {
         rate_once({programs.floor, "--count", "40", "1280x720", "png", "dense"}, floor);
         rate_once({programs.pictures, depth, "20", "1280x720", "window"}, window);
     }
-    print_rate("depth laboratory, same floor", floor, window, Bound{Wanted::at_least, 0.5});
-    print_value("depth laboratory, windows per second", window.per_second.median(), "/s",
-                Bound{Wanted::at_least, 30.0});
+    print_rate("depth views, same floor", floor, window, Bound{Wanted::at_least, 0.5});
+    print_value("depth views, windows per second", window.per_second.median(), "/s", Bound{Wanted::at_least, 30.0});
 }
 
 void report_frame(const Programs& programs, int rounds) {
@@ -234,7 +233,7 @@ int main(int argc, char** argv) {
     compare_starts(programs, scratch, rounds);
     compare_rates(programs, rounds);
     compare_windows(programs, rounds);
-    compare_depth_laboratory(programs, rounds);
+    compare_depth_views(programs, rounds);
     report_frame(programs, rounds);
     if (const std::optional<double> idle = idle_percent(programs.sandbox))
         print_value("idle window, of one core", *idle, "%", Bound{Wanted::at_most, 0.5});

@@ -1,7 +1,7 @@
 // An oracle that shares nothing with the code under test: what each pixel shows, found by rays alone. A pixel is an
 // object, or a patch where those lights are missing to which the segment meets a caster, or a mirror that shows what
 // the reflected ray meets, and so on from mirror to mirror. Spheres and boxes are met by formula; no mesh, no matrix of
-// the program, no buffer is involved. Read ray_caster_test.cpp next, then laboratory_rays_test.cpp.
+// the program, no buffer is involved. Read ray_caster_test.cpp next, then planes_rays_test.cpp.
 #pragma once
 
 #include <cmath>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/depth/draw_steps.h"
 #include "ui/parts/look.h"
 #include "visibility/growth.h"
@@ -23,7 +24,7 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
     const bool clicked = ImGui::Button(sign, {button_width(), 0.0F});
     widgets::Record(sign);
     ImGui::EndDisabled();
-    widgets::Tooltip(title, enabled ? explanation : "It stands there already.");
+    widgets::Tooltip(title, enabled ? explanation : marked("It stands there already."));
     return clicked;
 }
 
@@ -38,7 +39,7 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
                  float width) {
     const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
     const int count = static_cast<int>(calls.size());
-    const std::string all = "all " + std::to_string(count) + " draw calls";
+    const std::string all = say("all {count} draw calls", "count"_a = count);
     const bool shows_all = limit.call < 0 || limit.call >= count;
     if (widgets::BeginChoice("##call", shows_all ? all.c_str() : title(limit.call).c_str(), width)) {
         for (int call = -1; call < count; ++call) {
@@ -50,9 +51,9 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
         }
         widgets::EndChoice();
     } else {
-        const std::string explanation =
-            "The last draw call that GL gets; the frame has " + std::to_string(count) + " of them.";
-        widgets::Tooltip("Draw call", explanation.c_str());
+        widgets::Tooltip(
+            "Draw call",
+            say("The last draw call that GL gets; the frame has {count} of them.", "count"_a = count).c_str());
     }
 }
 
@@ -61,11 +62,13 @@ void call_row(DrawLimit& limit, const std::vector<DrawCall>& calls, const FrameP
     const widgets::Group group("calls");
     ImGui::SetCursorScreenPos(rect.min);
     const bool is_nothing = limit.call == 0 && limit.triangles == 0;
-    if (arrow("←", !is_nothing, "Call before", "One whole draw call back.")) limit = previous_call(limit, calls);
+    if (arrow("←", !is_nothing, marked("Call before"), marked("One whole draw call back.")))
+        limit = previous_call(limit, calls);
     ImGui::SameLine(0.0F, px(gap));
     choose_call(limit, calls, plan, scene, std::max(rect.width() - 2.0F * (button_width() + px(gap)), px(40.0F)));
     ImGui::SameLine(0.0F, px(gap));
-    if (arrow("→", limit.call >= 0, "Next call", "One whole draw call further.")) limit = next_call(limit, calls);
+    if (arrow("→", limit.call >= 0, marked("Next call"), marked("One whole draw call further.")))
+        limit = next_call(limit, calls);
 }
 
 void play_button(int& step, int count, widgets::StepPlayer& player) {
@@ -74,9 +77,9 @@ void play_button(int& step, int count, widgets::StepPlayer& player) {
         if (player.playing && (step < 0 || step >= count)) step = 0;
     }
     widgets::Record("play");
-    widgets::Tooltip(player.playing ? "Stop" : "Play", player.playing ? "Stay at this triangle."
-                                                                      : "Go on triangle by triangle; from the end, "
-                                                                        "start again.");
+    widgets::Tooltip(player.playing ? marked("Stop") : marked("Play"),
+                     player.playing ? marked("Stay at this triangle.")
+                                    : marked("Go on triangle by triangle; from the end, start again."));
 }
 
 /// What there is room for where the whole bar has none: back, the number, on, play.
@@ -87,7 +90,7 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
     const int before = step;
     int reached = step < 0 ? count : step;
     ImGui::PushButtonRepeat(true);
-    if (arrow("←", reached > 0, "Back", "One triangle back; hold to go on.")) step = reached - 1;
+    if (arrow("←", reached > 0, marked("Back"), marked("One triangle back; hold to go on."))) step = reached - 1;
     ImGui::SameLine(0.0F, px(gap));
     double value = reached;
     const std::string of = " / " + std::to_string(count);
@@ -104,7 +107,7 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
         step = static_cast<int>(std::lround(value));
     widgets::Tooltip("Triangle", "How many triangles of the frame are drawn. Double-click to type, drag to change.");
     ImGui::SameLine(0.0F, px(gap));
-    if (arrow("→", reached < count, "On", "One triangle further; hold to go on.")) step = reached + 1;
+    if (arrow("→", reached < count, marked("On"), marked("One triangle further; hold to go on."))) step = reached + 1;
     ImGui::PopButtonRepeat();
     if (step != before) player.playing = false;
     ImGui::SameLine(0.0F, px(gap));

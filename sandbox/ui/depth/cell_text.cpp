@@ -4,14 +4,14 @@
 #include <cstdio>
 #include <map>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "ui/depth/fragment_text.h"
 
 namespace viewing {
 namespace {
 
 constexpr int least_decimals = 2, widest_code_bits = 16;
-constexpr const char* cleared_text = "clear";
+constexpr const char* cleared_text = marked("clear");
 
 bool is_cleared(const BufferCell& cell, double cleared) {
     return cell.window_depth == cleared;
@@ -57,24 +57,24 @@ CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, do
         const std::int64_t greatest = (1 << precision.bits) - 1;
         CellTexts codes;
         for (const BufferCell& cell : block.cells) codes.texts.push_back(std::to_string(cell.stored));
-        codes.note = "stored code, 0 … " + grouped_number(greatest);
+        codes.note = say("stored code, 0 … {greatest}", "greatest"_a = grouped_number(greatest));
         if (static_cast<int>(std::to_string(greatest).size()) <= room) return codes;
     }
     for (int decimals = least_decimals; decimals <= most_decimals; ++decimals)
         if (std::vector<std::string> texts = window_depths(block, decimals); tells_apart(block, texts))
-            return {std::move(texts), "window depth"};
+            return {std::move(texts), tr("window depth")};
 
     const CodeRange range = written_codes(block, cleared);
     CellTexts above;
     for (const BufferCell& cell : block.cells)
-        above.texts.push_back(is_cleared(cell, cleared) ? cleared_text : std::to_string(cell.stored - range.least));
+        above.texts.push_back(is_cleared(cell, cleared) ? tr(cleared_text) : std::to_string(cell.stored - range.least));
     if (range.least <= range.greatest &&
         std::to_string(range.greatest - range.least).size() <= static_cast<std::size_t>(std::max(room, 1))) {
-        above.note = precision.is_float ? "floats above " + code_text(range.least, precision)
-                                        : "stored code minus " + grouped_number(range.least);
+        above.note = precision.is_float ? say("floats above {least}", "least"_a = code_text(range.least, precision))
+                                        : say("stored code minus {least}", "least"_a = grouped_number(range.least));
         return above;
     }
-    return {window_depths(block, most_decimals), "window depth, shortened"};
+    return {window_depths(block, most_decimals), tr("window depth, shortened")};
 }
 
 }  // namespace viewing

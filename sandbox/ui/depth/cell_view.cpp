@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/depth/cell_bar.h"
 #include "ui/depth/cell_layout.h"
 #include "ui/depth/cell_text.h"
@@ -88,7 +89,7 @@ void caption(const Rect& grid, float height, const std::string& title, const std
     ImGui::PushFont(is_large ? fonts.text : fonts.note);
     ImGui::SetCursorScreenPos({grid.min.x + px(4.0F), grid.min.y - height});
     const float room = grid.width() - px(8.0F);
-    const std::string full = note.empty() ? title : title + ": " + note;
+    const std::string full = note.empty() ? title : say("{title}: {note}", "title"_a = title, "note"_a = note);
     const bool fits = note.empty() || ImGui::CalcTextSize(full.c_str()).x <= room;
     ImGui::TextUnformatted(shortened(fits ? full : note, room).c_str());
     widgets::Record(full.c_str());
@@ -97,11 +98,12 @@ void caption(const Rect& grid, float height, const std::string& title, const std
 
 /// Short: it must not hide the neighbours.
 void cell_tooltip(const BufferCell& cell, glm::ivec2 pixel, const DepthPrecision& precision) {
-    const std::string title = "pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
-    const std::string code = precision.is_float
-                                 ? bits_text(cell.stored)
-                                 : code_text(cell.stored, precision) + " of 2" + raised_text(precision.bits) + " − 1";
-    const std::string body = "stored " + code + "\nz_window " + widgets::NumberText(cell.window_depth, 9);
+    const std::string title = say("pixel ({x}, {y})", "x"_a = pixel.x, "y"_a = pixel.y);
+    const std::string stored = precision.is_float
+                                   ? say("stored {code}", "code"_a = bits_text(cell.stored))
+                                   : say("stored {code} of 2{power} − 1", "code"_a = code_text(cell.stored, precision),
+                                         "power"_a = raised_text(precision.bits));
+    const std::string body = stored + "\nz_window " + number_text(cell.window_depth, 9);
     widgets::Tooltip(title.c_str(), body.c_str());
 }
 
@@ -126,8 +128,8 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     const CellBlock& block = data.now;
     const DepthPrecision precision = precision_of(plan.depth_format);
     const CellPicture picture = picture_of(data, plan, !shows_whole_frame(view, data.calls), layout.depths);
-    caption(layout.colors, layout.caption_height, "Colour buffer", "");
-    caption(layout.depths, layout.caption_height, "Depth buffer", picture.texts.note);
+    caption(layout.colors, layout.caption_height, tr("Colour buffer"), "");
+    caption(layout.depths, layout.caption_height, tr("Depth buffer"), picture.texts.note);
 
     // Both know in the next frame which cell the pointer is on in the other one.
     ImGuiStorage& storage = *ImGui::GetStateStorage();
@@ -164,15 +166,15 @@ bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, 
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
     if (shows_whole_frame(view, data.calls))
-        return "All draw calls are done. Go a step back to see the compare that decides a pixel.";
+        return tr("All draw calls are done. Go a step back to see the compare that decides a pixel.");
     if (step_of({view.call, view.triangle}, data.calls) <= 0)
-        return "Nothing is drawn yet: both buffers hold what they were cleared to.";
-    if (cell < 0) return "Point at a cell to see the compare that decides it.";
+        return tr("Nothing is drawn yet: both buffers hold what they were cleared to.");
+    if (cell < 0) return tr("Point at a cell to see the compare that decides it.");
     if (index >= data.now.cells.size() || index >= data.before.cells.size()) return "";
     const BufferCell &before = data.before.cells[index], &after = data.now.cells[index];
     const std::optional<Fragment> incoming = index < data.incoming.size() ? data.incoming[index] : std::nullopt;
     if (!incoming && before == after && !tells_fragments(plan, data.calls, view.call))
-        return "This triangle leaves the pixel as it is.";
+        return tr("This triangle leaves the pixel as it is.");
     return cell_sentence(incoming, before, after, precision_of(plan.depth_format));
 }
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "frame/depth/depth_precision.h"
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "ui/depth/precision_view.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
@@ -12,9 +12,10 @@ namespace viewing {
 namespace {
 
 std::string tick_words(const DepthCodes& codes, const DepthPrecision& precision) {
-    const std::string what = precision.is_float ? "floats" : "codes";
-    if (codes.codes_per_tick == 1) return "Every code has its tick. ";
-    return "A tick stands for " + grouped_number(codes.codes_per_tick) + " " + what + ". ";
+    if (codes.codes_per_tick == 1) return tr("Every code has its tick.");
+    const std::string count = grouped_number(codes.codes_per_tick);
+    return precision.is_float ? say("A tick stands for {count} floats.", "count"_a = count)
+                              : say("A tick stands for {count} codes.", "count"_a = count);
 }
 
 }  // namespace
@@ -27,20 +28,19 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     const int most_ticks = static_cast<int>(std::clamp((room.x - px(28.0F)) / px(6.0F), 2.0F, 128.0F));
     const DepthCodes codes = depth_codes(coding.lens, coding.mapping, coding.precision, most_ticks);
     const std::string told =
-        tick_words(codes, coding.precision) + codes_sentence(coding.lens, coding.mapping, coding.precision);
+        tick_words(codes, coding.precision) + " " + codes_sentence(coding.lens, coding.mapping, coding.precision);
     const float below = note_height(told.c_str()) + ImGui::GetStyle().ItemSpacing.y;
 
     const bool is_reversed = coding.mapping == DepthMapping::reversed;
     const float height = std::max(room.y - below, px(120.0F));
-    widgets::CodeTicks(
-        "codes", codes.eye_distances, coding.lens.near, coding.lens.far,
-        {.depth_title = coding.precision.is_float ? "floats: equal numbers of them" : "codes: equal steps",
-         .first_depth = is_reversed ? "depth 1" : "depth 0",
-         .last_depth = is_reversed ? "depth 0" : "depth 1",
-         .codes = codes.codes,
-         .size = {room.x, height}});
-    widgets::Note(told.c_str());
-    widgets::Record(told.c_str());
+    widgets::CodeTicks("codes", codes.eye_distances, coding.lens.near, coding.lens.far,
+                       {.depth_title = coding.precision.is_float ? marked("floats: equal numbers of them")
+                                                                 : marked("codes: equal steps"),
+                        .first_depth = is_reversed ? marked("depth 1") : marked("depth 0"),
+                        .last_depth = is_reversed ? marked("depth 0") : marked("depth 1"),
+                        .codes = codes.codes,
+                        .size = {room.x, height}});
+    recorded_note(told);
 }
 
 }  // namespace viewing

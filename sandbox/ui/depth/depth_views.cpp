@@ -5,6 +5,7 @@
 
 #include "frame/depth/depth_colors.h"
 #include "frame/plan.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "widgets/depth.h"
@@ -14,10 +15,10 @@ namespace {
 
 /// What black and white stand for, or the first and the last band.
 void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rect) {
-    const std::string near = "z = " + widgets::NumberText(range.x, 2), far = widgets::NumberText(range.y, 2);
+    const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
     const LegendEntry entries[] = {{near_color(params.view.depth_colors), near.c_str()},
                                    {far_color(params.view.depth_colors), far.c_str()},
-                                   {ground_of(params.ui.theme).unwritten, "never written"}};
+                                   {ground_of(params.ui.theme).unwritten, tr("never written")}};
     draw_legend(ImGui::GetWindowDrawList(), rect, entries);
 }
 
@@ -32,7 +33,7 @@ struct BesideTitles {
     std::string camera, beside;
 };
 BesideTitles titles(const Params& params) {
-    if (params.view.beside.shows == Beside::depth) return {"colour", "depth"};
+    if (params.view.beside.shows == Beside::depth) return {tr("colour"), tr("depth")};
     return {depth_title(params.depth.format, params.depth.mapping),
             depth_title(params.view.beside.format, params.view.beside.mapping)};
 }
@@ -46,20 +47,30 @@ void beside_legend(const Session& session, const Derived& derived, const Rect& r
 }  // namespace
 
 std::string depth_title(DepthFormat format, DepthMapping mapping) {
-    static constexpr const char* mappings[] = {"", ", reversed", ", logarithmic"};
     const DepthPrecision precision = precision_of(format);
-    return std::to_string(precision.bits) + (precision.is_float ? "-bit float" : "-bit") +
-           mappings[static_cast<std::size_t>(mapping)];
+    switch (mapping) {
+        case DepthMapping::standard:
+            return precision.is_float ? say("{bits}-bit float", "bits"_a = precision.bits)
+                                      : say("{bits}-bit", "bits"_a = precision.bits);
+        case DepthMapping::reversed:
+            return precision.is_float ? say("{bits}-bit float, reversed", "bits"_a = precision.bits)
+                                      : say("{bits}-bit, reversed", "bits"_a = precision.bits);
+        case DepthMapping::logarithmic:
+            return precision.is_float ? say("{bits}-bit float, logarithmic", "bits"_a = precision.bits)
+                                      : say("{bits}-bit, logarithmic", "bits"_a = precision.bits);
+    }
+    return "";
 }
 
 void depth_choices(Params& params, float right) {
-    static constexpr const char* scales[] = {"window", "linear"};
+    static constexpr const char* scales[] = {marked("window"), marked("linear")};
     static constexpr const char* scale_explanations[] = {
-        "Window depth, 0 to 1 as it is stored: most of it is spent close to the eye.",
-        "Eye distance from near to far: as far apart as the surfaces are."};
-    static constexpr const char* colors[] = {"grey", "bands"};
-    static constexpr const char* color_explanations[] = {"Depth as greys: black is near, white is far.",
-                                                         "Depth as bands of colour: dark is near, light is far."};
+        marked("Window depth, 0 to 1 as it is stored: most of it is spent close to the eye."),
+        marked("Eye distance from near to far: as far apart as the surfaces are.")};
+    static constexpr const char* colors[] = {marked("grey"), marked("bands")};
+    static constexpr const char* color_explanations[] = {
+        marked("Depth as greys: black is near, white is far."),
+        marked("Depth as bands of colour: dark is near, light is far.")};
     int scale = static_cast<int>(params.view.depth_scale), color = static_cast<int>(params.view.depth_colors);
     if (!have_room(scales, right)) return;  // the panel has both
     if (words("##scale", scale, scales, scale_explanations, 1, right))
@@ -92,7 +103,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     glm::dvec2 range(shown(distances.x), shown(distances.y));
     if (turns) std::swap(range.x, range.y);
     ImGui::SetCursorScreenPos(rect.min);
-    const widgets::HistogramStyle style{.title = is_linear ? "eye distance z" : "window depth",
+    const widgets::HistogramStyle style{.title = is_linear ? marked("eye distance z") : marked("window depth"),
                                         .logarithmic = true,
                                         .unwritten = counts.unwritten,
                                         .size = {rect.width(), rect.height()}};
@@ -105,11 +116,11 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
 
 void draw_beside_half(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
     const Params& params = session.params;
-    view_header(rect, params.view.beside.shows == Beside::depth ? "Depth buffer" : titles(params).beside.c_str());
+    view_header(rect, params.view.beside.shows == Beside::depth ? tr("Depth buffer") : titles(params).beside.c_str());
     if (params.view.beside.shows == Beside::depth)
         depth_choices(session.params, rect.max.x);
     else
-        header_note("the same picture with another depth buffer", rect.max.x);
+        header_note(tr("the same picture with another depth buffer"), rect.max.x);
     picture_item("beside view", rect, picture);
     beside_legend(session, derived, rect);
 }

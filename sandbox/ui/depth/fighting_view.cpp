@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "frame/depth/depth_precision.h"
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 #include "ui/parts/view_window.h"
@@ -21,20 +21,21 @@ struct ColumnText {
     const char *title, *explanation;
 };
 constexpr std::array<ColumnText, column_count> columns = {{
-    {"pair",
-     "Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was counted in "
-     "the picture: where GL shows another surface than exact visibility does."},
-    {"z", "Eye distance of the middle of where they overlap."},
-    {"gap", "Between the two, along their normal."},
-    {"step", "Δz, the width of a depth code there, in eye distance."},
-    {"safe gap",
-     "The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
-     "arithmetic adds to it. A gap that is narrower is red."},
-    {"predicted",
-     "The share of the pair's pixels where both have the same code and the wrong one wins. Rounding in "
-     "arithmetic is left out; – where the formulas do not say."},
-    {"counted", "The share of the pair's pixels that show the wrong surface."},
-    {"wrong pixels", "Pixels that show the wrong surface, and all that the pair has, away from its edges."},
+    {marked("pair"),
+     marked("Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was "
+            "counted in the picture: where GL shows another surface than exact visibility does.")},
+    {marked("z"), marked("Eye distance of the middle of where they overlap.")},
+    {marked("gap"), marked("Between the two, along their normal.")},
+    {marked("step"), marked("Δz, the width of a depth code there, in eye distance.")},
+    {marked("safe gap"),
+     marked("The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
+            "arithmetic adds to it. A gap that is narrower is red.")},
+    {marked("predicted"),
+     marked("The share of the pair's pixels where both have the same code and the wrong one wins. Rounding in "
+            "arithmetic is left out; – where the formulas do not say.")},
+    {marked("counted"), marked("The share of the pair's pixels that show the wrong surface.")},
+    {marked("wrong pixels"),
+     marked("Pixels that show the wrong surface, and all that the pair has, away from its edges.")},
 }};
 
 struct PairRow {
@@ -42,10 +43,6 @@ struct PairRow {
     float counted_share = 0.0F;
     bool is_below_onset = false, fights = false;
 };
-
-std::string percent(double share) {
-    return widgets::NumberText(100.0 * share, 1) + " %";
-}
 
 /// What both names have in common is said once: "back / front quad at 4".
 std::string pair_name(const std::string& first, const std::string& second) {
@@ -64,13 +61,14 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
     made.counted_share = static_cast<float>(counted_pair.wrong_fraction());
     const auto& share = row.predicted.wrong_share;
     made.texts = {pair_name(row.first, row.second),
-                  widgets::NumberText(row.predicted.distance, 2),
+                  number_text(row.predicted.distance, 2),
                   figures(counted_pair.pair.gap()),
                   figures(row.predicted.step),
                   gap_needed.is_reachable ? figures(needed) : "–",
                   share ? percent(*share) : "–",
                   counted_pair.pixels > 0 ? percent(counted_pair.wrong_fraction()) : "–",
-                  grouped_number(counted_pair.wrong) + " of " + grouped_number(counted_pair.pixels)};
+                  say("{wrong} of {all}", "wrong"_a = grouped_number(counted_pair.wrong),
+                      "all"_a = grouped_number(counted_pair.pixels))};
     return made;
 }
 
@@ -87,7 +85,7 @@ Widths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     Widths widths{};
     for (std::size_t c = 0; c < widths.size(); ++c) {
-        widths[c] = width_of(columns[c].title, fonts.note);
+        widths[c] = width_of(tr(columns[c].title), fonts.note);
         for (const PairRow& row : rows)
             widths[c] = std::max(widths[c], width_of(row.texts[c], c == names ? fonts.note : fonts.small_number));
         widths[c] = std::ceil(widths[c]) + 1.0F;
@@ -146,9 +144,9 @@ void draw_titles(const Widths& widths) {
         if (widths[c] <= 0.0F) continue;
         ImGui::TableNextColumn();
         if (c == names)
-            ImGui::TextUnformatted(columns[c].title);
+            ImGui::TextUnformatted(tr(columns[c].title));
         else
-            text_at_right(columns[c].title);
+            text_at_right(tr(columns[c].title));
         widgets::Record(columns[c].title);
         widgets::Tooltip(columns[c].title, columns[c].explanation);
     }
@@ -208,23 +206,27 @@ void draw_totals(const FightingReport& report) {
     const FightingCounts& counts = report.counts;
     ImGui::Dummy({0.0F, px(2.0F)});
     if (report.counts_are_behind) {
-        line({{"counting…", palette().quiet}});
+        line({{tr("counting…"), palette().quiet}});
     } else {
         const bool bleeds = counts.wrong_elsewhere > 0;
-        const std::string size = std::to_string(report.size_px.x) + " × " + std::to_string(report.size_px.y);
-        line(
-            {told("all pairs " + percent(counts.wrong_fraction()) + " wrong", counts.wrong_fraction() > 0.0),
-             told("elsewhere " + grouped_number(counts.wrong_elsewhere) + (bleeds ? " bleed through" : " wrong pixels"),
-                  bleeds),
-             {"in " + size + " pixels", palette().quiet}});
+        const std::string elsewhere = grouped_number(counts.wrong_elsewhere);
+        line({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
+                   counts.wrong_fraction() > 0.0),
+              told(bleeds ? say("elsewhere {count} bleed through", "count"_a = elsewhere)
+                          : say("elsewhere {count} wrong pixels", "count"_a = elsewhere),
+                   bleeds),
+              {say("in {width} × {height} pixels", "width"_a = report.size_px.x, "height"_a = report.size_px.y),
+               palette().quiet}});
     }
     if (report.gap_is_behind || !report.minimum_gap) {
-        line({{"searching for the minimum gap…", palette().quiet}});
+        line({{tr("searching for the minimum gap…"), palette().quiet}});
     } else {
         const MinimumGap& found = *report.minimum_gap;
-        line({told("minimum gap at the target, z " + widgets::NumberText(found.distance, 2), false),
-              told("predicted " + (found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"), false),
-              told("counted " + (found.gap ? figures(*found.gap) : "–"), false)});
+        line(
+            {told(say("minimum gap at the target, z {z}", "z"_a = number_text(found.distance, 2)), false),
+             told(say("predicted {gap}", "gap"_a = found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"),
+                  false),
+             told(say("counted {gap}", "gap"_a = found.gap ? figures(*found.gap) : "–"), false)});
         if (!found.problem.empty()) widgets::Note(found.problem.c_str());
     }
     if (!report.problem.empty()) line({told(report.problem, true)});

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/depth/fragment_text.h"
 #include "ui/depth/pixel_numbers.h"
 #include "ui/parts/look.h"
@@ -16,7 +17,8 @@ namespace {
 constexpr float least_name = 64.0F, swatch_room = 16.0F;  ///< design pixels
 
 enum Column { number, object, eye_z, facing, stored, compared, result, column_count };
-constexpr std::array<const char*, column_count> titles = {"", "object", "eye z", "facing", "stored", "compare", "test"};
+constexpr std::array<const char*, column_count> titles = {
+    "", marked("object"), marked("eye z"), marked("facing"), marked("stored"), marked("compare"), marked("test")};
 
 /// A row's texts, and how it is told.
 struct FragmentRow {
@@ -43,19 +45,23 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
         const TestText test = test_text(fragment, precision);
         FragmentRow row;
         row.is_seen = static_cast<int>(rows.size()) == seen;
-        row.is_close = fragment.decided_by_rounding || test.result.starts_with("tie");
+        row.is_close = test.is_close;
         row.is_drawn = fragment.drawn;
         row.swatch = color_of(scene, fragment.object);
         row.texts = {std::to_string(rows.size() + 1),
                      fragment.object,
-                     widgets::NumberText(fragment.eye_z, 3),
-                     fragment.front_facing ? "front" : "back",
+                     number_text(fragment.eye_z, 3),
+                     fragment.front_facing ? tr("front") : tr("back"),
                      code_text(fragment.stored, precision),
                      test.compare,
-                     test.result + (row.is_seen ? ", seen" : "")};
-        row.explanation = decision_sentence(fragment, precision) + "\nstored code " +
-                          code_text(fragment.stored, precision) + ", step Δz " + step_text(fragment.step) +
-                          (row.is_seen ? "\nIt is the last one whose colour is written: the one that is seen." : "");
+                     row.is_seen ? say("{result}, seen", "result"_a = test.result) : test.result};
+        row.explanation = decision_sentence(fragment, precision) + "\n" +
+                          say("stored code {code}, step Δz {step}", "code"_a = code_text(fragment.stored, precision),
+                              "step"_a = step_text(fragment.step));
+        if (row.is_seen) {
+            row.explanation += "\n";
+            row.explanation += tr("It is the last one whose colour is written: the one that is seen.");
+        }
         rows.push_back(std::move(row));
     }
     return rows;
@@ -76,7 +82,7 @@ Widths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, 
     Widths widths{};
     for (int column = 0; column < column_count; ++column) {
         const auto c = static_cast<std::size_t>(column);
-        widths[c] = width_of(titles[c], fonts.text);
+        widths[c] = width_of(tr(titles[c]), fonts.text);
         for (const FragmentRow& row : rows)
             widths[c] = std::max(widths[c], width_of(row.texts[c], is_number(column) ? fonts.number : fonts.text));
         widths[c] = std::ceil(widths[c]) + 1.0F;
@@ -157,9 +163,9 @@ void draw_titles(const Widths& widths) {
         if (widths[c] <= 0.0F) continue;
         ImGui::TableNextColumn();
         if (is_number(column))
-            text_at_right(titles[c]);
+            text_at_right(tr(titles[c]));
         else
-            ImGui::TextUnformatted(titles[c]);
+            ImGui::TextUnformatted(tr(titles[c]));
     }
     ImGui::PopStyleColor();
 }

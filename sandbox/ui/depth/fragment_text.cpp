@@ -3,8 +3,7 @@
 #include <bit>
 #include <cstdio>
 
-#include "text/numbers.h"
-#include "widgets/widgets.h"
+#include "text/catalogue.h"
 
 namespace viewing {
 namespace {
@@ -55,11 +54,39 @@ bool asks_nothing(CompareFunc func) {
     return func == CompareFunc::never || func == CompareFunc::always;
 }
 
-/// What becomes of colour and depth where the tests let a fragment through.
-const char* what_is_written(const Fragment& fragment) {
+/// What becomes of colour and depth where GL's rounding decides about a fragment.
+std::string rounding_sentence(const Fragment& fragment, const std::string& name) {
+    if (!fragment.passes) return say("{fragment}: GL's rounding decides here: the pixel stays.", "fragment"_a = name);
+    if (!fragment.depth.write && fragment.drawn)
+        return say("{fragment}: GL's rounding decides here: the colour is replaced, the mask keeps the depth.",
+                   "fragment"_a = name);
     if (!fragment.depth.write)
-        return fragment.drawn ? "the colour is replaced, the mask keeps the depth" : "nothing is written";
-    return fragment.drawn ? "colour and depth are replaced" : "the depth is replaced, the colour is not";
+        return say("{fragment}: GL's rounding decides here: nothing is written.", "fragment"_a = name);
+    return fragment.drawn
+               ? say("{fragment}: GL's rounding decides here: colour and depth are replaced.", "fragment"_a = name)
+               : say("{fragment}: GL's rounding decides here: the depth is replaced, the colour is not.",
+                     "fragment"_a = name);
+}
+
+/// The same where the compare decides.
+std::string compare_decision(const Fragment& fragment, const std::string& name, const std::string& asked) {
+    if (!fragment.passes) {
+        if (asks_nothing(fragment.depth.func))
+            return say("{fragment}: {compare}, so the pixel stays.", "fragment"_a = name, "compare"_a = asked);
+        return fragment.tie
+                   ? say("{fragment}: {compare} is false, a tie: the pixel stays.", "fragment"_a = name,
+                         "compare"_a = asked)
+                   : say("{fragment}: {compare} is false: the pixel stays.", "fragment"_a = name, "compare"_a = asked);
+    }
+    if (!fragment.depth.write && fragment.drawn)
+        return say("{fragment}: {compare}, so the colour is replaced, the mask keeps the depth.", "fragment"_a = name,
+                   "compare"_a = asked);
+    if (!fragment.depth.write)
+        return say("{fragment}: {compare}, so nothing is written.", "fragment"_a = name, "compare"_a = asked);
+    return fragment.drawn ? say("{fragment}: {compare}, so colour and depth are replaced.", "fragment"_a = name,
+                                "compare"_a = asked)
+                          : say("{fragment}: {compare}, so the depth is replaced, the colour is not.",
+                                "fragment"_a = name, "compare"_a = asked);
 }
 
 /// The fragment as the cell shows it, which was read back before it and after it. None: it cannot have done that.
@@ -101,48 +128,53 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 }
 
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
-    if (fragment.culled) return {"", "culled"};
-    if (fragment.stencil_fails) return {"", "stencil fails"};
-    const char* passes = fragment.drawn ? "passes" : "passes, no colour";
+    if (fragment.culled) return {"", tr("culled")};
+    if (fragment.stencil_fails) return {"", tr("stencil fails")};
+    const char* passes = fragment.drawn ? tr("passes") : tr("passes, no colour");
     if (!fragment.depth.test)
-        return {"depth test off", !fragment.passes ? "not sent" : fragment.drawn ? "drawn" : "no colour"};
-    if (fragment.decided_by_rounding) return {"rounding decides", fragment.passes ? passes : "fails"};
+        return {tr("depth test off"), !fragment.passes ? tr("not sent")
+                                      : fragment.drawn ? tr("drawn")
+                                                       : tr("no colour")};
+    if (fragment.decided_by_rounding) return {tr("rounding decides"), fragment.passes ? passes : tr("fails"), true};
     const std::string asked = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
-    const std::string tie = fragment.tie && !asks_nothing(fragment.depth.func) ? "tie: " : "";
-    return {asked, tie + (fragment.passes ? passes : "fails")};
+    if (!fragment.tie || asks_nothing(fragment.depth.func)) return {asked, fragment.passes ? passes : tr("fails")};
+    return {asked,
+            !fragment.passes ? tr("tie: fails")
+            : fragment.drawn ? tr("tie: passes")
+                             : tr("tie: passes, no colour"),
+            true};
 }
 
 std::string fragment_name(const Fragment& fragment) {
-    return fragment.object + ", triangle " + grouped_number(fragment.triangle + 1);
+    return say("{object}, triangle {number}", "object"_a = fragment.object,
+               "number"_a = grouped_number(fragment.triangle + 1));
 }
 
 std::string decision_sentence(const Fragment& fragment, const DepthPrecision& precision) {
     const std::string name = fragment_name(fragment);
     if (fragment.culled)
-        return name + " is culled: it turns its " + (fragment.front_facing ? "front" : "back") + " to the camera.";
-    if (fragment.stencil_fails) return name + ": the stencil test fails, so the pixel stays.";
-    if (!fragment.depth.test) {
-        if (!fragment.passes) return name + " is not sent to GL: the method has found another surface here.";
-        return name + ": the depth test is off, so the colour is replaced and the depth is not.";
-    }
-    if (fragment.decided_by_rounding)
-        return name +
-               ": GL's rounding decides here: " + (fragment.passes ? what_is_written(fragment) : "the pixel stays") +
-               ".";
-    const std::string asked =
-        name + ": " + compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
-    if (fragment.passes) return asked + ", so " + what_is_written(fragment) + ".";
-    if (asks_nothing(fragment.depth.func)) return asked + ", so the pixel stays.";
-    return asked + " is false" + (fragment.tie ? ", a tie" : "") + ": the pixel stays.";
+        return fragment.front_facing
+                   ? say("{fragment} is culled: it turns its front to the camera.", "fragment"_a = name)
+                   : say("{fragment} is culled: it turns its back to the camera.", "fragment"_a = name);
+    if (fragment.stencil_fails)
+        return say("{fragment}: the stencil test fails, so the pixel stays.", "fragment"_a = name);
+    if (!fragment.depth.test && !fragment.passes)
+        return say("{fragment} is not sent to GL: the method has found another surface here.", "fragment"_a = name);
+    if (!fragment.depth.test)
+        return say("{fragment}: the depth test is off, so the colour is replaced and the depth is not.",
+                   "fragment"_a = name);
+    if (fragment.decided_by_rounding) return rounding_sentence(fragment, name);
+    return compare_decision(fragment, name,
+                            compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision));
 }
 
 std::string cell_sentence(const std::optional<Fragment>& incoming, const BufferCell& before, const BufferCell& after,
                           const DepthPrecision& precision) {
     const std::optional<Fragment> sent = incoming ? as_read_back(*incoming, before, after) : std::nullopt;
     if (sent) return decision_sentence(*sent, precision);
-    if (before == after) return "This triangle does not cover the pixel.";
-    if (before.stored == after.stored) return "This triangle changes the colour, the depth stays.";
-    return "This triangle changes colour and depth.";
+    if (before == after) return tr("This triangle does not cover the pixel.");
+    if (before.stored == after.stored) return tr("This triangle changes the colour, the depth stays.");
+    return tr("This triangle changes colour and depth.");
 }
 
 int seen_fragment(const std::vector<Fragment>& fragments) {

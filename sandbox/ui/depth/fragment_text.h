@@ -23,8 +23,9 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 
 /// The decision about a fragment in two columns.
 struct TestText {
-    std::string compare;  ///< "812 < 812", "rounding decides", "depth test off"; empty: depth was not compared
-    std::string result;   ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
+    std::string compare;    ///< "812 < 812", "rounding decides", "depth test off"; empty: depth was not compared
+    std::string result;     ///< "passes", "tie: fails", "culled", "stencil fails", "not sent"
+    bool is_close = false;  ///< a tie, or decided by rounding
 
     /// "812 < 812  tie: fails".
     std::string whole() const { return compare.empty() ? result : compare + "  " + result; }

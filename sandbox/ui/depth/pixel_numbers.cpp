@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "text/catalogue.h"
 #include "ui/depth/fragment_text.h"
-#include "widgets/widgets.h"
 
 namespace viewing {
 namespace {
@@ -49,31 +49,30 @@ std::string step_formula(const ProjectionParams& projection, DepthMapping mappin
 
 PixelNumber stored_number(const PixelReport& pixel) {
     if (pixel.precision.is_float)
-        return {"stored",
+        return {marked("stored"),
                 with_place_for_sign(bits_text(pixel.stored)),
-                "float bits",
-                "Stored bits",
-                "The 32 bits in the depth buffer, read back: those of the float z_window.",
+                tr("float bits"),
+                tr("Stored bits"),
+                tr("The 32 bits in the depth buffer, read back: those of the float z_window."),
                 ""};
-    return {"stored",
+    return {marked("stored"),
             with_place_for_sign(code_text(pixel.stored, pixel.precision)),
-            "of 2" + raised_text(pixel.precision.bits) + " − 1",
-            "Stored code",
-            "The integer in the depth buffer, read back and not recomputed: the one next to",
+            say("of 2{power} − 1", "power"_a = raised_text(pixel.precision.bits)),
+            tr("Stored code"),
+            tr("The integer in the depth buffer, read back and not recomputed: the one next to"),
             "z_{window} " + code_count(pixel.precision)};
 }
 
 std::string point_text(const glm::dvec3& point) {
-    return with_place_for_sign(widgets::NumberText(point.x, 3)) + "  " +
-           with_place_for_sign(widgets::NumberText(point.y, 3)) + "  " +
-           with_place_for_sign(widgets::NumberText(point.z, 3));
+    return with_place_for_sign(number_text(point.x, 3)) + "  " + with_place_for_sign(number_text(point.y, 3)) + "  " +
+           with_place_for_sign(number_text(point.z, 3));
 }
 
 }  // namespace
 
 std::string step_text(double step) {
-    if (!(step >= 1e-3)) return widgets::NumberText(step, 2);
-    return widgets::NumberText(step, std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 5));
+    if (!(step >= 1e-3)) return number_text(step, 2);
+    return number_text(step, std::clamp(2 - static_cast<int>(std::floor(std::log10(step))), 0, 5));
 }
 
 std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& params, const Derived& derived) {
@@ -82,29 +81,35 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
     const int decimals = decimals_of(precision);
     const bool has_depth = pixel.written && pixel.has_depth;
     const auto known = [&](std::string text) { return with_place_for_sign(has_depth ? text : "—"); };
-    const char* like_cleared = pixel.written && !pixel.has_depth ? "Its depth is that of a cleared buffer. " : "";
+    const auto from_depth = [&](const char* explanation) {
+        if (!pixel.written || pixel.has_depth) return std::string(explanation);
+        return std::string(tr("Its depth is that of a cleared buffer.")) + " " + explanation;
+    };
 
     std::vector<PixelNumber> numbers{stored_number(pixel)};
-    numbers.push_back({"z_{window}", with_place_for_sign(widgets::NumberText(pixel.window_depth, decimals)), "",
-                       "Window depth", "What the stored value means, 0 to 1.",
+    numbers.push_back({"z_{window}", with_place_for_sign(number_text(pixel.window_depth, decimals)), "",
+                       tr("Window depth"), tr("What the stored value means, 0 to 1."),
                        precision.is_float ? "" : "z_{window} = stored / " + code_count(precision)});
-    numbers.push_back({"z_{ndc}", with_place_for_sign(widgets::NumberText(pixel.ndc_z, decimals)), "",
-                       "z in normalised device coordinates",
-                       derived.clip_zero_to_one ? "With glClipControl the range is 0 to 1." : "The range is −1 to 1.",
-                       derived.clip_zero_to_one ? "z_{ndc} = z_{window}" : "z_{ndc} = 2 z_{window} - 1"});
-    numbers.push_back({"eye z", known(widgets::NumberText(pixel.eye_z, decimals_for_step(pixel.step))), "", "Eye z",
-                       std::string(like_cleared) + "Recovered from the stored depth; negative in front of the "
-                                                   "camera. n is near, f is far:",
-                       eye_z_formula(params.projection, mapping)});
-    numbers.push_back({"step Δz", known(step_text(pixel.step)), "", "Step Δz",
-                       "How far apart two surfaces have to be here to get different codes" +
-                           std::string(precision.is_float ? ": one unit in the last place of the float." : ":"),
+    numbers.push_back(
+        {"z_{ndc}", with_place_for_sign(number_text(pixel.ndc_z, decimals)), "",
+         tr("z in normalised device coordinates"),
+         derived.clip_zero_to_one ? tr("With glClipControl the range is 0 to 1.") : tr("The range is −1 to 1."),
+         derived.clip_zero_to_one ? "z_{ndc} = z_{window}" : "z_{ndc} = 2 z_{window} - 1"});
+    numbers.push_back(
+        {marked("eye z"), known(number_text(pixel.eye_z, decimals_for_step(pixel.step))), "", tr("Eye z"),
+         from_depth(tr("Recovered from the stored depth; negative in front of the camera. n is near, f is far:")),
+         eye_z_formula(params.projection, mapping)});
+    numbers.push_back({marked("step Δz"), known(step_text(pixel.step)), "", tr("Step Δz"),
+                       precision.is_float
+                           ? tr("How far apart two surfaces have to be here to get different codes: one unit in the "
+                                "last place of the float.")
+                           : tr("How far apart two surfaces have to be here to get different codes:"),
                        step_formula(params.projection, mapping, precision)});
-    numbers.push_back({"stencil", with_place_for_sign(std::to_string(pixel.stencil)), "", "Stencil",
-                       "What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals.",
-                       ""});
-    numbers.push_back({"world", has_depth ? point_text(pixel.world) : " —", "", "World position",
-                       std::string(like_cleared) + "The point that the pixel shows, by its stored depth: x, y, z.",
+    numbers.push_back(
+        {marked("stencil"), with_place_for_sign(std::to_string(pixel.stencil)), "", tr("Stencil"),
+         tr("What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals."), ""});
+    numbers.push_back({marked("world"), has_depth ? point_text(pixel.world) : " —", "", tr("World position"),
+                       from_depth(tr("The point that the pixel shows, by its stored depth: x, y, z.")),
                        "C (x_{eye}, y_{eye}, z_{eye}, 1)"});
     return numbers;
 }

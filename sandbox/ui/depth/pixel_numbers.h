@@ -11,7 +11,7 @@
 namespace viewing {
 
 struct PixelNumber {
-    std::string name;   ///< "z_window", as a widgets::Formula
+    std::string name;   ///< "z_window", as a widgets::Formula, not yet looked up
     std::string value;  ///< a sign that is not there keeps its place
     std::string unit;   ///< quiet behind it, and the first to be left out: "of 2²⁴ − 1"
     std::string title, explanation;

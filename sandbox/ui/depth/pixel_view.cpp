@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "text/catalogue.h"
 #include "ui/depth/fragment_table.h"
 #include "ui/depth/pixel_numbers.h"
+#include "ui/depth/pixel_words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 #include "ui/parts/view_window.h"
@@ -13,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr const char* follows = "follows the pointer: click the picture to pin it";
+constexpr const char* follows = marked("follows the pointer: click the picture to pin it");
 
 struct ViewFonts {
     ImFont *text, *number;
@@ -45,15 +46,10 @@ void color_swatch(const Color& color) {
     ImGui::Dummy({side, px(20.0F)});
 }
 
-std::string surface_text(const PixelReport& pixel) {
-    if (!pixel.written) return "background";
-    return pixel.object + (pixel.front_facing ? ", front face" : ", back face");
-}
-
 /// At the right end of the headline, `room` pixels wide: a button that releases the pin, or that there is none.
 void pin_state(ViewParams& view, float right, float room) {
     if (view.pixel) {
-        const float width = ImGui::CalcTextSize("release").x + 2.0F * px(8.0F);
+        const float width = ImGui::CalcTextSize(tr("release")).x + 2.0F * px(8.0F);
         ImGui::SameLine();
         ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
         if (widgets::SmallButton("release")) view.pixel.reset();
@@ -61,7 +57,7 @@ void pin_state(ViewParams& view, float right, float room) {
         return;
     }
     ImFont* font = widgets::CurrentContext().fonts.note;
-    const char* text = width_of(follows, font) <= room ? follows : "live";
+    const char* text = width_of(tr(follows), font) <= room ? tr(follows) : tr("live");
     ImGui::SameLine();
     ImGui::SetCursorScreenPos({right - width_of(text, font), ImGui::GetCursorScreenPos().y});
     headline_text(text, font, palette().quiet);
@@ -71,10 +67,10 @@ void pin_state(ViewParams& view, float right, float room) {
 void headline(ViewParams& view, const PixelReport& pixel) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
-    char place[48], hex[16];
-    std::snprintf(place, sizeof place, "pixel (%d, %d)", pixel.pixel.x, pixel.pixel.y);
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", pixel.color.r, pixel.color.g, pixel.color.b);
-    const float state_width = std::max(width_of("release", fonts.text) + px(16.0F), width_of("live", fonts.note));
+    const std::string place = say("pixel ({x}, {y})", "x"_a = pixel.pixel.x, "y"_a = pixel.pixel.y);
+    const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", pixel.color.r, pixel.color.g, pixel.color.b);
+    const float state_width =
+        std::max(width_of(tr("release"), fonts.text) + px(16.0F), width_of(tr("live"), fonts.note));
 
     color_swatch(pixel.color);
     ImGui::SameLine(0.0F, px(7.0F));
@@ -82,7 +78,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     ImGui::SameLine(0.0F, px(10.0F));
     const bool has_hex = ImGui::GetCursorScreenPos().x + width_of(hex, fonts.small_number) + state_width < right;
     if (has_hex) headline_text(hex, fonts.small_number, palette().quiet);
-    const std::string surface = surface_text(pixel);
+    const std::string surface = surface_words(pixel);
     const float wanted = width_of(surface, fonts.text);
     ImGui::SameLine(0.0F, px(10.0F));
     const float here = ImGui::GetCursorScreenPos().x;
@@ -108,7 +104,7 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
 
     ImGui::PushFont(fonts.text);
     const float down = std::floor(0.5F * (height - ImGui::GetTextLineHeight()));
-    widgets::Formula(draw, {at.x, at.y + down}, number.name.c_str(), {}, palette().quiet, fonts.text);
+    widgets::Formula(draw, {at.x, at.y + down}, tr(number.name.c_str()), {}, palette().quiet, fonts.text);
     ImGui::PopFont();
     ImGui::PushFont(fonts.number);
     draw->AddText({at.x + name_width, at.y + down}, palette().text, number.value.c_str());
@@ -128,7 +124,7 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::PopFont();
     const bool in_two = !is_large && width >= px(320.0F);
     const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
-    const float name_width = std::ceil(width_of("step Δz", fonts.text)) + px(is_large ? 20.0F : 8.0F);
+    const float name_width = std::ceil(width_of(tr("step Δz"), fonts.text)) + px(is_large ? 20.0F : 8.0F);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
     for (std::size_t i = 0; i < numbers.size(); ++i) {

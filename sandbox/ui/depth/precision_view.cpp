@@ -6,6 +6,7 @@
 #include "frame/depth/depth_precision.h"
 #include "frame/depth/near_advice.h"
 #include "state/fields.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
 #include "widgets/depth.h"
@@ -30,7 +31,7 @@ widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionPa
     const auto decade = [](double z, bool is_upper) {
         return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
     };
-    return {.title = "eye distance z",
+    return {.title = marked("eye distance z"),
             .min = 0.1 * decade(std::min(now.near, before.near), false),
             .max = 10.0 * decade(std::max(now.far, before.far), true)};
 }
@@ -56,8 +57,8 @@ public:
 
     std::span<const widgets::ChartCurve> all() const { return shown_; }
     std::array<widgets::ChartCurve, 2> terms() const {
-        return {{{.name = "quantisation", .color = palette().text, .points = curves_.quantisation},
-                 {.name = "arithmetic", .color = palette().quiet, .points = curves_.arithmetic}}};
+        return {{{.name = marked("quantisation"), .color = palette().text, .points = curves_.quantisation},
+                 {.name = marked("arithmetic"), .color = palette().quiet, .points = curves_.arithmetic}}};
     }
 
 private:
@@ -91,7 +92,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     ProjectionParams& projection = params.projection;
     if (widgets::PrecisionChart("precision", curves.all(), projection.near, projection.far,
                                 {.x = distance_axis(projection, session.before_latest_edit().projection),
-                                 .y = {.title = "safe gap"},
+                                 .y = {.title = marked("safe gap")},
                                  .terms = terms,
                                  .marks = marks,
                                  .cursor_z = cursor_z,
@@ -106,7 +107,7 @@ class AdviceLine {
 public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
         if (!advice.near) return;
-        const float width = ImGui::CalcTextSize(button()).x + px(24.0F);
+        const float width = ImGui::CalcTextSize(tr(button())).x + px(24.0F);
         if (room_ - width >= px(240.0F))
             button_width_ = width;
         else
@@ -128,7 +129,7 @@ public:
     }
 
 private:
-    const char* button() const { return advice_.cuts ? "lower near" : "raise near"; }
+    const char* button() const { return advice_.cuts ? marked("lower near") : marked("raise near"); }
     float sentence_height() const {
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
         const float height = widgets::TroubleHeight(advice_.sentence.c_str(), room_ - button_width_);

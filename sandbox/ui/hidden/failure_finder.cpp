@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "frame/hidden/method_choices.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -29,7 +30,7 @@ void start(FailureFinder& finder, const Session& session, const HiddenResult& re
 
 void draw_failure_finder(FailureFinder& finder, const Session& session, const HiddenResult& result) {
     if (finder.search.is_running()) {
-        ImGui::ProgressBar(finder.search.fraction(), {px(150.0F), 0.0F}, "searching");
+        ImGui::ProgressBar(finder.search.fraction(), {px(150.0F), 0.0F}, tr("searching"));
         ImGui::SameLine();
         if (widgets::SmallButton("Stop")) finder.search.cancel();
         return;

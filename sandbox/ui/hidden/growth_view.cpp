@@ -8,6 +8,8 @@
 
 #include "frame/hidden/scene_surface.h"
 #include "platform/file.h"
+#include "text/catalogue.h"
+#include "ui/hidden/hidden_status.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/parts/view_window.h"
@@ -32,7 +34,7 @@ public:
         }
     }
     float room() const { return room_; }
-    static float button_width(const char* label) { return ImGui::CalcTextSize(label).x + px(2.0F * 8.0F); }
+    static float button_width(const char* label) { return ImGui::CalcTextSize(tr(label)).x + px(2.0F * 8.0F); }
 
 private:
     float room_;
@@ -77,12 +79,14 @@ void save_csv(const GrowthViewState& state, Session& session) {
     const std::string text = growth_csv(shown_rows(state));
     const std::filesystem::path file = free_file(".csv");
     const Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    session.message = written ? Message{"costs written to " + file.string(), false} : Message{written.error(), true};
+    session.message = written ? Message{say("costs written to {file}", "file"_a = file.string()), false}
+                              : Message{written.error(), true};
 }
 
 /// What to measure, and the way to begin or end it.
 void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
-    static constexpr const char* scenes[] = {"small random triangles", "large random triangles", "the current scene"};
+    static constexpr const char* scenes[] = {marked("small random triangles"), marked("large random triangles"),
+                                             marked("the current scene")};
     const bool is_running = state.measuring.is_running();
     const float choice_width = std::min(px(184.0F), ImGui::GetContentRegionAvail().x);
     flow.next(choice_width);
@@ -92,7 +96,7 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     widgets::Tooltip("Polygons",
                      "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
                      "cuts polygons has much to cut. Of the current scene more and more polygons are taken.");
-    const char* label = is_running ? "Cancel" : "Measure";
+    const char* label = is_running ? marked("Cancel") : marked("Measure");
     flow.next(Flow::button_width(label));
     if (!widgets::SmallButton(label)) return;
     if (is_running)
@@ -102,10 +106,10 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
 }
 
 void quantity_words(GrowthViewState& state, Flow& flow) {
-    static constexpr std::array names{"time", "operations"};
+    static constexpr std::array names{marked("time"), marked("operations")};
     static constexpr std::array explanations{
-        "Time to the finished picture; of a BSP tree also to the finished tree.",
-        "How often a method does what it does most: comparisons, pixels tested, intersection tests."};
+        marked("Time to the finished picture; of a BSP tree also to the finished tree."),
+        marked("How often a method does what it does most: comparisons, pixels tested, intersection tests.")};
     flow.next(Flow::button_width(names[0]) + Flow::button_width(names[1]) + px(2.0F));
     int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -122,7 +126,7 @@ bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& fl
     if (state.measuring.is_running()) {
         const float width = std::min(saving_width(), flow.room());
         flow.next(width);
-        const std::string percent = std::to_string(static_cast<int>(100.0F * state.measuring.fraction())) + " %";
+        const std::string percent = progress_text(state.measuring.fraction());
         ImGui::ProgressBar(state.measuring.fraction(), {width, ImGui::GetTextLineHeight() + px(4.0F)}, percent.c_str());
         widgets::Record("progress");
         return false;
@@ -146,7 +150,8 @@ public:
         const widgets::Palette& colors = palette();
         const std::array<ImU32, growth_method_count> own = {colors.light,  colors.plane,   colors.mirror,
                                                             colors.camera, colors.trouble, colors.text};
-        static constexpr std::array names{"painter", "Newell", "BSP build", "BSP walk", "z-buffer", "ray casting"};
+        static constexpr std::array names{marked("painter"),  marked("Newell"),   marked("BSP build"),
+                                          marked("BSP walk"), marked("z-buffer"), marked("ray casting")};
         for (std::size_t method = 0; method < growth_method_count; ++method)
             curves_[method] = {.name = names[method], .color = own[method], .points = points_[method]};
     }
@@ -168,10 +173,10 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     const float width = ImGui::GetContentRegionAvail().x;
     // A fixed range, so that the curves grow and not the axis; a scene of one's own may have fewer polygons.
     widgets::LogChart("chart", curves.get(),
-                      {.x = {.title = "polygons", .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
-                       .y = {.title = state.shows_operations ? "operations" : "time in ms"},
+                      {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
+                       .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},
                        .marker_x = static_cast<double>(triangle_count(scene)),
-                       .marker_label = "this scene",
+                       .marker_label = marked("this scene"),
                        .size = {width, height}});
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
     return {from, {from.x + width, std::min(from.y + height, bottom)}};
@@ -230,9 +235,10 @@ void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect
     quantity_words(state, flow);
     if (!fits_above) wants_picture = progress_or_saving(state, session, flow);
     if (shown_rows(state).empty()) {
-        offer(state.measuring.is_running() ? "The first method is being measured."
-                                           : "Every method is measured on more and more polygons, up to 100,000, while "
-                                             "the window stays live.");
+        offer(state.measuring.is_running()
+                  ? marked("The first method is being measured.")
+                  : marked("Every method is measured on more and more polygons, up to 100,000, while the window stays "
+                           "live."));
         return;
     }
     draw_results(state, session, wants_picture);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/ground.h"
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -119,8 +120,8 @@ void pixel_mark(const Overlay& overlay, const IdImage& image, glm::ivec2 pixel, 
                       text.c_str());
 }
 
-std::string decimals(double value, const char* infinite) {
-    return value < 1e300 ? widgets::NumberText(value, 5) : infinite;
+std::string decimals(double depth) {
+    return depth < 1e300 ? number_text(depth, 5) : "∞";
 }
 
 /// The pair, node, pixel or ray that the step is about, in the camera's picture.
@@ -136,15 +137,16 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
     }
     if (result.compare && result.compare->polygon >= 0) {
         const RasterStep& step = *result.compare;
+        const std::string depth = decimals(step.depth), stored = decimals(step.stored_depth);
         pixel_mark(overlay, result.image, {step.x, step.y}, palette().accent,
-                   decimals(step.depth, "∞") + (step.written ? " < " : " ≥ ") + decimals(step.stored_depth, "∞") +
-                       (step.written ? ": written" : ": not written"));
+                   step.written ? say("{depth} < {stored}: written", "depth"_a = depth, "stored"_a = stored)
+                                : say("{depth} ≥ {stored}: not written", "depth"_a = depth, "stored"_a = stored));
         return;
     }
     if (result.traced) {
-        const std::size_t hits = result.traced->hits.size();
+        const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
         pixel_mark(overlay, result.image, result.traced->pixel, palette().accent,
-                   hits == 0 ? "no hit" : std::to_string(hits) + (hits == 1 ? " hit" : " hits, the nearest counts"));
+                   hits == 0 ? tr("no hit") : say_count(hits, "{count} hit", "{count} hits, the nearest counts"));
         return;
     }
     const int last = result.drawn - 1;
@@ -189,8 +191,8 @@ void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
     for (std::size_t i = 0; i < 4; ++i) overlay.line(corners[i], corners[(i + 1) % 4], palette().plane, 1.6F);
     const double arrow = 0.25 * half;
     overlay.arrow(middle, middle + arrow * normal, palette().plane);
-    overlay.label(middle + arrow * normal, "front", front);
-    overlay.label(middle - arrow * normal, "back", back);
+    overlay.label(middle + arrow * normal, tr("front"), front);
+    overlay.label(middle - arrow * normal, tr("back"), back);
     outline(overlay, polygon, palette().accent, 2.4F);
 }
 
@@ -217,8 +219,7 @@ int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 p
 void draw_hidden_overlay(const PolygonLink& link, const Session& session, const HiddenStatus& hidden,
                          Overlay& overlay) {
     if (hidden.fraction) {
-        const std::string text =
-            "The method is at work: " + std::to_string(static_cast<int>(*hidden.fraction * 100.0F)) + " %";
+        const std::string text = say("The method is at work: {percent}", "percent"_a = progress_text(*hidden.fraction));
         widgets::HaloText(overlay.draw(), {overlay.rect().min.x + px(10.0F), overlay.rect().min.y + px(8.0F)},
                           palette().text, text.c_str());
     }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
+#include "ui/hidden/method_words.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 
@@ -12,23 +13,22 @@ namespace {
 constexpr float choice_width = 150.0F;
 
 void options_of(VisibilityMethod method, Params& params) {
-    static constexpr const char* keys[] = {"nearest vertex", "farthest vertex", "centroid"};
-    static constexpr const char* splitters[] = {"first", "random", "fewest splits", "balanced"};
-    static constexpr const char* walks[] = {"back to front", "front to back"};
     switch (method) {
         case VisibilityMethod::painter:
-            control(params, "visibility.sort_key", {.width = choice_width, .names = keys, .label = "sort key"});
+            control(params, "visibility.sort_key",
+                    {.width = choice_width, .names = sort_key_names, .label = marked("sort key")});
             break;
         case VisibilityMethod::bsp:
-            control(params, "visibility.splitter", {.width = choice_width, .names = splitters, .label = "splitter"});
-            control(params, "visibility.walk", {.width = choice_width, .names = walks, .label = "walk"});
+            control(params, "visibility.splitter",
+                    {.width = choice_width, .names = splitter_names, .label = marked("splitter")});
+            control(params, "visibility.walk", {.width = choice_width, .names = walk_names, .label = marked("walk")});
             [[fallthrough]];
         case VisibilityMethod::newell:
-            control(params, "visibility.epsilon", {.decimals = 2, .label = "epsilon"});
+            control(params, "visibility.epsilon", {.decimals = 2, .label = marked("epsilon")});
             break;
         case VisibilityMethod::ray_cast:
             ImGui::BeginDisabled(params.cull.enabled);
-            control(params, "visibility.exact_curves", {.label = "Exact curves"});
+            control(params, "visibility.exact_curves", {.label = marked("Exact curves")});
             ImGui::EndDisabled();
             if (params.cull.enabled) widgets::Note("Culling tells faces apart: curves are triangles while it is on.");
             break;
@@ -62,7 +62,7 @@ public:
         if (count_ % 2 == 1) ImGui::SameLine(column);
         const float left = count_ % 2 == 1 ? column : 0.0F;
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
-        ImGui::TextUnformatted(name);
+        ImGui::TextUnformatted(tr(name));
         ImGui::PopFont();
         ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
         ImGui::SameLine(left + number_end - ImGui::CalcTextSize(value).x);
@@ -80,36 +80,40 @@ void counters(const HiddenResult& result, bool shows_time) {
     CounterTable table;
     const auto time = [&](double ms) {
         if (!shows_time) return std::string("–");
-        return ms < 0.1 ? widgets::NumberText(ms * 1e3, 1) + " µs" : widgets::NumberText(ms, 2) + " ms";
+        return ms < 0.1 ? say("{time} µs", "time"_a = number_text(ms * 1e3, 1))
+                        : say("{time} ms", "time"_a = number_text(ms, 2));
     };
-    table.number("polygons", counted.polygons);
-    table.number("culled", counted.culled > 0 ? counted.culled : -1);
-    table.number(result.tree ? "plane tests" : "comparisons", counted.comparisons);
-    table.number("swaps", counted.swaps);
-    table.number("splits", counted.splits);
-    table.number("fragments", counted.fragments);
-    table.number("tree depth", counted.tree_depth);
-    table.number("rays", counted.rays);
-    table.number("ray tests", counted.intersection_tests);
-    table.number("pixels tested", counted.pixels_tested);
-    table.number("pixels written", counted.pixels_written);
-    if (counted.pixels_written >= 0) table.text("overdraw", widgets::NumberText(counted.overdraw(), 2).c_str());
-    if (!is_drawn_by_gl_alone(result.request.visibility.method)) table.text("time", time(result.time_ms).c_str());
-    if (result.tree || result.counters.rays >= 0) table.text("built in", time(result.build_ms).c_str());
+    table.number(marked("polygons"), counted.polygons);
+    table.number(marked("culled"), counted.culled > 0 ? counted.culled : -1);
+    table.number(result.tree ? marked("plane tests") : marked("comparisons"), counted.comparisons);
+    table.number(marked("swaps"), counted.swaps);
+    table.number(marked("splits"), counted.splits);
+    table.number(marked("fragments"), counted.fragments);
+    table.number(marked("tree depth"), counted.tree_depth);
+    table.number(marked("rays"), counted.rays);
+    table.number(marked("ray tests"), counted.intersection_tests);
+    table.number(marked("pixels tested"), counted.pixels_tested);
+    table.number(marked("pixels written"), counted.pixels_written);
+    if (counted.pixels_written >= 0) table.text(marked("overdraw"), number_text(counted.overdraw(), 2).c_str());
+    if (!is_drawn_by_gl_alone(result.request.visibility.method))
+        table.text(marked("time"), time(result.time_ms).c_str());
+    if (result.tree || result.counters.rays >= 0) table.text(marked("built in"), time(result.build_ms).c_str());
 }
 
 void culling_counts(const HiddenResult& result) {
     const CullCounts& counts = result.facing;
-    const auto pair = [](int front, int back) {
-        return grouped_number(front) + " front, " + grouped_number(back) + " back";
-    };
-    std::string text = "By the plane's sign " + pair(counts.facing_towards, counts.facing_away) + "; by GL's winding " +
-                       pair(counts.gl_front, counts.gl_back) + ".";
+    std::string text =
+        say("By the plane's sign {front} front, {back} back; by GL's winding {gl_front} front, {gl_back} back.",
+            "front"_a = grouped_number(counts.facing_towards), "back"_a = grouped_number(counts.facing_away),
+            "gl_front"_a = grouped_number(counts.gl_front), "gl_back"_a = grouped_number(counts.gl_back));
     const std::int64_t culled = result.counters.culled;
     const std::int64_t total = result.tree ? result.counters.fragments : counts.input;
-    if (culled > 0)
-        text += " Culling leaves " + grouped_number(total - culled) + " of " + grouped_number(total) +
-                (result.tree ? " fragments." : ".");
+    if (culled > 0) {
+        const std::string left = grouped_number(total - culled), all = grouped_number(total);
+        text += " ";
+        text += result.tree ? say("Culling leaves {left} of {all} fragments.", "left"_a = left, "all"_a = all)
+                            : say("Culling leaves {left} of {all}.", "left"_a = left, "all"_a = all);
+    }
     widgets::Note(text.c_str());
 }
 
@@ -130,17 +134,19 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
     if (result && method == VisibilityMethod::painter) draw_failure_finder(state.failure, session, *result);
     ImGui::BeginDisabled(method == VisibilityMethod::ray_cast);  // rays draw no polygons
-    control(params, "visibility.numbers", {.label = "Numbers"});
+    control(params, "visibility.numbers", {.label = marked("Numbers")});
     ImGui::EndDisabled();
     cancel_button(state, hidden);
     if (params.view.shows == Shows::difference) {
-        control(params, "visibility.compare_with", {.width = choice_width, .names = method_names, .label = "compare"});
+        control(params, "visibility.compare_with",
+                {.width = choice_width, .names = method_names, .label = marked("compare")});
     }
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
     if (result->newell && result->newell->steps_left_out > 0) {
-        const std::string note = "Only the first " + grouped_number(result->step_count) + " of " +
-                                 grouped_number(result->counters.comparisons) + " comparisons can be gone through.";
+        const std::string note =
+            say("Only the first {count} of {all} comparisons can be gone through.",
+                "count"_a = grouped_number(result->step_count), "all"_a = grouped_number(result->counters.comparisons));
         widgets::Note(note.c_str());
     }
     state.left_step = params.visibility.step;

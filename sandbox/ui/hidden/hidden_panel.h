@@ -8,10 +8,6 @@
 
 namespace viewing {
 
-/// Short names for choices and sentences, in the order of VisibilityMethod.
-inline constexpr const char* method_names[] = {"GL depth buffer", "none",           "painter",    "Newell",
-                                               "BSP tree",        "soft. z-buffer", "ray casting"};
-
 struct HiddenPanelState {
     widgets::StepPlayer player;
     int left_step = -1;  ///< as the player's bar left it

@@ -1,8 +1,6 @@
 #include "ui/hidden/hidden_status.h"
 
-#include <cmath>
-#include <string>
-
+#include "text/catalogue.h"
 #include "ui/parts/view_window.h"
 
 namespace viewing {
@@ -12,10 +10,15 @@ const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidd
     return hidden.answer ? hidden.answer->camera : none;
 }
 
+std::string progress_text(float fraction) {
+    return std::to_string(static_cast<int>(100.0F * fraction)) + " %";
+}
+
 void tell_waiting(const HiddenStatus& hidden) {
-    const std::string percent =
-        hidden.fraction ? ": " + std::to_string(static_cast<int>(std::lround(100.0F * *hidden.fraction))) + " %" : "";
-    offer(("The method is at work" + percent + ".").c_str());
+    if (hidden.fraction)
+        offer(say("The method is at work: {percent}.", "percent"_a = progress_text(*hidden.fraction)).c_str());
+    else
+        offer("The method is at work.");
 }
 
 }  // namespace viewing

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "frame/hidden/hidden_views.h"
 
@@ -18,7 +19,10 @@ struct HiddenStatus {
 /// The camera's result, null while there is none.
 const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden);
 
-/// "The method is at work: 40 %": instead of a view whose method has not finished.
+/// How far something is that is worked on: "40 %", and "100 %" only when it is done.
+std::string progress_text(float fraction);
+
+/// "The method is at work: 40 %.": instead of a view whose method has not finished.
 void tell_waiting(const HiddenStatus& hidden);
 
 }  // namespace viewing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ui/hidden/method_words.h"
 #include "ui/hidden/polygon_names.h"
 #include "widgets/widgets.h"
 
@@ -45,14 +46,16 @@ std::string OrderRows::detail_of(int fragment) const {
     const int node = index_.node_of(fragment);
     if (node < 0) return "";
     const int side = index_.eye_side_of(node);
-    return std::to_string(node + 1) + (side > 0 ? ", front" : side < 0 ? ", back" : ", in plane");
+    const int number = node + 1;
+    return side > 0   ? say("{node}, front", "node"_a = number)
+           : side < 0 ? say("{node}, back", "node"_a = number)
+                      : say("{node}, in plane", "node"_a = number);
 }
 
 const char* OrderRows::detail_title() const {
-    static constexpr const char* keys[] = {"nearest vertex", "farthest vertex", "centroid"};
-    if (result_.painter) return keys[static_cast<std::size_t>(result_.request.visibility.sort_key)];
-    if (newell_step_) return "pair";
-    return result_.tree ? "node, eye's side" : "";
+    if (result_.painter) return sort_key_names[static_cast<std::size_t>(result_.request.visibility.sort_key)];
+    if (newell_step_) return marked("pair");
+    return result_.tree ? marked("node, eye's side") : "";
 }
 
 int place_of(const HiddenResult& result, int fragment) {

@@ -27,7 +27,7 @@ public:
     int count() const { return static_cast<int>(result_.order.size()); }
     OrderRow row(int place) const;            ///< `place` counts from 0
     int current() const { return current_; }  ///< the place that the step is at; −1: none
-    /// What `detail` is: a column's title; empty where the method has none.
+    /// What `detail` is: a column's title, not yet looked up; empty where the method has none.
     const char* detail_title() const;
 
 private:

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
 #include "ui/hidden/polygon_table.h"
 #include "ui/hidden/step_text.h"
@@ -37,7 +37,7 @@ void draw_list(OrderViewState& state, PolygonLinks& links, const HiddenResult& r
 void draw_hits(PolygonLinks& links, const HiddenResult& result) {
     const std::vector<RayHitRow> hits = ray_rows(result);
     if (hits.empty()) return;
-    PolygonTable table(links, result, "hits", "distance", static_cast<int>(hits.size()),
+    PolygonTable table(links, result, "hits", marked("distance"), static_cast<int>(hits.size()),
                        {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
     if (!table.is_open()) return;
     ImGuiListClipper clipper;
@@ -45,9 +45,10 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
     while (clipper.Step())
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
             const RayHitRow& hit = hits[static_cast<std::size_t>(number)];
+            const std::string distance = number_text(hit.distance, 3);
             table.row(number + 1, {.fragment = hit.fragment,
                                    .name = listed_name(result.surface.get(), hit.source),
-                                   .detail = widgets::NumberText(hit.distance, 3) + (number == 0 ? " seen" : ""),
+                                   .detail = number == 0 ? say("{distance} seen", "distance"_a = distance) : distance,
                                    .color = polygon_color(result.surface.get(), hit.source),
                                    .is_reached = number == 0,
                                    .is_current = number == 0});
@@ -61,7 +62,7 @@ void draw_rung(const char* text, RungState rung) {
     ImGui::TextUnformatted(rung == RungState::failed ? "✗" : decided ? "✓" : " ");
     ImGui::SameLine(px(24.0F));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string fitting = shortened(text, ImGui::GetContentRegionAvail().x);
+    const std::string fitting = shortened(tr(text), ImGui::GetContentRegionAvail().x);
     ImGui::TextUnformatted(fitting.c_str());
     if (rung == RungState::failed) {
         const float middle = std::round(at.y + 0.55F * ImGui::GetTextLineHeight());
@@ -103,14 +104,14 @@ void draw_ladder(const Ladder& ladder) {
 void draw_decided(const NewellCounters& counters) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    ImGui::TextUnformatted("pairs decided by each test");
+    ImGui::TextUnformatted(tr("pairs decided by each test"));
     ImGui::PopStyleColor();
     for (std::size_t test = 0; test < counters.decided.size(); ++test) {
         const std::string count = grouped_number(counters.decided[test]);
         const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
         const char* text = newell_test_text(static_cast<NewellTest>(test));
         const float room = right - ImGui::GetCursorPosX() - px(8.0F);
-        ImGui::TextUnformatted(shortened(text, room).c_str());
+        ImGui::TextUnformatted(shortened(tr(text), room).c_str());
         widgets::Record((std::string(text) + ": " + count).c_str());
         ImGui::SameLine(right);
         ImGui::TextUnformatted(count.c_str());
@@ -140,10 +141,12 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, const HiddenResult&
 
 void draw_pixels_of(const HiddenResult& result) {
     const std::string compare = compare_sentence(result);
-    recorded_note(compare.empty() ? "Polygons come in the scene's own order; the depth buffer decides at every pixel."
-                                  : compare);
-    recorded_note(grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)) + " pixels tested, " +
-                  grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0)) + " written");
+    recorded_note(compare.empty()
+                      ? tr("Polygons come in the scene's own order; the depth buffer decides at every pixel.")
+                      : compare);
+    recorded_note(say("{tested} pixels tested, {written} written",
+                      "tested"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)),
+                      "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
 
 void draw_result(OrderViewState& state, PolygonLinks& links, const HiddenResult& result) {

@@ -1,5 +1,7 @@
 #include "ui/hidden/polygon_names.h"
 
+#include "text/catalogue.h"
+
 namespace viewing {
 namespace {
 
@@ -19,7 +21,7 @@ PolygonPlace place_of(const SceneSurface* surface, int source) {
     if (object < 0) return {};
     const auto index = static_cast<std::size_t>(object);
     const std::string& name = surface->scene.objects[index].description.name;
-    return {name.empty() ? "object " + std::to_string(object + 1) : name,
+    return {name.empty() ? say("object {number}", "number"_a = object + 1) : name,
             surface->curved_of(source) ? 0 : source - surface->first_source[index] + 1};
 }
 
@@ -27,12 +29,15 @@ PolygonPlace place_of(const SceneSurface* surface, int source) {
 
 std::string polygon_name(const SceneSurface* surface, int source) {
     const PolygonPlace place = place_of(surface, source);
-    return place.number == 0 ? place.object : "polygon " + std::to_string(place.number) + " of " + place.object;
+    return place.number == 0
+               ? place.object
+               : say("polygon {number} of {object}", "number"_a = place.number, "object"_a = place.object);
 }
 
 std::string listed_name(const SceneSurface* surface, int source) {
     const PolygonPlace place = place_of(surface, source);
-    return place.number == 0 ? place.object : place.object + ", polygon " + std::to_string(place.number);
+    return place.number == 0 ? place.object
+                             : say("{object}, polygon {number}", "object"_a = place.object, "number"_a = place.number);
 }
 
 ImU32 polygon_color(const SceneSurface* surface, int source) {

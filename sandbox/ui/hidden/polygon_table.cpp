@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
 
@@ -35,8 +36,8 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
     const float number_width = ImGui::CalcTextSize(std::to_string(count).c_str()).x + px(8.0F);
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, number_width);
-    ImGui::TableSetupColumn("polygon", ImGuiTableColumnFlags_WidthStretch);
-    if (has_detail_) ImGui::TableSetupColumn(detail, ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn(widgets::LabelText(marked("polygon")).c_str(), ImGuiTableColumnFlags_WidthStretch);
+    if (has_detail_) ImGui::TableSetupColumn(widgets::LabelText(detail).c_str(), ImGuiTableColumnFlags_WidthFixed);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::TableHeadersRow();
     ImGui::PopStyleColor();

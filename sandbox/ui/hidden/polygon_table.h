@@ -9,7 +9,8 @@ namespace viewing {
 /// Open from its construction to its end; rows are drawn in between, those in view are enough.
 class PolygonTable {
 public:
-    /// `detail` is the last column's title; an empty one leaves the column out. `count` is the largest number.
+    /// `detail` is the last column's title, not yet looked up; an empty one leaves the column out. `count` is the
+    /// largest number.
     PolygonTable(PolygonLinks& links, const HiddenResult& result, const char* id, const char* detail, int count,
                  ImVec2 size);
     ~PolygonTable();

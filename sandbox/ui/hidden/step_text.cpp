@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
 #include "widgets/widgets.h"
 
@@ -15,12 +16,12 @@ int source_of(const HiddenResult& result, int fragment) {
     return (*result.fragments)[static_cast<std::size_t>(fragment)].source;
 }
 
-std::string name_of(const HiddenResult& result, int fragment) {
+std::string polygon_at(const HiddenResult& result, int fragment) {
     return polygon_name(result.surface.get(), source_of(result, fragment));
 }
 
 std::string pixel_text(glm::ivec2 pixel) {
-    return "pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) + ")";
+    return say("pixel ({x}, {y})", "x"_a = pixel.x, "y"_a = pixel.y);
 }
 
 /// Whether a cut was made along the plane of that fragment, in whichever direction.
@@ -33,24 +34,24 @@ bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& pla
 
 std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
     const bool cuts_p = step.split == step.p;
-    const char *cut = cuts_p ? "P" : "Q", *other = cuts_p ? "Q" : "P";
     const bool by_plane = is_plane_of(result, cuts_p ? step.q : step.p, step.cut_plane);
-    return std::string(cut) + " is cut by " + (by_plane ? "the plane of " : "a plane through the eye and an edge of ") +
-           other + ".";
+    if (by_plane) return cuts_p ? tr("P is cut by the plane of Q.") : tr("Q is cut by the plane of P.");
+    return cuts_p ? tr("P is cut by a plane through the eye and an edge of Q.")
+                  : tr("Q is cut by a plane through the eye and an edge of P.");
 }
 
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
     switch (step.action) {
         case NewellAction::goes_on:
-            return "P may go before Q.";
+            return tr("P may go before Q.");
         case NewellAction::swaps:
-            return "Swap: Q goes before P.";
+            return tr("Swap: Q goes before P.");
         case NewellAction::splits:
             return cut_sentence(result, step);
         case NewellAction::draws:
-            return "Nothing is left that P could hide: P is drawn.";
+            return tr("Nothing is left that P could hide: P is drawn.");
         case NewellAction::forces:
-            return "P is drawn although Q stands against it: they overlap by less than epsilon.";
+            return tr("P is drawn although Q stands against it: they overlap by less than epsilon.");
     }
     return "";
 }
@@ -67,23 +68,23 @@ int decimals_for(double a, double b) {
 const char* newell_test_text(NewellTest test) {
     switch (test) {
         case NewellTest::depth_extents:
-            return "apart in depth";
+            return marked("apart in depth");
         case NewellTest::x_extents:
-            return "apart along x";
+            return marked("apart along x");
         case NewellTest::y_extents:
-            return "apart along y";
+            return marked("apart along y");
         case NewellTest::p_behind_q:
-            return "P behind the plane of Q";
+            return marked("P behind the plane of Q");
         case NewellTest::q_in_front_of_p:
-            return "Q in front of the plane of P";
+            return marked("Q in front of the plane of P");
         case NewellTest::projections_disjoint:
-            return "apart on the screen";
+            return marked("apart on the screen");
         case NewellTest::q_behind_p:
-            return "Q behind the plane of P";
+            return marked("Q behind the plane of P");
         case NewellTest::p_in_front_of_q:
-            return "P in front of the plane of Q";
+            return marked("P in front of the plane of Q");
         case NewellTest::none:
-            return "none: cut";
+            return marked("none: cut");
     }
     return "";
 }
@@ -92,8 +93,8 @@ std::optional<Ladder> newell_ladder(const HiddenResult& result) {
     if (!result.newell || result.step <= 0 || result.step > static_cast<int>(result.newell->steps.size()))
         return std::nullopt;
     const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
-    Ladder ladder{.p = name_of(result, step.p),
-                  .q = step.q >= 0 ? name_of(result, step.q) : "",
+    Ladder ladder{.p = polygon_at(result, step.p),
+                  .q = step.q >= 0 ? polygon_at(result, step.q) : "",
                   .action = action_sentence(result, step)};
     const auto decided = static_cast<std::size_t>(step.decided_by);
     for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
@@ -110,9 +111,13 @@ std::string compare_sentence(const HiddenResult& result) {
     const int decimals = decimals_for(step.depth, step.stored_depth);
     const std::string depth = widgets::NumberText(step.depth, decimals);
     const std::string stored = widgets::NumberText(step.stored_depth, decimals);
-    const char* relation = depth == stored ? " = " : step.depth < step.stored_depth ? " < " : " > ";
-    return pixel_text({step.x, step.y}) + ": " + name_of(result, step.polygon) + ", depth " + depth + relation +
-           "stored " + stored + (step.written ? " → written" : " → not written");
+    const char* relation = depth == stored ? "=" : step.depth < step.stored_depth ? "<" : ">";
+    const std::string pixel = pixel_text({step.x, step.y}), polygon = polygon_at(result, step.polygon);
+    return step.written
+               ? say("{pixel}: {polygon}, depth {depth} {relation} stored {stored} → written", "pixel"_a = pixel,
+                     "polygon"_a = polygon, "depth"_a = depth, "relation"_a = relation, "stored"_a = stored)
+               : say("{pixel}: {polygon}, depth {depth} {relation} stored {stored} → not written", "pixel"_a = pixel,
+                     "polygon"_a = polygon, "depth"_a = depth, "relation"_a = relation, "stored"_a = stored);
 }
 
 std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
@@ -124,13 +129,13 @@ std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
 
 std::string ray_sentence(const HiddenResult& result) {
     if (!result.traced)
-        return result.step < 0 ? "One ray went through every pixel. Go to a step to see what a single ray meets."
-                               : "No ray has been cast yet.";
-    const std::string ray = "The ray through " + pixel_text(result.traced->pixel);
-    const std::size_t hits = result.traced->hits.size();
-    if (hits == 0) return ray + " meets no object.";
-    if (hits == 1) return ray + " meets one surface, which is seen.";
-    return ray + " meets " + std::to_string(hits) + " surfaces: the first one is seen.";
+        return result.step < 0 ? tr("One ray went through every pixel. Go to a step to see what a single ray meets.")
+                               : tr("No ray has been cast yet.");
+    const std::string pixel = pixel_text(result.traced->pixel);
+    const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
+    if (hits == 0) return say("The ray through {pixel} meets no object.", "pixel"_a = pixel);
+    return say_count(hits, "The ray through {pixel} meets one surface, which is seen.",
+                     "The ray through {pixel} meets {count} surfaces: the first one is seen.", "pixel"_a = pixel);
 }
 
 }  // namespace viewing

@@ -20,7 +20,7 @@ struct Ladder {
     std::string action;                                    ///< a sentence
 };
 
-/// The sentence that a test claims, of P and Q.
+/// The sentence that a test claims, of P and Q; not yet looked up.
 const char* newell_test_text(NewellTest test);
 
 /// None without a step of Newell's: at the beginning, and at the end, where all steps are told together.

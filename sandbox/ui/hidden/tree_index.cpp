@@ -2,15 +2,12 @@
 
 #include <algorithm>
 
-#include "text/numbers.h"
+#include "text/catalogue.h"
+#include "ui/hidden/method_words.h"
 #include "ui/hidden/polygon_names.h"
 
 namespace viewing {
 namespace {
-
-std::string counted(std::int64_t count, const char* one, const char* many) {
-    return grouped_number(count) + " " + (count == 1 ? one : many);
-}
 
 bool is_index(int index, std::size_t size) {
     return index >= 0 && static_cast<std::size_t>(index) < size;
@@ -78,37 +75,43 @@ int TreeIndex::eye_side_of(int node) const {
 
 std::string tree_sentence(const HiddenResult& result) {
     if (!result.tree) return "";
-    static constexpr const char* splitters[] = {"first", "random", "fewest splits", "balanced"};
     const BspTree& tree = *result.tree;
     const auto nodes = static_cast<int>(tree.nodes.size());
-    std::string text = counted(nodes, "node", "nodes") + ", " + grouped_number(tree.counters.depth) + " deep, " +
-                       counted(static_cast<std::int64_t>(tree.fragments.size()), "fragment", "fragments") + ", " +
-                       counted(tree.counters.splits, "split", "splits") +
-                       "; splitter: " + splitters[static_cast<std::size_t>(result.request.visibility.splitter)];
-    if (result.step < 0) return text;
-    if (result.built_nodes < nodes) return text + "; " + grouped_number(result.built_nodes) + " built so far";
-    return text + "; " + grouped_number(result.visited_nodes) + " visited so far";
+    const std::string whole = say(
+        "{nodes}, {depth} deep, {fragments}, {splits}; splitter: {splitter}",
+        "nodes"_a = say_count(nodes, "{count} node", "{count} nodes"), "depth"_a = grouped_number(tree.counters.depth),
+        "fragments"_a =
+            say_count(static_cast<std::int64_t>(tree.fragments.size()), "{count} fragment", "{count} fragments"),
+        "splits"_a = say_count(tree.counters.splits, "{count} split", "{count} splits"),
+        "splitter"_a = tr(splitter_names[static_cast<std::size_t>(result.request.visibility.splitter)]));
+    if (result.step < 0) return whole;
+    if (result.built_nodes < nodes)
+        return say("{tree}; {count} built so far", "tree"_a = whole, "count"_a = grouped_number(result.built_nodes));
+    return say("{tree}; {count} visited so far", "tree"_a = whole, "count"_a = grouped_number(result.visited_nodes));
 }
 
 std::string node_sentence(const HiddenResult& result, int node, const TreeIndex& index) {
     if (!result.tree || !is_index(node, result.tree->nodes.size()) || node >= result.built_nodes) return "";
     const BspNode& told = result.tree->nodes[static_cast<std::size_t>(node)];
-    std::string text = "node " + std::to_string(node + 1) + ": ";
-    if (told.sorted) {
-        text += "plane of " + listed_name(result.surface.get(), told.splitter_source) + "; " +
-                grouped_number(told.front_count) + " in front, " + grouped_number(told.back_count) + " behind, " +
-                grouped_number(told.split_count) + " cut";
-    } else {
-        text += counted(told.fragment_count, "polygon", "polygons") + " left unsorted by the budget";
-    }
+    if (!told.sorted)
+        return say_count(told.fragment_count, "node {node}: {count} polygon left unsorted by the budget",
+                         "node {node}: {count} polygons left unsorted by the budget", "node"_a = node + 1);
+    const std::string plane =
+        say("node {node}: plane of {polygon}; {front} in front, {behind} behind, {cut} cut", "node"_a = node + 1,
+            "polygon"_a = listed_name(result.surface.get(), told.splitter_source),
+            "front"_a = grouped_number(told.front_count), "behind"_a = grouped_number(told.back_count),
+            "cut"_a = grouped_number(told.split_count));
     const bool is_visited =
         is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
-    if (!is_visited || !told.sorted) return text;
+    if (!is_visited) return plane;
     const int side = index.eye_side_of(node);
-    if (side == 0) return text + "; the eye lies in the plane: neither side hides the other";
     const bool front_first = (side > 0) == (result.request.visibility.walk == BspWalkOrder::front_to_back);
-    return text + "; the eye is " + (side > 0 ? "in front" : "behind") + ", so its " +
-           (front_first ? "front" : "back") + " side is drawn first";
+    if (side == 0) return say("{plane}; the eye lies in the plane: neither side hides the other", "plane"_a = plane);
+    if (side > 0)
+        return front_first ? say("{plane}; the eye is in front, so its front side is drawn first", "plane"_a = plane)
+                           : say("{plane}; the eye is in front, so its back side is drawn first", "plane"_a = plane);
+    return front_first ? say("{plane}; the eye is behind, so its front side is drawn first", "plane"_a = plane)
+                       : say("{plane}; the eye is behind, so its back side is drawn first", "plane"_a = plane);
 }
 
 }  // namespace viewing

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_window.h"
 
@@ -34,9 +35,9 @@ int current_node(const HiddenResult& result) {
 }
 
 /// As long as a sentence about a node gets, so that the tree does not move when another one is told.
-constexpr const char* longest_sentence =
+constexpr const char* longest_sentence = marked(
     "node 1000: plane of small box, polygon 1000; 1000 in front, 1000 behind, 1000 cut; the eye is in front, so its "
-    "back side is drawn first";
+    "back side is drawn first");
 
 void draw_diagram(TreeViewState& state, PolygonLinks& links, const HiddenResult& result, float height) {
     widgets::TreeDiagramState& diagram = state.diagram;
@@ -80,7 +81,7 @@ void draw_tree_view(TreeViewState& state, PolygonLinks& links, Session& session,
     const std::string sentence = tree_sentence(*result);
     const float gap = ImGui::GetStyle().ItemSpacing.y, least = px(100.0F);
     float room = ImGui::GetContentRegionAvail().y;
-    const float above = note_height(sentence.c_str()) + gap, below = note_height(longest_sentence) + gap;
+    const float above = note_height(sentence.c_str()) + gap, below = note_height(tr(longest_sentence)) + gap;
     if (room - above >= least) {
         recorded_note(sentence);
         room -= above;

@@ -6,6 +6,7 @@
 
 #include "text/catalogue.h"
 #include "ui/depth/depth_panel.h"
+#include "ui/hidden/method_words.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"

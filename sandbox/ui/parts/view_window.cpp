@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/catalogue.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -34,7 +35,8 @@ void recorded_note(const std::string& sentence) {
     widgets::Record(sentence.c_str());
 }
 
-bool offer(const char* sentence, const char* button) {
+bool offer(const char* english, const char* button) {
+    const char* sentence = tr(english);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = std::max(std::min(room.x, px(360.0F)), 1.0F);
@@ -49,9 +51,9 @@ bool offer(const char* sentence, const char* button) {
     ImGui::TextUnformatted(sentence);
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
-    widgets::Record(sentence);
+    widgets::Record(english);
     if (!button) return false;
-    const float button_width = ImGui::CalcTextSize(button).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float button_width = ImGui::CalcTextSize(tr(button)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});
     return widgets::Button(button);
 }

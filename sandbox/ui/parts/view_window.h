@@ -19,7 +19,8 @@ float note_height(const char* text);
 /// A quiet sentence that tests find by its words; nothing where it is empty.
 void recorded_note(const std::string& sentence);
 
-/// A sentence in the middle of the view and, unless null, a button below it. True when it was clicked.
-bool offer(const char* sentence, const char* button = nullptr);
+/// A sentence in the middle of the view and, unless null, a button below it, both looked up here. True when it was
+/// clicked.
+bool offer(const char* english, const char* button = nullptr);
 
 }  // namespace viewing

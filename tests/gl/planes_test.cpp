@@ -1,7 +1,7 @@
 // What the pictures of several planes, lights and mirrors must not depend on: sign and length of an equation, culling
-// of closed objects, scene or camera mirrored, the way of clipping, the bits of depth. laboratory_rays_test.cpp says
-// what they show; laboratory_switches_test.cpp breaks them.
-#include "laboratory.h"
+// of closed objects, scene or camera mirrored, the way of clipping, the bits of depth. planes_rays_test.cpp says
+// what they show; planes_switches_test.cpp breaks them.
+#include "planes_room.h"
 #include "render/buffer_read.h"
 
 namespace viewing {
@@ -51,7 +51,7 @@ int pixels_beyond_edges(const Image& a, const Image& b, int worst) {
     return count;
 }
 
-class Laboratory : public testing::GlTest {
+class Planes : public testing::GlTest {
 protected:
     /// Draws rooms twice, as they are and changed, and expects the same off edges.
     template <typename Change>
@@ -72,7 +72,7 @@ protected:
     }
 };
 
-TEST_F(Laboratory, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
+TEST_F(Planes, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         const Room room = lived_in(number);
         const Image picture = draw(room.params, room.scene, size_px);
@@ -85,7 +85,7 @@ TEST_F(Laboratory, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     }
 }
 
-TEST_F(Laboratory, CullingBackFacesOfClosedObjectsDoesNotShow) {
+TEST_F(Planes, CullingBackFacesOfClosedObjectsDoesNotShow) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
         room.params.cull.enabled = false;
@@ -98,21 +98,21 @@ TEST_F(Laboratory, CullingBackFacesOfClosedObjectsDoesNotShow) {
     }
 }
 
-TEST_F(Laboratory, MirroringTheCameraShowsWhatMirroringTheSceneShows) {
+TEST_F(Planes, MirroringTheCameraShowsWhatMirroringTheSceneShows) {
     expect_same_off_edges([](Params& params) {
         const bool was_scene = params.reflection.mirrored == MirroredThing::scene;
         params.reflection.mirrored = was_scene ? MirroredThing::camera : MirroredThing::scene;
     });
 }
 
-TEST_F(Laboratory, ObliqueNearPlaneShowsWhatClipDistanceShows) {
+TEST_F(Planes, ObliqueNearPlaneShowsWhatClipDistanceShows) {
     expect_same_off_edges([](Params& params) {
         const bool was_oblique = params.reflection.clip == MirrorClip::oblique;
         params.reflection.clip = was_oblique ? MirrorClip::clip_distance : MirrorClip::oblique;
     });
 }
 
-TEST_F(Laboratory, FurtherPlanesAndLightsMayStandInAnyOrder) {
+TEST_F(Planes, FurtherPlanesAndLightsMayStandInAnyOrder) {
     // What is painted is not: the last light covers the others, and all of them the image in the mirror.
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
@@ -133,7 +133,7 @@ Scene floating() {
                      object("high box", box_mesh(), {0.1, 2.6, -1.0}, {0.5, 0.3, 0.4})});
 }
 
-TEST_F(Laboratory, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
+TEST_F(Planes, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
     const Scene scene = floating();
     Random random(seed);
     int shadows = 0;
@@ -167,7 +167,7 @@ TEST_F(Laboratory, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
     EXPECT_GT(shadows, 12);
 }
 
-TEST_F(Laboratory, GlossIsMissingOnlyWhereTheLightIsReallyMissing) {
+TEST_F(Planes, GlossIsMissingOnlyWhereTheLightIsReallyMissing) {
     const Scene scene = testing::scene_named("torus-and-boxes");
     for (const bool is_painted : {true, false}) {
         Params params = params_with({"view.samples=0", "reflection.enabled=false", "light.position=[-2,6,-7,1]"});

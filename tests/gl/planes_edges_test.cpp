@@ -1,5 +1,5 @@
 // Degenerate planes, lights and eyes: a defined picture, finite numbers, no GL error, and a sentence that says what is
-// the matter. laboratory_switches_test.cpp has the states that are broken on purpose.
+// the matter. planes_switches_test.cpp has the states that are broken on purpose.
 #include <cmath>
 
 #include "gl_test.h"

@@ -1,5 +1,5 @@
 // Random rooms of planes, lights and solids for the tests of shadows and mirrors: the same room as parameters, as
-// meshes, and for the oracle of ray_caster.h. Read laboratory_rays_test.cpp next.
+// meshes, and for the oracle of ray_caster.h. Read planes_rays_test.cpp next.
 #pragma once
 
 #include <algorithm>

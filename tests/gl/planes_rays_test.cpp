@@ -1,6 +1,6 @@
 // Rooms with several planes, lights and mirrors in mirrors against the oracle of ray_caster.h: which object or patch
 // is seen through how many mirrors, which lights are missing on it, and what the stencil holds in the end.
-#include "laboratory.h"
+#include "planes_room.h"
 #include "render/buffer_read.h"
 
 namespace viewing {
@@ -128,7 +128,7 @@ void for_each_inner_pixel(const ClassAt& class_at, const Check& check) {
     }
 }
 
-class LaboratoryRays : public testing::GlTest {
+class PlanesRays : public testing::GlTest {
 protected:
     void compare(const Room& room) {
         const Derived derived = derive_for(room.params, room.scene, size_px);
@@ -223,7 +223,7 @@ private:
 
 constexpr unsigned first_room = 61000;
 
-TEST_F(LaboratoryRays, AgreeWithEveryRoom) {
+TEST_F(PlanesRays, AgreeWithEveryRoom) {
     const unsigned count = testing::rooms(208);
     for (unsigned number = first_room; number < first_room + count; ++number) {
         SCOPED_TRACE("room " + std::to_string(number));
@@ -243,7 +243,7 @@ TEST_F(LaboratoryRays, AgreeWithEveryRoom) {
     EXPECT_LE(tally_.pinholes, 4 + tally_.compared / 200'000);
 }
 
-TEST_F(LaboratoryRays, DisagreeWithEveryBrokenTechnique) {
+TEST_F(PlanesRays, DisagreeWithEveryBrokenTechnique) {
     for (const char* const broken :
          {"shadow.sign=none", "shadow.clip_casters=false", "shadow.own_stencil=false", "reflection.clip=none",
           "reflection.shadows=false", "reflection.mask_writes_depth=true", "reflection.after_objects=true",

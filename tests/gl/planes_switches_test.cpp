@@ -1,6 +1,6 @@
 // Every switch that breaks shadow or mirror changes the picture of a state where its artefact can be seen, and every
 // switch is drawn without a GL error on a busy state. The reasons are told by frame/planes/shadow_problems.cpp and
-// frame/planes/mirror_problems.cpp; laboratory_edges_test.cpp has the degenerate states.
+// frame/planes/mirror_problems.cpp; planes_edges_test.cpp has the degenerate states.
 #include "gl_test.h"
 
 namespace viewing {

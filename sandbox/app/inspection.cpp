@@ -1,0 +1,41 @@
+#include "app/inspection.h"
+
+#include "ui/parts/topics.h"
+
+namespace viewing {
+
+Status Inspection::read(const ShownFrame& shown, const Session& session, const ViewState& views) {
+    const Params& params = shown.params;
+    DepthWishes wishes;
+    const bool tells_pixel = is_shown(params, Topic::pixel), tells_cells = is_shown(params, Topic::cells);
+    if (tells_pixel || tells_cells || is_shown(params, Topic::precision)) {
+        wishes.pixel = params.view.pixel;
+        if (const auto pointed = views.told_pixel; pointed && !wishes.pixel)
+            wishes.pixel = glm::min(*pointed, shown.camera_px - 1);  // it may have shrunk since
+        if (wishes.pixel && !glm::all(glm::lessThan(*wishes.pixel, shown.camera_px))) wishes.pixel.reset();
+    }
+    wishes.fragments = tells_pixel;
+    wishes.calls = tells_cells;
+    if (tells_cells && wishes.pixel) wishes.cells = views.cells;
+    wishes.counts = is_shown(params, Topic::histogram);
+    return inspector_.update(renderer_, shown.inspected, session.scene(), session.scene_version(), shown.derived,
+                             shown.camera_px, wishes);
+}
+
+DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
+    DepthData data = inspector_.data();
+    tells_fighting_ = is_shown(shown.params, Topic::fighting);
+    if (tells_fighting_)
+        data.fighting = fighting_.update(renderer_, session.params, session.scene(), session.scene_version(),
+                                         shown.camera_px, at_once, !is_held);
+    return data;
+}
+
+std::optional<PixelReport> Inspection::at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px,
+                                          glm::ivec2 pixel) {
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size_px.x || pixel.y >= size_px.y) return std::nullopt;
+    const auto report = inspector_.at(renderer_, shown.inspected, session.scene(), shown.derived, size_px, pixel);
+    return report ? std::optional(*report) : std::nullopt;
+}
+
+}  // namespace viewing

@@ -1,0 +1,19 @@
+// Theme, scale and fonts of the user interface, followed when the state or the monitor changes.
+#pragma once
+
+#include "state/params.h"
+#include "widgets/widgets.h"
+
+namespace viewing {
+
+class Looks {
+public:
+    /// Needs ImGui's GL backend. `device_scale`: of the monitor. True when something has changed.
+    bool follow(const UiParams& ui, double device_scale, widgets::Context& context);
+
+private:
+    Theme theme_ = Theme::dark;
+    float scale_ = 0.0F;
+};
+
+}  // namespace viewing

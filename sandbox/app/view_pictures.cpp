@@ -1,0 +1,124 @@
+#include "app/view_pictures.h"
+
+#include <algorithm>
+
+#include "measure/mirror_measure.h"
+#include "ui/parts/topics.h"
+
+namespace viewing {
+namespace {
+
+ImTextureID texture_id(const View& view) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(view.texture()));
+}
+
+/// Of several views.
+template <std::size_t count>
+std::array<ImTextureID, count> texture_ids(const std::array<View, count>& views) {
+    std::array<ImTextureID, count> ids{};
+    std::transform(views.begin(), views.end(), ids.begin(), texture_id);
+    return ids;
+}
+
+/// What GL's own methods show of their steps.
+HiddenPictures pictures_by_gl(const ShownFrame& shown) {
+    const bool has_steps = shown.hidden && is_drawn_by_gl_alone(shown.params.visibility.method);
+    return has_steps ? shown.hidden->pictures : HiddenPictures{};
+}
+
+}  // namespace
+
+Status ViewPictures::draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
+    if (layout.camera.empty()) return std::monostate{};
+    return renderer_.draw(shown.plan, scene, layout.camera.size_px(), camera_);
+}
+
+Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
+    const BesideParams& beside = shown.params.view.beside;
+    const glm::ivec2 size = layout.camera.size_px();
+    if (beside.shows == Beside::nothing || layout.camera.empty()) return std::monostate{};
+    if (beside.shows == Beside::depth) return draw_depth(shown, scene, size, beside_);
+    Params other = shown.params;
+    other.depth.format = beside.format;
+    other.depth.mapping = beside.mapping;
+    const Viewport viewport{size, has_clip_control()};
+    const FramePlan frame = plan(other, derive(other, scene, viewport), pictures_by_gl(shown));
+    return renderer_.draw(frame, scene, size, beside_);
+}
+
+Status ViewPictures::draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view) {
+    Params params = shown.params;
+    params.view.shows = Shows::depth;
+    const Derived derived = derive(params, scene, {size_px, has_clip_control()});
+    FramePlan frame = plan(params, derived, pictures_by_gl(shown));
+    frame.shown_range = contrast_range(params, derived, scene);
+    return renderer_.draw(frame, scene, size_px, view);
+}
+
+Status ViewPictures::draw_after_pass(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px) {
+    static constexpr Shows buffers[] = {Shows::color, Shows::depth, Shows::stencil};
+    FramePlan frame = shown.inspected;
+    frame.shown_range = contrast_range(shown.params, shown.derived, scene);
+    frame.samples = 0;
+    for (std::size_t buffer = 0; buffer < after_pass_.size(); ++buffer) {
+        frame.shows = buffers[buffer];
+        if (Status done = renderer_.draw(frame, scene, size_px, after_pass_[buffer]); !done) return done;
+    }
+    return std::monostate{};
+}
+
+Status ViewPictures::draw_mirror_ways(const ShownFrame& shown, const Scene& scene) {
+    // Small enough to keep up with a light or a plane that is dragged.
+    constexpr int most_px = 480;
+    const double shrunk = std::min(1.0, static_cast<double>(most_px) / std::max(shown.camera_px.x, shown.camera_px.y));
+    const glm::ivec2 size_px = glm::max(glm::ivec2(glm::dvec2(shown.camera_px) * shrunk), 1);
+    Result<MirrorWays> ways = compare_mirror_ways(renderer_, shown.params, scene, size_px, &mirror_way_views_);
+    if (!ways) return Error{ways.error()};
+    mirror_ways_ = std::make_shared<const MirrorWays>(*ways);
+    return std::monostate{};
+}
+
+Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout) {
+    const Rect& rect = slot == Slot::left ? layout.lower_left : layout.lower_right;
+    if (rect.empty()) return std::monostate{};
+    const glm::ivec2 size = rect.size_px();
+    View& view = lower_[static_cast<std::size_t>(slot)];
+    const auto draw_outside = [&](const ObserverView& observer) {
+        return renderer_.draw(plan_observer(shown.params, shown.derived, observer), scene, size, view);
+    };
+    switch (topic_of(shown.params, slot)) {
+        case Topic::observer:
+            return draw_outside(derive_observer(shown.params.observer, {size}));
+        case Topic::moving_world:
+            return draw_outside(derive_moving_world(shown.params.observer, shown.derived, {size}));
+        case Topic::from_light:
+            return draw_outside(derive_light_view(shown.derived, {size}));
+        case Topic::depth:
+            return draw_depth(shown, scene, size, view);
+        case Topic::passes:
+            return draw_after_pass(shown, scene, pass_picture_size(rect, shown.derived.aspect));
+        case Topic::mirror_ways:
+            return draw_mirror_ways(shown, scene);
+        default:
+            return std::monostate{};  // drawn by the user interface alone
+    }
+}
+
+Status ViewPictures::draw(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
+    if (Status done = draw_camera(shown, scene, layout); !done) return done;
+    if (Status done = draw_beside(shown, scene, layout); !done) return done;
+    if (Status done = draw_lower(Slot::left, shown, scene, layout); !done) return done;
+    return draw_lower(Slot::right, shown, scene, layout);
+}
+
+Pictures ViewPictures::textures() const {
+    Pictures pictures;
+    pictures.camera = texture_id(camera_);
+    pictures.beside = texture_id(beside_);
+    pictures.lower = texture_ids(lower_);
+    pictures.passes = texture_ids(after_pass_);
+    pictures.mirror_ways = {texture_ids(mirror_way_views_), mirror_ways_};
+    return pictures;
+}
+
+}  // namespace viewing

@@ -1,0 +1,42 @@
+// The pictures in the window's views: each topic's, drawn into a view of its own.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "app/shown_frame.h"
+#include "render/renderer.h"
+#include "ui/views/views.h"
+
+namespace viewing {
+
+class ViewPictures {
+public:
+    explicit ViewPictures(Renderer& renderer) : renderer_(renderer) {}
+
+    /// What cannot be drawn keeps its last picture.
+    Status draw(const ShownFrame& shown, const Scene& scene, const Layout& layout);
+    /// The camera's view alone, or one of those below it: what can be done where the scene is slow to draw.
+    Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
+    Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
+
+    const View& camera() const { return camera_; }
+    /// As the user interface shows them; what was found for them is left empty.
+    Pictures textures() const;
+
+private:
+    Status draw_beside(const ShownFrame& shown, const Scene& scene, const Layout& layout);
+    Status draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view);
+    Status draw_after_pass(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px);
+    Status draw_mirror_ways(const ShownFrame& shown, const Scene& scene);
+    bool has_clip_control() const { return renderer_.capabilities().clip_control; }
+
+    Renderer& renderer_;
+    View camera_, beside_;
+    std::array<View, 2> lower_;  ///< of each Slot
+    std::array<View, mirror_way_count> mirror_way_views_;
+    std::shared_ptr<const MirrorWays> mirror_ways_;
+    std::array<View, 3> after_pass_;  ///< colour, depth and stencil
+};
+
+}  // namespace viewing

@@ -1,0 +1,24 @@
+// What the methods and their options are called in choices and sentences, each in the order of its enumeration.
+#pragma once
+
+#include "text/catalogue.h"
+
+namespace viewing {
+
+/// VisibilityMethod.
+inline constexpr const char* method_names[] = {marked("GL depth buffer"), marked("none"),     marked("painter"),
+                                               marked("Newell"),          marked("BSP tree"), marked("soft. z-buffer"),
+                                               marked("ray casting")};
+
+/// SortKey.
+inline constexpr const char* sort_key_names[] = {marked("nearest vertex"), marked("farthest vertex"),
+                                                 marked("centroid")};
+
+/// Splitter.
+inline constexpr const char* splitter_names[] = {marked("first"), marked("random"), marked("fewest splits"),
+                                                 marked("balanced")};
+
+/// BspWalkOrder.
+inline constexpr const char* walk_names[] = {marked("back to front"), marked("front to back")};
+
+}  // namespace viewing
