@@ -14,8 +14,8 @@ namespace viewing {
 struct Problem {
     std::string sentence;
     std::string_view group;
-    bool breaks_picture = false;      ///< by a switch: said over the picture, too
-    std::string_view mended_by = "";  ///< the setting that puts the switch right, as on the command line; "" if none
+    bool breaks_picture = false;  ///< by a switch: said over the picture, too
+    std::string mended_by = "";   ///< the setting that puts the switch right, as on the command line; "" if none
 };
 
 /// `frame` is the camera's: plan() of the same parameters and numbers.

@@ -20,10 +20,9 @@ public:
     void operator()(bool is_so, std::string sentence) {
         if (is_so) problems_.push_back({std::move(sentence), group_});
     }
-    /// A switch breaks the picture: why it looks as it does, and the setting that mends it, if it is one.
-    void broken(bool is_so, std::string sentence, std::string_view mended_by = "") {
-        if (is_so) problems_.push_back({std::move(sentence), group_, true, mended_by});
-    }
+    /// A switch breaks the picture: why it looks as it does, and the field whose default mends it, or, where that does
+    /// not, the setting that does; "" if it is not one.
+    void broken(bool is_so, std::string sentence, std::string_view mended_by = "");
 
 private:
     std::vector<Problem>& problems_;

@@ -22,6 +22,9 @@ std::string write_state(const Params& params);
 /// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string.
 Result<Params> apply_settings(Params params, std::span<const std::string> settings);
 
+/// The setting that gives a field its default: "depth.func" → "depth.func=less".
+std::string default_setting(std::string_view path);
+
 /// Reads a scene ({"objects": [...]}).
 Result<SceneDescription> parse_scene(std::string_view json, std::string_view source);
 

@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* opening = "opening";
 
-/// "title", "about" and "group" as far as the file can be read; loading it says what is wrong with it.
+/// Title, explanation, group and what mends it, as far as the file can be read; loading it says what is wrong with it.
 NamedFile named_file(const fs::path& path) {
-    NamedFile named{path.stem().string(), path.stem().string(), "", "", path};
+    NamedFile named{path.stem().string(), path.stem().string(), "", "", "", path};
     const Result<std::string> text = read_text_file(path);
     const Result<Json> document =
         text ? guarded([&] { return parse_document(*text, ""); }) : Result<Json>(Error{text.error()});
@@ -34,6 +34,7 @@ NamedFile named_file(const fs::path& path) {
         take("title", named.title);
         take("about", named.about);
         take("group", named.group);
+        take("mended_by", named.mended_by);
     }
     return named;
 }

@@ -17,6 +17,9 @@ struct NamedFile {
     std::string title;  ///< its "title" field, else the name
     std::string about;  ///< its "about" field, one sentence
     std::string group;  ///< its "group" field: the headline that it stands below in a list; "" for none
+    /// Its "mended_by" field, of a preset that breaks the picture: the setting that puts it right, as on the command
+    /// line.
+    std::string mended_by;
     std::filesystem::path path;
 };
 

@@ -323,7 +323,7 @@ void check_together(const Params& params, const std::string& prefix) {
 }
 
 void take_titles(Json& document, const Where& where) {
-    for (const char* key : {"title", "about", "group"}) {
+    for (const char* key : {"title", "about", "group", "mended_by"}) {
         if (!document.is_object() || !document.contains(key)) {
             continue;
         }

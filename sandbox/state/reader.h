@@ -58,7 +58,7 @@ Json params_as_document(Params params);
 /// Rules that tie fields together or are broken for a moment between two settings: near < far, a normal, a light.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Checks a file's optional "title", "about" and "group" and takes them out of the tree.
+/// Checks a file's optional "title", "about", "group" and "mended_by" and takes them out of the tree.
 void take_titles(Json& document, const Where& where);
 
 // ---- scenes (scene_reader.cpp) ------------------------------------------------------------------------------------

@@ -101,6 +101,12 @@ void apply(const std::string& setting, Params& params) {
 
 }  // namespace
 
+std::string default_setting(std::string_view path) {
+    Params defaults;
+    const Json value = field_as_json(field(path), defaults);
+    return std::string(path) + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+}
+
 Result<Params> apply_settings(Params params, std::span<const std::string> settings) {
     return guarded([&] {
         for (const std::string& setting : settings) {

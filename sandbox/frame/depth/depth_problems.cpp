@@ -10,27 +10,27 @@ void say_tests(Sayer& tell, const DepthParams& depth) {
         tell.broken(true,
                     tr("depth test off: whatever is drawn last wins, and no depth is written either, so the depth "
                        "buffer stays as it was cleared"),
-                    "depth.test=true");
+                    "depth.test");
         return;
     }
     tell.broken(
         depth.func == CompareFunc::always,
         tr("GL_ALWAYS: whatever is drawn last wins, as with the test off, but here depth is written all the same"),
-        "depth.func=less");
+        "depth.func");
     tell.broken(depth.func == CompareFunc::notequal,
                 tr("GL_NOTEQUAL: whatever is drawn last wins, unless it has the depth of what is there already"),
-                "depth.func=less");
-    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), "depth.func=less");
+                "depth.func");
+    tell.broken(depth.func == CompareFunc::never, tr("GL_NEVER: no fragment passes"), "depth.func");
     const bool clears_to_near = depth.mapping == DepthMapping::reversed && !depth.reversed_clear;
     const bool wants_farther = depth.func == CompareFunc::greater || depth.func == CompareFunc::gequal;
     tell.broken(wants_farther && !clears_to_near,
                 tr("only what is farther passes, and nothing is farther than what the buffer is cleared to"),
-                "depth.func=less");
+                "depth.func");
     tell.broken(depth.func == CompareFunc::equal,
-                tr("GL_EQUAL: only what has the very depth that is stored already passes"), "depth.func=less");
+                tr("GL_EQUAL: only what has the very depth that is stored already passes"), "depth.func");
     tell.broken(!depth.write,
                 tr("depth mask off: surfaces are tested but leave no depth, so they hide nothing that is drawn later"),
-                "depth.write=true");
+                "depth.write");
 }
 
 /// Whether surfaces are compared by being nearer, as they should be.
@@ -41,18 +41,18 @@ bool wants_nearer(const DepthParams& depth) {
 void say_clears(Sayer& tell, const DepthParams& depth) {
     if (!wants_nearer(depth)) return;
     tell.broken(!depth.clear, tr("depth is not cleared: the depths of the frame before go on hiding what is drawn now"),
-                "depth.clear=true");
+                "depth.clear");
     tell.broken(depth.clear && !depth.write_while_clearing,
                 tr("glClear obeys the depth mask: with the mask off it clears no depth, and the frame before goes on "
                    "hiding what is drawn now"),
-                "depth.write_while_clearing=true");
+                "depth.write_while_clearing");
 }
 
 void say_mappings(Sayer& tell, const DepthParams& depth, const Derived& derived) {
     tell.broken(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
                 tr("the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide "
                    "or show what they should not"),
-                "depth.logarithm_per_vertex=false");
+                "depth.logarithm_per_vertex");
     if (depth.mapping != DepthMapping::reversed) return;
     tell.broken(!derived.clip_zero_to_one,
                 depth.reversed_zero_to_one
@@ -63,11 +63,11 @@ void say_mappings(Sayer& tell, const DepthParams& depth, const Derived& derived)
     tell.broken(!depth.reversed_clear && wants_nearer(depth),
                 tr("reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and "
                    "nothing is drawn"),
-                "depth.reversed_clear=true");
+                "depth.reversed_clear");
     tell.broken(!depth.reversed_offset,
                 tr("with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it "
                    "should pull nearer"),
-                "depth.reversed_offset=true");
+                "depth.reversed_offset");
 }
 
 void say_decals(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
@@ -85,10 +85,10 @@ void say_decals(Sayer& tell, const Params& params, const Derived& derived, const
 void say_omissions(Sayer& tell, const Params& params) {
     tell.broken(params.view.call >= 0,
                 tr("the frame is drawn only as far as the step of the cell view: release it there, or undo"),
-                "view.call=-1");
+                "view.call");
     tell.broken(params.view.pass >= 0,
                 tr("the frame is drawn only as far as one of its passes: release it in the list of passes, or undo"),
-                "view.pass=-1");
+                "view.pass");
     const bool has_masks = params.shadow.enabled || params.reflection.enabled;
     tell.broken(params.depth.format == DepthFormat::d16 && params.view.samples > 0 && has_masks,
                 tr("16 bits have no stencil beside them: the masks of shadow and mirror have one value for each pixel, "

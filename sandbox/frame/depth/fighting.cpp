@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <mutex>
 
 #include "frame/hidden/scene_surface.h"
 
@@ -111,6 +113,48 @@ std::optional<FlatPair> pair_of(const Scene& scene, const FlatObject& first, con
                     .second_is_decal = is_decal(second.object)};
 }
 
+std::vector<FlatPair> found_pairs(const Scene& scene) {
+    const std::vector<FlatObject> flat = flat_objects(scene);
+    std::vector<FlatPair> pairs;
+    for (std::size_t first = 0; first < flat.size(); ++first)
+        for (std::size_t second = first + 1; second < flat.size(); ++second)
+            if (const auto pair = pair_of(scene, flat[first], flat[second])) pairs.push_back(*pair);
+    return pairs;
+}
+
+/// The pairs of the scene that was asked for last: every frame asks for the same one. Safe to use from several threads.
+class KeptPairs {
+public:
+    std::vector<FlatPair> of(const Scene& scene) {
+        const std::scoped_lock lock(mutex_);
+        const auto is_known = [](const Known& known, const SceneObject& object) { return known.is(object); };
+        if (!std::equal(known_.begin(), known_.end(), scene.objects.begin(), scene.objects.end(), is_known)) {
+            pairs_ = found_pairs(scene);
+            known_.clear();
+            for (const SceneObject& object : scene.objects)
+                known_.push_back({object.mesh, object.world_from_model, object.description.decal});
+        }
+        return pairs_;
+    }
+
+private:
+    /// What of an object its pairs depend on.
+    struct Known {
+        std::weak_ptr<const Mesh> mesh;
+        glm::dmat4 world_from_model;
+        bool is_decal;
+
+        bool is(const SceneObject& object) const {
+            return !mesh.owner_before(object.mesh) && !object.mesh.owner_before(mesh) &&
+                   world_from_model == object.world_from_model && is_decal == object.description.decal;
+        }
+    };
+
+    std::mutex mutex_;
+    std::vector<Known> known_;
+    std::vector<FlatPair> pairs_;
+};
+
 /// Whether every pass begins with the farthest depth, and nearer surfaces replace farther ones.
 bool goes_by_nearness(const DepthParams& depth) {
     const bool is_cleared =
@@ -190,12 +234,8 @@ double rounded_terms(const DepthCoding& coding, double z) {
 }  // namespace
 
 std::vector<FlatPair> near_coplanar_pairs(const Scene& scene) {
-    const std::vector<FlatObject> flat = flat_objects(scene);
-    std::vector<FlatPair> pairs;
-    for (std::size_t first = 0; first < flat.size(); ++first)
-        for (std::size_t second = first + 1; second < flat.size(); ++second)
-            if (const auto pair = pair_of(scene, flat[first], flat[second])) pairs.push_back(*pair);
-    return pairs;
+    static KeptPairs kept;
+    return kept.of(scene);
 }
 
 DepthCoding depth_coding(const Params& params, const Derived& derived) {

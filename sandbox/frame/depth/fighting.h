@@ -27,7 +27,7 @@ struct FlatPair {
     double gap() const { return std::abs(offset); }  ///< world units
 };
 
-/// Every such pair, in the order of the objects.
+/// Every such pair, in the order of the objects. Kept for the scene that was asked for last.
 std::vector<FlatPair> near_coplanar_pairs(const Scene& scene);
 
 /// How depth is computed and stored, as the parameters have it.

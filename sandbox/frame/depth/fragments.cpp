@@ -30,19 +30,17 @@ public:
         : plan_(plan), pass_(pass), pixel_(pixel), size_px_(size_px) {}
 
     /// `drawn`: how many of the mesh's triangles.
-    void mesh(int object, const Mesh& mesh, int drawn, const TriangleRuns& runs, const glm::dmat4& world_from_model,
+    void mesh(int object, const Mesh& mesh, int drawn, const BoxTree& triangles, const glm::dmat4& world_from_model,
               const DepthOffset& offset) {
         const PixelView view = view_of(world_from_model);
         const auto before = static_cast<std::ptrdiff_t>(found.size());
-        for (std::size_t run = 0; run < runs.boxes.size(); ++run) {
-            if (!view.may_meet(runs.boxes[run])) continue;
-            for (const std::size_t place : runs.run(run)) {
-                if (place >= static_cast<std::size_t>(drawn)) continue;
-                std::array<glm::dvec3, 3> corners;
-                for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.positions[mesh.indices[3 * place + k]];
-                triangle(object, place, view, corners, world_from_model, offset);
-            }
-        }
+        const auto meet = [&](std::uint32_t place) {
+            if (place >= static_cast<std::uint32_t>(drawn)) return;
+            std::array<glm::dvec3, 3> corners;
+            for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh.positions[mesh.indices[3 * std::size_t{place} + k]];
+            triangle(object, place, view, corners, world_from_model, offset);
+        };
+        triangles.each([&](const Bounds& box) { return view.may_meet(box); }, meet);
         std::sort(found.begin() + before, found.end(), [](const Met& a, const Met& b) { return a.place < b.place; });
     }
 
@@ -218,13 +216,12 @@ bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
 }
 
 FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
-    for (const SceneObject& object : scene_.objects)
-        if (!runs_.contains(object.mesh.get())) runs_.emplace(object.mesh.get(), runs_of(*object.mesh));
+    for (const SceneObject& object : scene_.objects) trees_.push_back(triangle_tree(object.mesh));
 }
 
 std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const {
     static const Mesh quad = quad_mesh();
-    static const TriangleRuns quad_runs = runs_of(quad);
+    static const BoxTree quad_tree = BoxTree::of_triangles(quad);
     std::vector<Batch> batches;
     std::set<std::size_t> patches;  // lit and in shadow they are drawn by two passes, of which one reaches a pixel
     int next_call = 0;
@@ -239,14 +236,14 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
         }
         if (!is_mask(pass) && !shows_surfaces(pass)) continue;
         Meeting meeting(plan, pass, pixel, size_px);
-        const auto meet = [&](int object, const Mesh& mesh, const TriangleRuns& runs,
+        const auto meet = [&](int object, const Mesh& mesh, const BoxTree& triangles,
                               const glm::dmat4& world_from_model, const DepthOffset& offset) {
             const int drawn = triangles_drawn(plan.limit, call++, static_cast<int>(mesh.triangle_count()));
-            meeting.mesh(object, mesh, drawn, runs, world_from_model, offset);
+            meeting.mesh(object, mesh, drawn, triangles, world_from_model, offset);
         };
         if (pass.subject == Subject::patch) {
             if (!is_mask(pass) && !patches.insert(pass.plane).second) continue;
-            meet(-1 - static_cast<int>(pass.plane), quad, quad_runs, plan.patches[pass.plane].world_from_patch(), {});
+            meet(-1 - static_cast<int>(pass.plane), quad, quad_tree, plan.patches[pass.plane].world_from_patch(), {});
         } else if (pass.subject == Subject::ordered) {
             meeting.ordered(plan.hidden.camera->triangles);
         } else {
@@ -254,8 +251,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
                 const SceneObject& object = scene_.objects[i];
                 if (!is_chosen(pass.chosen, object)) continue;
                 const DepthOffset own = object.description.decal ? plan.decal_offset : DepthOffset{};
-                meet(static_cast<int>(i), *object.mesh, runs_.at(object.mesh.get()), object.world_from_model,
-                     pass.offset.value_or(own));
+                meet(static_cast<int>(i), *object.mesh, *trees_[i], object.world_from_model, pass.offset.value_or(own));
             }
         }
         const auto only = only_one_sent(pass, meeting.found);

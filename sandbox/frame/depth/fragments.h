@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "frame/depth/triangle_runs.h"
+#include "frame/box_tree.h"
 #include "frame/plan.h"
 
 namespace viewing {
@@ -57,7 +57,7 @@ private:
     std::string name_of(int object) const;
 
     Scene scene_;
-    std::map<const Mesh*, TriangleRuns> runs_;
+    std::vector<std::shared_ptr<const BoxTree>> trees_;  ///< of each object's triangles
 };
 
 /// One pixel of a frame whose method draws the scene as it comes. A FragmentFinder is for asking often.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "frame/box_form.h"
+#include "frame/box_tree.h"
 #include "frame/depth/depth_precision.h"
 #include "text/catalogue.h"
 
@@ -54,6 +56,13 @@ public:
         for (const glm::dvec3& corner : polygon_) reach.add(-corner.z);
     }
 
+    /// The same sides for boxes of a model: negative outside.
+    std::vector<BoxForm> inwards(const glm::dmat4& view_from_model) const {
+        std::vector<BoxForm> forms;
+        for (const glm::dvec4& side : sides_) forms.emplace_back(side, view_from_model);
+        return forms;
+    }
+
 private:
     void cut(const glm::dvec4& side) {
         kept_.clear();
@@ -71,20 +80,41 @@ private:
     std::vector<glm::dvec3> polygon_, kept_;
 };
 
-/// Only triangles that would make it longer are cut.
-Reach reach_of(const Mesh& mesh, const glm::dmat4& view_from_model, View& view) {
-    std::vector<glm::dvec3> positions_view;
-    positions_view.reserve(mesh.positions.size());
-    for (const glm::vec3& position : mesh.positions)
-        positions_view.emplace_back(view_from_model * glm::dvec4(position, 1.0));
+/// Only triangles that would make it longer are cut: the nearest ones first, then the farthest.
+Reach reach_of(const SceneObject& object, const glm::dmat4& view_from_world, View& view) {
+    const Mesh& mesh = *object.mesh;
+    const glm::dmat4 view_from_model = view_from_world * object.world_from_model;
+    const BoxForm distance({0.0, 0.0, -1.0, 0.0}, view_from_model);
+    const std::vector<BoxForm> inwards = view.inwards(view_from_model);
+    constexpr double out_of_view = std::numeric_limits<double>::infinity();
+    const auto is_seen = [&](const Bounds& box) {
+        return !(distance.greatest(box) <= 0.0) &&
+               std::none_of(inwards.begin(), inwards.end(),
+                            [&](const BoxForm& side) { return side.greatest(box) < 0.0; });
+    };
+    const auto triangle_view = [&](std::uint32_t number) {
+        std::array<glm::dvec3, 3> corners;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            corners[corner] =
+                view_from_model * glm::dvec4(mesh.positions[mesh.indices[3 * std::size_t{number} + corner]], 1.0);
+        return corners;
+    };
     Reach reach;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec3 triangle[] = {positions_view[mesh.indices[i]], positions_view[mesh.indices[i + 1]],
-                                       positions_view[mesh.indices[i + 2]]};
-        const double nearest = -std::max({triangle[0].z, triangle[1].z, triangle[2].z});
-        const double farthest = -std::min({triangle[0].z, triangle[1].z, triangle[2].z});
-        if (farthest > 0.0 && (nearest < reach.nearest || farthest > reach.farthest)) view.add(triangle, reach);
-    }
+    const std::shared_ptr<const BoxTree> triangles = triangle_tree(object.mesh);
+    triangles->least_first([&](const Bounds& box) { return is_seen(box) ? distance.least(box) : out_of_view; },
+                           [&] { return reach.nearest; },
+                           [&](std::uint32_t number) {
+                               const std::array<glm::dvec3, 3> corners = triangle_view(number);
+                               const double nearest = -std::max({corners[0].z, corners[1].z, corners[2].z});
+                               if (nearest < reach.nearest) view.add(corners, reach);
+                           });
+    triangles->least_first([&](const Bounds& box) { return is_seen(box) ? -distance.greatest(box) : out_of_view; },
+                           [&] { return -reach.farthest; },
+                           [&](std::uint32_t number) {
+                               const std::array<glm::dvec3, 3> corners = triangle_view(number);
+                               const double farthest = -std::min({corners[0].z, corners[1].z, corners[2].z});
+                               if (farthest > reach.farthest) view.add(corners, reach);
+                           });
     return reach;
 }
 
@@ -152,8 +182,7 @@ std::vector<SeenThing> seen_things(const Params& params, const Derived& derived,
         if (!reach.empty()) seen.push_back({name, std::max(reach.nearest, 0.0), reach.farthest, is_plane});
     };
     for (const SceneObject& object : scene.objects)
-        take(object.description.name, reach_of(*object.mesh, derived.view_from_world * object.world_from_model, view),
-             false);
+        take(object.description.name, reach_of(object, derived.view_from_world, view), false);
     take(tr("the plane"), reach_of(derived.planes.front().patch, derived.view_from_world, view), true);
     return seen;
 }

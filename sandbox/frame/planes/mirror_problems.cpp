@@ -40,16 +40,16 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
     tell.broken(reflection.clip == MirrorClip::oblique && tests,
                 tr("the oblique near plane bends depth: its far plane turns with it, and the codes inside the image "
                    "are spent by its own planes"),
-                "reflection.clip=clip_distance");
+                "reflection.clip");
     tell.broken(reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
                     params.depth.mapping == DepthMapping::logarithmic,
                 tr("the logarithm per vertex replaces the z that the oblique near plane clips by: nothing is clipped"),
-                "reflection.clip=clip_distance");
+                "reflection.clip");
     tell.broken(!reflection.side_of_eye && std::any_of(mirrors.begin(), mirrors.end(),
                                                        [](const Mirror& mirror) { return mirror.eye_side < 0.0; }),
                 tr("the mirror is seen from behind, but what lies on the normal's side is mirrored: the eye sees the "
                    "image of what is behind the mirror"),
-                "reflection.side_of_eye=true");
+                "reflection.side_of_eye");
     if (reflection.clip != MirrorClip::none) return;
     for (const Mirror& mirror : mirrors) {
         const std::string across = objects_across(scene, mirror.towards_eye(), -standing);
@@ -58,14 +58,14 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
                                say("{objects} crosses the mirror's plane: the part behind it is mirrored, too, and its "
                                    "image sticks out of the mirror",
                                    "objects"_a = across),
-                               "reflection.clip=clip_distance");
+                               "reflection.clip");
         const std::string behind = objects_at_most(scene, mirror.towards_eye(), -standing);
         if (!behind.empty())
             return tell.broken(
                 true,
                 say("{objects} lies behind the mirror: its image, which is not clipped, appears in front of it",
                     "objects"_a = behind),
-                "reflection.clip=clip_distance");
+                "reflection.clip");
     }
 }
 
@@ -84,15 +84,15 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     tell.broken(
         !reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
         tr("R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge"),
-        "reflection.stencil=true");
+        "reflection.stencil");
     tell.broken(
         reflection.mask_writes_depth && reflection.stencil && tests && !reflection.after_objects,
         tr("the mask leaves the mirror's own depth behind: the image lies beyond it, fails the test and is hidden"),
-        "reflection.mask_writes_depth=false");
+        "reflection.mask_writes_depth");
     tell.broken(reflection.after_objects && is_drawn_by_gl_alone(params.visibility.method) &&
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 tr("the mirror is painted last and without a depth test: it covers what stands in front of it"),
-                "reflection.after_objects=false");
+                "reflection.after_objects");
 }
 
 /// What R, its winding and its camera make of the scene.
@@ -104,14 +104,14 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                            "faces are culled and it is seen inside out")
                       : tr("R turns counter-clockwise into clockwise (det R = −1): without the flip the image's front "
                            "faces count as back faces"),
-                "reflection.flip_winding=true");
+                "reflection.flip_winding");
     tell.broken(!reflection.reflect_light,
                 tr("the light is not mirrored with the scene: its image is lit from where the light is, not from where "
                    "the light's image is"),
-                "reflection.reflect_light=true");
+                "reflection.reflect_light");
     tell.broken(reflection.mirrored == MirroredThing::camera && !reflection.same_projection && derived.aspect != 1.0,
                 tr("the mirrored camera sees with the aspect of a square picture: the image does not fit its mirror"),
-                "reflection.same_projection=true");
+                "reflection.same_projection");
 
     const auto is_moved = [](const Mirror& mirror) {
         return mirror.distance_from_origin() > 1e-9 && !mirror.plane.mirror_by_hand;
@@ -119,7 +119,7 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
     tell.broken(reflection.printed_by_rows && std::any_of(mirrors.begin(), mirrors.end(), is_moved),
                 tr("R is filled by rows as printed, and OpenGL reads columns: Rᵀ has −2d n in its last row, where it "
                    "bends w instead of moving the image"),
-                "reflection.printed_by_rows=false");
+                "reflection.printed_by_rows");
 }
 
 /// How many mirrors a line of sight may meet between two of them that enclose an angle: none where it has no end.
@@ -174,7 +174,7 @@ void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derive
     };
     tell.broken(std::any_of(mirrors.begin(), mirrors.end(), shows_receiver),
                 tr("the mirror image is drawn without shadows: inside the mirror the objects seem to float"),
-                "reflection.shadows=true");
+                "reflection.shadows");
 }
 
 }  // namespace

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "frame/box_form.h"
+#include "frame/box_tree.h"
 
 namespace viewing {
 namespace {
@@ -14,11 +18,27 @@ double smallest_in_bounds(const Bounds& bounds, const glm::dvec4& form) {
     return smallest;
 }
 
-template <typename Predicate>
-bool any_vertex(const SceneObject& object, Predicate is_so) {
-    return std::any_of(object.mesh->positions.begin(), object.mesh->positions.end(), [&](const glm::vec3& vertex) {
-        return is_so(object.world_from_model * glm::dvec4(vertex, 1.0));
+/// Whether one of an object's vertices is so, in world space. Of the mesh only those boxes are looked into that
+/// `may_hold` one.
+template <typename MayHold, typename Predicate>
+bool any_vertex(const SceneObject& object, MayHold may_hold, Predicate is_so) {
+    return vertex_tree(object.mesh)->any(may_hold, [&](std::uint32_t vertex) {
+        return is_so(object.world_from_model * glm::dvec4(object.mesh->positions[vertex], 1.0));
     });
+}
+
+bool is_at_most(const SceneObject& object, const glm::dvec4& form, double limit) {
+    const BoxForm in_box(form, object.world_from_model);
+    return any_vertex(
+        object, [&](const Bounds& box) { return !(in_box.least(box) > limit); },
+        [&](const glm::dvec4& point) { return glm::dot(form, point) <= limit; });
+}
+
+bool is_above(const SceneObject& object, const glm::dvec4& form, double limit) {
+    const BoxForm in_box(form, object.world_from_model);
+    return any_vertex(
+        object, [&](const Bounds& box) { return !(in_box.greatest(box) <= limit); },
+        [&](const glm::dvec4& point) { return glm::dot(form, point) > limit; });
 }
 
 template <typename Predicate>
@@ -33,10 +53,36 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
+/// How far from its centre a patch ends: what lies on its edge is inside.
+double reach_of(const PlanePatch& patch) {
+    return patch.extent * (1.0 + 1e-9);
+}
+
 bool is_inside(const PlanePatch& patch, const glm::dvec3& point) {
     const glm::dvec3 offset = point - patch.center;
-    const double reach = patch.extent * (1.0 + 1e-9);
+    const double reach = reach_of(patch);
     return std::abs(glm::dot(offset, patch.u)) <= reach && std::abs(glm::dot(offset, patch.v)) <= reach;
+}
+
+/// Where a map sends a point with w > 0 inside a patch, these four forms are at least 0: the ways to its edges, times
+/// w.
+std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
+                                   const glm::dmat4& world_from_model) {
+    const glm::dmat4 rows = glm::transpose(plane_from_world);
+    const double reach = reach_of(patch);
+    std::vector<BoxForm> ways;
+    for (const glm::dvec3& axis : {patch.u, patch.v}) {
+        const glm::dvec4 along = axis.x * rows[0] + axis.y * rows[1] + axis.z * rows[2];
+        const glm::dvec4 along_summed = std::abs(axis.x) * glm::abs(rows[0]) + std::abs(axis.y) * glm::abs(rows[1]) +
+                                        std::abs(axis.z) * glm::abs(rows[2]);
+        const double to_center = glm::dot(axis, patch.center);
+        const glm::dvec4 offset = along - to_center * rows[3];
+        const glm::dvec4 summed =
+            along_summed + (glm::dot(glm::abs(axis), glm::abs(patch.center)) + reach) * glm::abs(rows[3]);
+        for (const double side : {-1.0, 1.0})
+            ways.emplace_back(reach * rows[3] - side * offset, world_from_model, 2.0 * summed);
+    }
+    return ways;
 }
 
 bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dvec4& side, const PlanePatch& patch,
@@ -46,24 +92,32 @@ bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dv
         return sent.w > 0.0 && glm::dot(side, point) >= -standing &&
                is_inside(patch, glm::dvec3(sent) / sent.w) == inside;
     };
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [&](const SceneObject& object) { return any_vertex(object, is_there); });
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
+        const BoxForm w(glm::transpose(plane_from_world)[3], object.world_from_model);
+        const BoxForm before(side, object.world_from_model);
+        const std::vector<BoxForm> ways = ways_to_edges(plane_from_world, patch, object.world_from_model);
+        const auto may_hold = [&](const Bounds& box) {
+            if (w.greatest(box) <= 0.0 || before.greatest(box) < -standing) return false;
+            if (inside)
+                return std::none_of(ways.begin(), ways.end(),
+                                    [&](const BoxForm& way) { return way.greatest(box) < 0.0; });
+            return !std::all_of(ways.begin(), ways.end(), [&](const BoxForm& way) { return way.least(box) >= 0.0; });
+        };
+        return any_vertex(object, may_hold, is_there);
+    });
 }
 
 }  // namespace
 
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit) {
     if (is_clear_of(scene, form, limit)) return "";
-    return names_of(scene, [&](const SceneObject& object) {
-        return any_vertex(object, [&](const glm::dvec4& point) { return glm::dot(form, point) <= limit; });
-    });
+    return names_of(scene, [&](const SceneObject& object) { return is_at_most(object, form, limit); });
 }
 
 std::string objects_across(const Scene& scene, const glm::dvec4& form, double limit) {
     if (is_clear_of(scene, form, limit)) return "";
     return names_of(scene, [&](const SceneObject& object) {
-        return any_vertex(object, [&](const glm::dvec4& point) { return glm::dot(form, point) <= limit; }) &&
-               any_vertex(object, [&](const glm::dvec4& point) { return glm::dot(form, point) > limit; });
+        return is_at_most(object, form, limit) && is_above(object, form, limit);
     });
 }
 

@@ -12,7 +12,7 @@ namespace viewing {
 inline constexpr double standing = 1e-4;
 
 /// Names ("box, ball") of the objects with a vertex p for which form · (p, 1) ≤ limit. Quick where the scene's bounds
-/// tell that there is none.
+/// tell that there is none, and with large meshes by their BoxTree.
 std::string objects_at_most(const Scene& scene, const glm::dvec4& form, double limit);
 
 /// Names of those among them that have another vertex for which it is above `limit`.

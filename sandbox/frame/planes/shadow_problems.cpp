@@ -48,12 +48,12 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
                                      say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
                                          "throws an anti-shadow",
                                          "objects"_a = beyond),
-                                     "shadow.sign=plane_dot_light")
+                                     "shadow.sign")
                        : tell.broken(true,
                                      say("w ≤ 0 for what of {objects} is beyond the light: its sign is forced, so it "
                                          "throws an anti-shadow, and what crosses w = 0 stretches to infinity",
                                          "objects"_a = beyond),
-                                     "shadow.clip_at_light=true");
+                                     "shadow.clip_at_light");
     else if (!across.empty())
         tell(true, say("{objects} crosses the plane through the light, where w = 0: its shadow reaches to infinity, "
                        "and GL alone cuts off what lies beyond (w ≤ 0)",
@@ -71,7 +71,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
     tell.broken(
         vanishes,
         tr("S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every shadow"),
-        "shadow.sign=plane_dot_light");
+        "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);
         if (names.empty()) continue;
@@ -79,7 +79,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                     say("behind the plane w is positive, too: what is there of {objects} is not clipped, and throws a "
                         "false shadow",
                         "objects"_a = names),
-                    "shadow.clip_casters=true");
+                    "shadow.clip_casters");
         break;
     }
     if (vanishes) return;
@@ -102,12 +102,12 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived) {
             true,
             tr("nothing lifts the shadow off the plane it lies in: the two have the same depth but for rounding, and "
                "fight"),
-            shadow.offset == ShadowOffset::none ? "shadow.offset=polygon_offset" : "shadow.offset=no_depth_test");
+            shadow.offset == ShadowOffset::none ? "shadow.offset" : "shadow.offset=no_depth_test");
     tell.broken(by_polygon && factor >= 0.0 && units >= 0.0,
                 tr("the polygon offset pushes the shadow away from the eye: the plane hides it"));
     tell.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
                 tr("the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
-                "shadow.write_depth=false");
+                "shadow.write_depth");
     // The slope's part is about one pixel of the plane for each 1, the constant one a step of depth.
     const bool pulls = factor < -8.0 || units * derived.facts.depth_step_at_target < -0.1;
     tell.broken(by_polygon && pulls, tr("the polygon offset is too large: the shadow is pulled before objects that "
@@ -115,7 +115,7 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived) {
     tell.broken(by_lift,
                 say("the shadow floats {height} above the plane: at a grazing view it slides away from its caster",
                     "height"_a = figures(shadow.lift, 3)),
-                "shadow.offset=polygon_offset");
+                "shadow.offset");
 }
 
 /// What paint cannot do that missing light does.
@@ -123,7 +123,7 @@ void say_paint(Sayer& tell, const ShadowParams& shadow, const std::vector<Thrown
     tell.broken(!shadow.stencil_once && shadow.opacity > 0.0 && shadow.opacity < 1.0,
                 tr("each face of each caster is blended where it falls, one over the other: without the stencil's "
                    "count, shadow darkens shadow"),
-                "shadow.stencil_once=true");
+                "shadow.stencil_once");
     const bool has_gloss = std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.plane.gloss; });
     tell.broken(
         has_gloss && shadow.opacity > 0.0,
@@ -152,7 +152,7 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
         tell.broken(beyond_edge,
                     tr("S knows the whole plane, not its patch: without the stencil the shadow goes on beyond the "
                        "floor's edge, in the air"),
-                    "shadow.clip_to_receiver=true");
+                    "shadow.clip_to_receiver");
         say_paint(tell, shadow, thrown);
         say_offset(tell, params, derived);
     }
@@ -160,7 +160,7 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
     tell.broken(shares,
                 tr("planes and lights share one stencil value: where one shadow was counted the next one is missing, "
                    "and shadows leak from plane to plane"),
-                "shadow.own_stencil=true");
+                "shadow.own_stencil");
 }
 
 }  // namespace viewing

@@ -165,7 +165,7 @@ void tell_why(Session& session, const Problem& problem, const Rect& rect) {
     draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
     if (!has_button) return;
     ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
-    const std::string setting(problem.mended_by);
+    const std::string& setting = problem.mended_by;
     if (widgets::SmallButton("mend"))
         if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
             session.params = *mended;

@@ -132,6 +132,7 @@ inline const std::vector<Member<FramePlan>>& plan_members() {
         member("heat", &FramePlan::heat),
         member("caster_w", &FramePlan::caster_w),
         member("caster_side", &FramePlan::caster_side),
+        member("reflection_depth", &FramePlan::reflection_depth),
     };
     return members;
 }

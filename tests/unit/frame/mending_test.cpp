@@ -9,6 +9,7 @@ namespace viewing {
 namespace {
 
 using testing::problems_of;
+using testing::says;
 
 const Viewport viewport{{480, 270}};
 
@@ -35,6 +36,40 @@ TEST(Mending, TakesTheProblemOfEachPresetAway) {
         }
     }
     EXPECT_GT(mended, 30);
+}
+
+TEST(Mending, IsOfferedAsThePresetSaysIt) {
+    int agreeing = 0;
+    for (const NamedFile& preset : presets()) {
+        if (preset.mended_by.empty()) continue;
+        SCOPED_TRACE(preset.name);
+        const Result<LoadedState> state = load_state(preset.name);
+        ASSERT_TRUE(state) << state.error();
+        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        const Result<Params> right = apply_settings(state->params, std::vector<std::string>{preset.mended_by});
+        ASSERT_TRUE(right) << right.error();
+        const std::vector<Problem> left = problems_of(*right, *scene, viewport);
+        int gone = 0;
+        std::vector<std::string> offered;
+        for (const Problem& problem : problems_of(state->params, *scene, viewport)) {
+            if (!problem.breaks_picture || says(left, problem.group, problem.sentence)) continue;
+            ++gone;
+            if (!problem.mended_by.empty()) offered.push_back(problem.mended_by);
+        }
+        EXPECT_GT(gone, 0) << "nothing says why the picture is broken";
+        if (offered.empty()) continue;
+        EXPECT_EQ(std::count(offered.begin(), offered.end(), preset.mended_by), 1)
+            << preset.mended_by << " is not offered, but " << offered.front();
+        ++agreeing;
+    }
+    EXPECT_GT(agreeing, 20);
+}
+
+TEST(Mending, PutsAFieldBackToItsDefault) {
+    EXPECT_EQ(default_setting("depth.func"), "depth.func=less");
+    EXPECT_EQ(default_setting("shadow.stencil_once"), "shadow.stencil_once=true");
+    EXPECT_EQ(default_setting("view.pass"), "view.pass=-1");
 }
 
 }  // namespace

@@ -207,7 +207,8 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"shadow.write_depth=true"}, {"Shadow.depth"}},
         {{"shadow.own_stencil=false"}, {}},
         {{"plane.gloss=true"}, {"Mirror mask.has_gloss", "Patch.has_gloss"}},
-        {{"reflection.bounces=5", "reflection.shadows=false", "reflection.same_projection=false"}, {}},
+        {{"reflection.bounces=5"}, {"frame.reflection_depth"}},
+        {{"reflection.shadows=false", "reflection.same_projection=false"}, {}},
         {{"reflection.mirrored=camera"},
          {"Mirror image.clip_from_world", "Mirror image.view_from_world", "Mirror image.world_from_scene",
           "Mirror image.eye_world", "Mirror image.lights_world", "Mirror image.sky_world", "Mirror image.matrices"}},
@@ -296,6 +297,7 @@ FramePlan other_plan() {
     other.decal_offset = {1.0, 1.0};
     other.object_marks = {3};
     other.limit.pass = 0;
+    other.reflection_depth = 1;
     other.heat = HeatMap{};
     other.caster_w = other.caster_side = glm::dvec4(1.0);
     return other;

@@ -1,0 +1,101 @@
+// Sorting by the bits of x, y and z in turn puts what is near in space near in the list. Source: Morton 1966.
+#include "frame/box_tree.h"
+
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace viewing {
+namespace {
+
+constexpr int bits = 10;  ///< of each coordinate
+
+/// The place of a point along the curve through the bounds; what is not finite is at the beginning.
+std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
+    const glm::dvec3 share = (point - bounds.min) / bounds.size();  // not a number where there is no extent
+    std::uint64_t place = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        constexpr double cells = 1 << bits;
+        const auto cell =
+            static_cast<std::uint64_t>(share[axis] > 0.0 ? std::min(share[axis] * cells, cells - 1.0) : 0.0);
+        for (int bit = 0; bit < bits; ++bit) place |= (cell >> bit & 1U) << (3 * bit + axis);
+    }
+    return place;
+}
+
+/// Trees of meshes, each as long as its mesh lives.
+class KeptTrees {
+public:
+    template <typename Make>
+    std::shared_ptr<const BoxTree> of(const std::shared_ptr<const Mesh>& mesh, Make make) {
+        const std::scoped_lock lock(mutex_);
+        if (const auto found = trees_.find(mesh); found != trees_.end()) return found->second;
+        for (auto tree = trees_.begin(); tree != trees_.end();)
+            tree = tree->first.expired() ? trees_.erase(tree) : std::next(tree);
+        return trees_[mesh] = std::make_shared<const BoxTree>(make(*mesh));
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<std::weak_ptr<const Mesh>, std::shared_ptr<const BoxTree>, std::owner_less<>> trees_;
+};
+
+}  // namespace
+
+template <typename BoundsOf>
+BoxTree BoxTree::made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item) {
+    std::vector<std::uint64_t> sorted(count);  // place on the curve, then number
+    for (std::size_t i = 0; i < count; ++i) sorted[i] = place_on_curve(bounds_of_item(i).center(), whole) << 32U | i;
+    std::sort(sorted.begin(), sorted.end());
+
+    BoxTree tree;
+    if (count == 0) return tree;
+    tree.items_.reserve(count);
+    std::vector<Bounds> boxes((count + run_length - 1) / run_length);
+    for (const std::uint64_t entry : sorted) {
+        const auto item = static_cast<std::uint32_t>(entry);
+        const Bounds bounds = bounds_of_item(item);
+        Bounds& box = boxes[tree.items_.size() / run_length];
+        box.add(bounds.min);
+        box.add(bounds.max);
+        tree.items_.push_back(item);
+    }
+    while (boxes.size() > 1) {
+        std::vector<Bounds> larger((boxes.size() + fan - 1) / fan);
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            larger[i / fan].add(boxes[i].min);
+            larger[i / fan].add(boxes[i].max);
+        }
+        tree.levels_.push_back(std::exchange(boxes, std::move(larger)));
+    }
+    tree.levels_.push_back(std::move(boxes));
+    return tree;
+}
+
+BoxTree BoxTree::of_vertices(const Mesh& mesh) {
+    return made(mesh.positions.size(), bounds_of(mesh), [&](std::size_t vertex) {
+        const glm::dvec3 position(mesh.positions[vertex]);
+        return Bounds{position, position};
+    });
+}
+
+BoxTree BoxTree::of_triangles(const Mesh& mesh) {
+    return made(mesh.triangle_count(), bounds_of(mesh), [&](std::size_t triangle) {
+        Bounds bounds;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            bounds.add(mesh.positions[mesh.indices[3 * triangle + corner]]);
+        return bounds;
+    });
+}
+
+std::shared_ptr<const BoxTree> vertex_tree(const std::shared_ptr<const Mesh>& mesh) {
+    static KeptTrees kept;
+    return kept.of(mesh, BoxTree::of_vertices);
+}
+
+std::shared_ptr<const BoxTree> triangle_tree(const std::shared_ptr<const Mesh>& mesh) {
+    static KeptTrees kept;
+    return kept.of(mesh, BoxTree::of_triangles);
+}
+
+}  // namespace viewing

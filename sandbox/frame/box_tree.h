@@ -1,0 +1,101 @@
+// A mesh's vertices or triangles in runs of neighbours with a box around each, eight of these in a larger box, and so
+// on up to the whole: a question about a large mesh passes over most of it. Found once for a mesh and kept as long as
+// it. Read planes/object_reach.h next, which asks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <queue>
+#include <vector>
+
+#include "geometry/mesh.h"
+
+namespace viewing {
+
+class BoxTree {
+public:
+    /// Of vertices, by their number; all boxes are in model space.
+    static BoxTree of_vertices(const Mesh& mesh);
+    /// Of triangles, by their number.
+    static BoxTree of_triangles(const Mesh& mesh);
+
+    /// Whether is_so(item) for an item in boxes for which may_hold(box); every such item is asked until one says so.
+    template <typename MayHold, typename IsSo>
+    bool any(MayHold may_hold, IsSo is_so) const {
+        return !levels_.empty() && any_below(levels_.size() - 1, 0, may_hold, is_so);
+    }
+
+    /// Visits every item in boxes for which may_hold(box).
+    template <typename MayHold, typename Visit>
+    void each(MayHold may_hold, Visit visit) const {
+        any(may_hold, [&](std::uint32_t item) {
+            visit(item);
+            return false;
+        });
+    }
+
+    /// Visits items, those in boxes with the least `key` first. Boxes with a key of at least limit() are passed over:
+    /// visits lower it.
+    template <typename Key, typename Limit, typename Visit>
+    void least_first(Key key, Limit limit, Visit visit) const;
+
+private:
+    static constexpr std::size_t run_length = 16, fan = 8;
+
+    template <typename BoundsOf>
+    static BoxTree made(std::size_t count, const Bounds& whole, BoundsOf bounds_of_item);
+
+    /// Of a box, the boxes below it; on level 0, the items of a run.
+    template <typename Each>
+    void each_below(std::size_t level, std::size_t index, Each each) const {
+        const std::size_t length = level == 0 ? run_length : fan;
+        const std::size_t count = level == 0 ? items_.size() : levels_[level - 1].size();
+        for (std::size_t i = index * length; i < std::min((index + 1) * length, count); ++i) each(i);
+    }
+
+    template <typename MayHold, typename IsSo>
+    bool any_below(std::size_t level, std::size_t index, MayHold& may_hold, IsSo& is_so) const {
+        if (!may_hold(levels_[level][index])) return false;
+        bool found = false;
+        each_below(level, index, [&](std::size_t i) {
+            if (!found) found = level == 0 ? is_so(items_[i]) : any_below(level - 1, i, may_hold, is_so);
+        });
+        return found;
+    }
+
+    std::vector<std::uint32_t> items_;         ///< each once, along a space-filling curve
+    std::vector<std::vector<Bounds>> levels_;  ///< of the runs; of `fan` of these; … the last one has one box
+};
+
+template <typename Key, typename Limit, typename Visit>
+void BoxTree::least_first(Key key, Limit limit, Visit visit) const {
+    struct Waiting {
+        double key;
+        std::size_t level, index;
+        bool operator<(const Waiting& other) const { return key > other.key; }
+    };
+    std::priority_queue<Waiting> waiting;
+    const auto add = [&](std::size_t level, std::size_t index) {
+        if (const double found = key(levels_[level][index]); found < limit()) waiting.push({found, level, index});
+    };
+    if (!levels_.empty()) add(levels_.size() - 1, 0);
+    while (!waiting.empty()) {
+        const Waiting next = waiting.top();
+        if (next.key >= limit()) return;
+        waiting.pop();
+        each_below(next.level, next.index, [&](std::size_t i) {
+            if (next.level == 0)
+                visit(items_[i]);
+            else
+                add(next.level - 1, i);
+        });
+    }
+}
+
+/// Those of a mesh, found when they are asked for first. Safe to call from several threads.
+std::shared_ptr<const BoxTree> vertex_tree(const std::shared_ptr<const Mesh>& mesh);
+std::shared_ptr<const BoxTree> triangle_tree(const std::shared_ptr<const Mesh>& mesh);
+
+}  // namespace viewing

@@ -1,0 +1,98 @@
+// What a frame costs our own code with a mesh of a million triangles, on top of what it costs with nothing in the
+// scene: numbers, plan, problems and what the views beside the picture ask of the scene, while the camera or the light
+// moves. Reports, never fails.
+#include <benchmark/benchmark.h>
+
+#include "frame/depth/near_advice.h"
+#include "frame/problems.h"
+#include "geometry/shapes.h"
+#include "state/json.h"
+
+namespace viewing {
+namespace {
+
+enum class Moving { camera, light };
+
+constexpr int around_a_million = 1000, up_a_million = 501;  ///< of a ball
+constexpr Viewport viewport{{1280, 720}, true};
+
+/// A ball on a slope: near enough to the plane that the scene's box does not tell on which side of it all of it lies.
+Scene scene_of(int around, int up) {
+    Scene scene;
+    if (around == 0) return scene;
+    SceneObject ball{{.name = "ball", .position = {0.0, 1.0, 0.0}},
+                     std::make_shared<const Mesh>(sphere_mesh(around, up)),
+                     world_from_model({0.0, 1.0, 0.0}, {}, glm::dvec3(1.0))};
+    for (const glm::vec3& position : ball.mesh->positions)
+        scene.bounds_world.add(glm::dvec3(ball.world_from_model * glm::dvec4(position, 1.0)));
+    scene.objects.push_back(std::move(ball));
+    return scene;
+}
+
+/// Every switch whose sentence depends on where the objects are.
+Params busy_params() {
+    const std::vector<std::string> settings{
+        "plane.equation=[1,1,1,0.866]", "light.position=[1.1,2.6,0.9,1]", "shadow.clip_casters=false",
+        "reflection.clip=none",         "shadow.clip_to_receiver=false",  "reflection.stencil=false",
+        "shadow.clip_at_light=false",   "reflection.after_objects=true",  "plane.extent=6",
+    };
+    return *apply_settings(Params{}, settings);
+}
+
+void step(Params& params, Moving moving, int at) {
+    const double by = at % 2 == 0 ? 0.02 : -0.02;
+    if (moving == Moving::camera)
+        params.camera.position.x += by;
+    else
+        params.lights.front().position.x += by;
+}
+
+void think(const Params& params, const Scene& scene) {
+    const Derived derived = derive(params, scene, viewport);
+    const FramePlan made = plan(params, derived);
+    benchmark::DoNotOptimize(contrast_range(params, derived, scene));
+    benchmark::DoNotOptimize(find_problems(params, derived, scene, made));
+}
+
+/// What the precision view asks besides.
+void advise(const Params& params, const Scene& scene) {
+    benchmark::DoNotOptimize(near_advice(params, derive(params, scene, viewport), scene));
+}
+
+/// Frames after the first one, which finds what is kept of the scene.
+void frame(benchmark::State& state, void (*ask)(const Params&, const Scene&), Moving moving, int around, int up) {
+    const Scene scene = scene_of(around, up);
+    Params params = busy_params();
+    ask(params, scene);
+    int at = 0;
+    for (auto _ : state) {
+        step(params, moving, at++);
+        ask(params, scene);
+    }
+}
+
+void first_frame(benchmark::State& state, void (*ask)(const Params&, const Scene&)) {
+    const Params params = busy_params();
+    for (auto _ : state) {
+        state.PauseTiming();
+        const Scene scene = scene_of(around_a_million, up_a_million);
+        state.ResumeTiming();
+        ask(params, scene);
+    }
+}
+
+#define FOR_BOTH(ask, moving)                                                                                 \
+    BENCHMARK_CAPTURE(frame, ask##_empty_##moving, ask, Moving::moving, 0, 0)->Unit(benchmark::kMicrosecond); \
+    BENCHMARK_CAPTURE(frame, ask##_million_##moving, ask, Moving::moving, around_a_million, up_a_million)     \
+        ->Unit(benchmark::kMicrosecond)
+FOR_BOTH(think, camera);
+FOR_BOTH(think, light);
+FOR_BOTH(advise, camera);
+FOR_BOTH(advise, light);
+BENCHMARK_CAPTURE(first_frame, think, think)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(first_frame, advise, advise)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace viewing
+
+BENCHMARK_MAIN();
