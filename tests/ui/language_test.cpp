@@ -152,9 +152,7 @@ const std::set<std::string> unfinished_places{"views/tree view",
                                               "views/pixel view",
                                               "views/cell view",
                                               "views",
-                                              "panel",
-                                              "matrices",
-                                              "top"};
+                                              "panel"};
 
 /// "views/tree view" of "views/tree view_459984C7/…".
 std::string place_of(const std::string& window) {
