@@ -1,15 +1,27 @@
 # Puts files into the program, so that it needs neither the source tree nor installed fonts when it runs.
 # The assembler's .incbin copies them as they are: no generated source of millions of numbers, and a changed
-# file costs one assembler run.
+# file costs one assembler run. Where there is no assembler for ELF (a browser's compiler) they become C++ arrays.
+set(default_embed array)
+if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF" AND NOT EMSCRIPTEN)
+    set(default_embed incbin)
+endif()
+set(VIEWING_EMBED ${default_embed} CACHE STRING "How files are put into the program: incbin or array")
+set_property(CACHE VIEWING_EMBED PROPERTY STRINGS incbin array)
 
-# embed_files(TARGET HEADER ACCESSOR [TEXT] FILES…)
+# embed_files(TARGET HEADER ACCESSOR [TEXT] [WAY incbin|array] FILES…)
 # Makes the static library TARGET. Its header, included as HEADER, declares
 #     std::string_view           viewing::ACCESSOR(std::string_view file_name);   with TEXT
 #     std::span<const std::byte> viewing::ACCESSOR(std::string_view file_name);   without
 # which give a file's bytes by its name without folders, and nothing for an unknown name.
 function(embed_files target header accessor)
-    cmake_parse_arguments(EMBED "TEXT" "" "" ${ARGN})
+    cmake_parse_arguments(EMBED "TEXT" "WAY" "" ${ARGN})
     set(files ${EMBED_UNPARSED_ARGUMENTS})
+    if(NOT EMBED_WAY)
+        set(EMBED_WAY ${VIEWING_EMBED})
+    endif()
+    if(NOT EMBED_WAY MATCHES "^(incbin|array)$")
+        message(FATAL_ERROR "VIEWING_EMBED is \"${EMBED_WAY}\"; it can be incbin or array")
+    endif()
     if(EMBED_TEXT)
         set(view "std::string_view")
         set(element "char")
@@ -27,19 +39,28 @@ function(embed_files target header accessor)
     foreach(file IN LISTS files)
         cmake_path(GET file FILENAME name)
         set(symbol "${accessor}_${index}")
-        string(APPEND assembly
-            "    .balign 16\n    .global ${symbol}\n${symbol}:\n    .incbin \"${file}\"\n${symbol}_end:\n"
-            "    .byte 0\n    .balign 8\n    .global ${symbol}_size\n${symbol}_size:\n    .8byte ${symbol}_end - ${symbol}\n")
-        string(APPEND symbols
-            "extern const ${element} ${symbol}[];\nextern const std::uint64_t ${symbol}_size;\n")
+        if(EMBED_WAY STREQUAL "incbin")
+            string(APPEND assembly
+                "    .balign 16\n    .global ${symbol}\n${symbol}:\n    .incbin \"${file}\"\n${symbol}_end:\n"
+                "    .byte 0\n    .balign 8\n    .global ${symbol}_size\n${symbol}_size:\n    .8byte ${symbol}_end - ${symbol}\n")
+            string(APPEND symbols
+                "extern const unsigned char ${symbol}[];\nextern const std::uint64_t ${symbol}_size;\n")
+        else()
+            file(READ ${file} bytes HEX)
+            string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+            string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes
+                                 "${bytes}")
+            string(APPEND symbols
+                "const unsigned char ${symbol}[] = {\n${bytes}0};\nconst std::uint64_t ${symbol}_size = sizeof ${symbol} - 1;\n")
+            set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+        endif()
         string(APPEND branches
-            "    if (file_name == \"${name}\") return {${symbol}, static_cast<std::size_t>(${symbol}_size)};\n")
+            "    if (file_name == \"${name}\")\n        return {reinterpret_cast<const ${element}*>(${symbol}), static_cast<std::size_t>(${symbol}_size)};\n")
         math(EXPR index "${index} + 1")
     endforeach()
     string(APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
 
     set(folder ${PROJECT_BINARY_DIR}/generated)
-    file(CONFIGURE OUTPUT ${folder}/${target}.S CONTENT "@assembly@" @ONLY)
     file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT
 "// Made by sandbox/embed.cmake. The files that are part of the program, by name.
 #pragma once
@@ -59,9 +80,7 @@ namespace viewing {
 #include <cstddef>
 #include <cstdint>
 
-extern \"C\" {
-@symbols@}
-
+@symbols@
 namespace viewing {
 
 @view@ @accessor@([[maybe_unused]] std::string_view file_name) {
@@ -70,8 +89,12 @@ namespace viewing {
 
 }  // namespace viewing
 ")
-    set_source_files_properties(${folder}/${target}.S PROPERTIES OBJECT_DEPENDS "${files}")
-    add_library(${target} STATIC ${folder}/${target}.S ${folder}/${target}.cpp)
+    add_library(${target} STATIC ${folder}/${target}.cpp)
+    if(EMBED_WAY STREQUAL "incbin")
+        file(CONFIGURE OUTPUT ${folder}/${target}.S CONTENT "@assembly@" @ONLY)
+        set_source_files_properties(${folder}/${target}.S PROPERTIES OBJECT_DEPENDS "${files}")
+        target_sources(${target} PRIVATE ${folder}/${target}.S)
+    endif()
     target_include_directories(${target} PUBLIC ${folder})
 endfunction()
 

@@ -8,12 +8,12 @@ namespace widgets::inner {
 
 std::string Figures(double value) {
     if (value == 0.0) return "0";
-    if (!std::isfinite(value)) return NumberText(value, 0);
+    if (!std::isfinite(value)) return viewing::number_text(value, 0);
     // Rounded first: 9.999 has the decimals of 10.0.
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
     if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
-    if (exponent >= -4 && exponent < 6) return NumberText(value, std::max(2 - exponent, 0));
-    const std::string mantissa = NumberText(value / std::pow(10.0, exponent), 2);
+    if (exponent >= -4 && exponent < 6) return viewing::number_text(value, std::max(2 - exponent, 0));
+    const std::string mantissa = viewing::number_text(value / std::pow(10.0, exponent), 2);
     return mantissa + "·10" + viewing::raised_text(exponent);
 }
 

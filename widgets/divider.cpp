@@ -71,7 +71,7 @@ bool Divider(const char* id, ImVec2 min, ImVec2 max, float& share, const Divider
     const inner::DragLineUse use =
         inner::UseLine({.id = "divider",
                         .x = min.x + edited * width,
-                        .text = NumberText(edited, 2),
+                        .text = viewing::number_text(edited, 2),
                         .tip_title = "Divider",
                         .tip = "Drag to see more of one picture; Alt for finer steps, right-click resets it."},
                        min.y, max.y);

@@ -2,7 +2,6 @@
 // lie close only every so-manieth has a number; where there are few, 2 and 5 have one, too.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "widgets/chart_inner.h"
@@ -55,15 +54,8 @@ struct Tick {
 };
 
 std::string TickLabel(int digit, int decade) {
-    char text[32];
-    if (decade >= 0 && decade <= 3) {
-        std::snprintf(text, sizeof text, "%d", digit * static_cast<int>(std::round(std::pow(10.0, decade))));
-        return text;
-    }
-    if (decade < 0 && decade >= -2) {
-        std::snprintf(text, sizeof text, "%.*f", -decade, digit * std::pow(10.0, decade));
-        return text;
-    }
+    if (decade >= -2 && decade <= 3)
+        return viewing::plain_decimals(digit * std::pow(10.0, decade), std::max(-decade, 0));
     const std::string power = "10" + viewing::raised_text(decade);
     return digit == 1 ? power : std::to_string(digit) + "·" + power;
 }

@@ -2,7 +2,7 @@
 // nodes lie in the view than anybody could see, only every so-manieth of each level is drawn.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <string>
 
 #include "widgets/inner.h"
 #include "widgets/tree_inner.h"
@@ -202,9 +202,7 @@ private:
     void DrawMark(int node, ImVec2 center) {
         if (At(node).mark < 0) return;
         Face face = FaceOf(CurrentContext().fonts.small_number);
-        char text[16];
-        const int length = std::snprintf(text, sizeof text, "%d", At(node).mark);
-        const std::string_view digits(text, static_cast<std::size_t>(length));
+        const std::string digits = std::to_string(At(node).mark);
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
         const float share = std::min(0.9F, room / face.Measure(digits).x);
         face.size = std::max(std::floor(face.size * share), Px(8));

@@ -128,11 +128,6 @@ std::string LabelText(const char* label);
 
 // ---- text ------------------------------------------------------------------------------------------
 
-/// viewing::number_text by its old name, until the last call is gone.
-inline std::string NumberText(double value, int decimals) {
-    return viewing::number_text(value, decimals);
-}
-
 /// What a person may type for a number: "1e-3", "−2" with either minus, a decimal comma, blanks around it, the unit
 /// behind it, or what number_text wrote. Empty when it is not one finite number.
 std::optional<double> ParseNumber(std::string_view text, std::string_view unit = {});

@@ -186,7 +186,7 @@ TEST_F(HiddenViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
         double nearest = 1e300;
         for (const glm::dvec3& vertex : polygon.vertices)
             nearest = std::min(nearest, -(result().request.viewpoint.view_from_world * glm::dvec4(vertex, 1.0)).z);
-        EXPECT_EQ(rows.row(place).detail, widgets::NumberText(nearest, 3));
+        EXPECT_EQ(rows.row(place).detail, number_text(nearest, 3));
     }
 }
 

@@ -45,8 +45,8 @@ TEST_F(ViewsTest, TheLightFollowsItsHandleAndTheNumbersFollowTheLight) {
     EXPECT_EQ(differing_fields(before, params), Paths{"light.position"});
     EXPECT_EQ(params.lights.front().position.w, 1.0);
     expect_near(desk.in_camera_view(light()), {from.x + 60.0F, from.y - 40.0F}, 0.5F);
-    EXPECT_EQ(ui.text_of("light/position/x"), widgets::NumberText(light().x, 2));
-    EXPECT_EQ(ui.text_of("light/position/y"), widgets::NumberText(light().y, 2));
+    EXPECT_EQ(ui.text_of("light/position/x"), number_text(light().x, 2));
+    EXPECT_EQ(ui.text_of("light/position/y"), number_text(light().y, 2));
     desk.undo();
     EXPECT_EQ(params, before);
 }

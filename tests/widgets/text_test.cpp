@@ -10,25 +10,25 @@ namespace widgets::test {
 namespace {
 
 TEST(NumberText, FixedDecimalsAndRealSigns) {
-    EXPECT_EQ(NumberText(5.2, 3), "5.200");
-    EXPECT_EQ(NumberText(-2.6, 3), "−2.600");
-    EXPECT_EQ(NumberText(0.0, 3), "0.000");
-    EXPECT_EQ(NumberText(-0.0, 3), "0.000");
-    EXPECT_EQ(NumberText(-1e-17, 3), "0.000");
-    EXPECT_EQ(NumberText(9.9996, 3), "10.000");
-    EXPECT_EQ(NumberText(7.0, 0), "7");
-    EXPECT_EQ(NumberText(999999.0, 1), "999999.0");
+    EXPECT_EQ(viewing::number_text(5.2, 3), "5.200");
+    EXPECT_EQ(viewing::number_text(-2.6, 3), "−2.600");
+    EXPECT_EQ(viewing::number_text(0.0, 3), "0.000");
+    EXPECT_EQ(viewing::number_text(-0.0, 3), "0.000");
+    EXPECT_EQ(viewing::number_text(-1e-17, 3), "0.000");
+    EXPECT_EQ(viewing::number_text(9.9996, 3), "10.000");
+    EXPECT_EQ(viewing::number_text(7.0, 0), "7");
+    EXPECT_EQ(viewing::number_text(999999.0, 1), "999999.0");
 }
 
 TEST(NumberText, ExponentsAndWhatIsNoNumber) {
-    EXPECT_EQ(NumberText(1.2341e8, 3), "1.234·10⁸");
-    EXPECT_EQ(NumberText(-1e12, 0), "−1·10¹²");
-    EXPECT_EQ(NumberText(7.92e-6, 2), "7.92·10⁻⁶");
-    EXPECT_EQ(NumberText(std::nan(""), 3), "—");
-    EXPECT_EQ(NumberText(std::numeric_limits<double>::infinity(), 3), "∞");
-    EXPECT_EQ(NumberText(-std::numeric_limits<double>::infinity(), 3), "−∞");
-    EXPECT_EQ(NumberText(std::numeric_limits<double>::max(), 3), "1.798·10³⁰⁸");
-    EXPECT_FALSE(NumberText(std::numeric_limits<double>::max(), 400).empty());
+    EXPECT_EQ(viewing::number_text(1.2341e8, 3), "1.234·10⁸");
+    EXPECT_EQ(viewing::number_text(-1e12, 0), "−1·10¹²");
+    EXPECT_EQ(viewing::number_text(7.92e-6, 2), "7.92·10⁻⁶");
+    EXPECT_EQ(viewing::number_text(std::nan(""), 3), "—");
+    EXPECT_EQ(viewing::number_text(std::numeric_limits<double>::infinity(), 3), "∞");
+    EXPECT_EQ(viewing::number_text(-std::numeric_limits<double>::infinity(), 3), "−∞");
+    EXPECT_EQ(viewing::number_text(std::numeric_limits<double>::max(), 3), "1.798·10³⁰⁸");
+    EXPECT_FALSE(viewing::number_text(std::numeric_limits<double>::max(), 400).empty());
 }
 
 TEST(ParseNumber, WhatAPersonTypes) {
@@ -55,9 +55,9 @@ TEST(ParseNumber, WhatIsShownReadsBack) {
     std::uniform_real_distribution<double> exponent(-12, 300), sign(-1, 1);
     for (int i = 0; i < 500; ++i) {
         const double value = std::copysign(std::pow(10.0, exponent(random)), sign(random));
-        const std::optional<double> read = ParseNumber(NumberText(value, 15));
-        ASSERT_TRUE(read) << NumberText(value, 15);
-        EXPECT_NEAR(*read / value, 1.0, std::abs(value) < 1e-9 ? 1.0 : 1e-6) << NumberText(value, 15);
+        const std::optional<double> read = ParseNumber(viewing::number_text(value, 15));
+        ASSERT_TRUE(read) << viewing::number_text(value, 15);
+        EXPECT_NEAR(*read / value, 1.0, std::abs(value) < 1e-9 ? 1.0 : 1e-6) << viewing::number_text(value, 15);
     }
 }
 

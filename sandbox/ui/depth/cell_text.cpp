@@ -1,7 +1,6 @@
 #include "ui/depth/cell_text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "text/catalogue.h"
@@ -19,11 +18,7 @@ bool is_cleared(const BufferCell& cell, double cleared) {
 
 std::vector<std::string> window_depths(const CellBlock& block, int decimals) {
     std::vector<std::string> texts;
-    for (const BufferCell& cell : block.cells) {
-        char text[48];
-        std::snprintf(text, sizeof text, "%.*f", decimals, cell.window_depth);
-        texts.emplace_back(text);
-    }
+    for (const BufferCell& cell : block.cells) texts.push_back(plain_decimals(cell.window_depth, decimals));
     return texts;
 }
 

@@ -11,9 +11,7 @@ namespace {
 constexpr int least_decimals = 3, most_decimals = 12;
 
 std::string with_decimals(float value, int decimals) {
-    char text[48];
-    std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
-    return text;
+    return plain_decimals(static_cast<double>(value), decimals);
 }
 
 struct Pair {

@@ -109,8 +109,8 @@ std::string compare_sentence(const HiddenResult& result) {
     if (!result.compare || result.compare->polygon < 0) return "";
     const RasterStep& step = *result.compare;
     const int decimals = decimals_for(step.depth, step.stored_depth);
-    const std::string depth = widgets::NumberText(step.depth, decimals);
-    const std::string stored = widgets::NumberText(step.stored_depth, decimals);
+    const std::string depth = number_text(step.depth, decimals);
+    const std::string stored = number_text(step.stored_depth, decimals);
     const char* relation = depth == stored ? "=" : step.depth < step.stored_depth ? "<" : ">";
     const std::string pixel = pixel_text({step.x, step.y}), polygon = polygon_at(result, step.polygon);
     return step.written

@@ -18,7 +18,7 @@ bool is_large(const Overlay& overlay) {
 /// In the middle of a line "symbol = number", or the number alone.
 void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
              ImU32 color) {
-    const std::string number = widgets::NumberText(value, 2);
+    const std::string number = number_text(value, 2);
     const std::string text = is_large(overlay) ? std::string(symbol) + " = " + number : number;
     overlay.label((from + to) * 0.5, text.c_str(), color);
 }

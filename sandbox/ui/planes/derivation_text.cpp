@@ -48,7 +48,7 @@ std::span<const widgets::LetterRole> derivation_roles() {
 }
 
 std::string derivation_number(double value) {
-    return widgets::NumberText(value, decimals);
+    return number_text(value, decimals);
 }
 
 std::string derivation_vector(const glm::dvec3& value) {

@@ -108,7 +108,7 @@ std::string place_of(const Function& function, const CodeLine& line) {
 
 void draw_line(const Function& function, const CodeLine& line, const Writing& writing) {
     const widgets::MatrixCell& cell = function.cells[static_cast<std::size_t>(4 * line.row + line.column)];
-    code_item(writing, code_of(function, line, writing.names_array), widgets::NumberText(line.value, 3));
+    code_item(writing, code_of(function, line, writing.names_array), number_text(line.value, 3));
     follow_entry(cell.own, cell.links);
     const std::string name = std::string(function.array) + "[" + std::to_string(line.index) + "]";
     widgets::Record(name.c_str());
@@ -129,7 +129,7 @@ Writing writing_for(const Function& function, float width) {
         std::size_t longest = 0;
         for (const CodeLine& line : function.lines)
             longest = std::max(longest, code_of(function, line, writing.names_array).size() + 1 +
-                                            length_of(writing.before + widgets::NumberText(line.value, 3)));
+                                            length_of(writing.before + number_text(line.value, 3)));
         if (longest <= static_cast<std::size_t>(writing.columns)) return writing;
     }
     return writings[std::size(writings) - 1];
@@ -152,7 +152,7 @@ void draw_lines(const Function& function, std::optional<double> dot) {
         code_item(
             writing,
             "dot = plane[0] * lightpos[0] + plane[1] * lightpos[1] + plane[2] * lightpos[2] + plane[3] * lightpos[3];",
-            widgets::NumberText(*dot, 3));
+            number_text(*dot, 3));
         follow_entry(0, link::all_light | link::all_plane);
         widgets::Record("dot");
     }
