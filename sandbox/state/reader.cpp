@@ -222,9 +222,9 @@ Where element(const Where& root, const std::string& group, std::size_t index) {
 
 void check_chosen(int number, std::size_t count, const Where& where) {
     if (number > static_cast<int>(count)) {
-        where.refuse("there is no such one: there " +
-                     (count == 1 ? std::string("is 1") : "are " + std::to_string(count)) + ", got " +
-                     std::to_string(number));
+        const std::string allowed =
+            count == 1 ? "1: the state has no other" : "from 1 to " + std::to_string(count) + ": the state has no more";
+        where.refuse("must be " + allowed + ", got " + std::to_string(number));
     }
 }
 
