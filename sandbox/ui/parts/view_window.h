@@ -1,6 +1,8 @@
 // A view that is drawn by the user interface alone: its window, and what it says where it has nothing to show.
 #pragma once
 
+#include <string>
+
 #include "ui/parts/layout.h"
 
 namespace viewing {
