@@ -161,8 +161,8 @@ TEST(BadStates, WrongTypes) {
         {R"({"overrides": {"further": [
             {"light": 2, "shadow_from_world": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]}})",
          "overrides.further", "there is no light 2"},
-        {R"({"view": {"plane": 2}})", "view.plane", "there is 1, got 2"},
-        {R"({"lights": [{}], "view": {"light": 3}})", "view.light", "there are 2, got 3"},
+        {R"({"view": {"plane": 2}})", "view.plane", "must be 1: the state has no other, got 2"},
+        {R"({"lights": [{}], "view": {"light": 3}})", "view.light", "must be from 1 to 2: the state has no more, got 3"},
         {R"({"follow": "box"})", "follow", "must be null or"},
         {R"({"follow": {}})", "follow.object", "is missing"},
         {R"({"follow": {"object": "box", "vertex": -1}})", "follow.vertex", "whole number from 0"},
