@@ -48,8 +48,8 @@ function(embed_files target header accessor)
         else()
             file(READ ${file} bytes HEX)
             string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
-            string(REGEX REPLACE "(................................................................................)" "\\1\n" bytes
-                                 "${bytes}")
+            string(REPEAT "." 80 line)
+            string(REGEX REPLACE "(${line})" "\\1\n" bytes "${bytes}")
             string(APPEND symbols
                 "const unsigned char ${symbol}[] = {\n${bytes}0};\nconst std::uint64_t ${symbol}_size = sizeof ${symbol} - 1;\n")
             set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
