@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "text/words.h"
 #include "widgets/inner.h"
 
 namespace widgets {
@@ -88,11 +89,7 @@ namespace {
 std::string Shortened(std::string text, float room) {
     const inner::Face face = inner::FaceOf(nullptr);
     if (face.Measure(text).x <= room) return text;
-    const auto continues_character = [&text] { return !text.empty() && (text.back() & 0xC0) == 0x80; };
-    while (!text.empty() && face.Measure(text + "…").x > room) {
-        while (continues_character()) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
+    while (!text.empty() && face.Measure(text + "…").x > room) viewing::remove_last_character(text);
     return text + "…";
 }
 

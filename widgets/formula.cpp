@@ -1,6 +1,7 @@
 // Formulas in one line: lowered and raised characters, real signs, letters in the colours of what they stand for.
 #include <algorithm>
 
+#include "text/words.h"
 #include "widgets/inner.h"
 
 namespace widgets {
@@ -18,7 +19,7 @@ int CharacterBytes(const char* s) {
     const auto lead = static_cast<unsigned char>(*s);
     const int bytes = lead < 0x80 ? 1 : (lead >> 5) == 0x6 ? 2 : (lead >> 4) == 0xE ? 3 : (lead >> 3) == 0x1E ? 4 : 0;
     for (int i = 1; i < bytes; ++i) {
-        if ((static_cast<unsigned char>(s[i]) & 0xC0) != 0x80) return 0;  // also stops at the end of the string
+        if (!viewing::continues_character(s[i])) return 0;  // also stops at the end of the string
     }
     return bytes;
 }

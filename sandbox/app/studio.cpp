@@ -56,10 +56,6 @@ bool Studio::is_held() const {
     return session.is_moving() || ImGui::IsAnyItemActive();
 }
 
-void Studio::report(const Status& done) {
-    if (!done) session.message = {done.error(), true};
-}
-
 void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     if (!layout.camera.empty()) shown_.camera_px = layout.camera.size_px();  // else another view has the whole window
     const Viewport viewport{shown_.camera_px, renderer_.capabilities().clip_control};
@@ -74,7 +70,8 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
                  drawn_.hidden};
     if (wanted != drawn_) shown_.derived = derive(shown_.params, session.scene(), viewport);
     if (wanted != drawn_ || answer_.is_behind())
-        report(answer_.update(renderer_, shown_.params, shown_.derived, session, shown_.camera_px, is_interactive));
+        session.report(
+            answer_.update(renderer_, shown_.params, shown_.derived, session, shown_.camera_px, is_interactive));
     wanted.hidden = shown_.hidden = answer_.get();
     const bool catches_up = views_are_behind_ && !is_held();
     if (wanted == drawn_ && !catches_up) return;
@@ -83,7 +80,7 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     shown_.plan = plan(shown_.params, shown_.derived, found);
     shown_.problems = find_problems(shown_.params, shown_.derived, session.scene(), shown_.plan);
     shown_.inspected = plan(probed(shown_.params), shown_.derived, found);
-    report(draw_views(layout, is_interactive));
+    session.report(draw_views(layout, is_interactive));
     drawn_ = wanted;
     inspection_.forget();
     if (!moves_) settling_ = std::max(settling_, 2);
@@ -143,7 +140,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     shown_.params = animated(session.params, moment_);
 
     update(workbench.layout(io.DisplaySize, shown_.params), surroundings);
-    if (!views_are_behind_) report(inspection_.read(shown_, session, workbench.views));
+    if (!views_are_behind_) session.report(inspection_.read(shown_, session, workbench.views));
     const Requests requests = draw_interface(surroundings);
 
     if (settling_ > 0) --settling_;

@@ -52,7 +52,6 @@ private:
     Requests draw_interface(const Surroundings& surroundings);
     double next_redraw_in_s() const;
     bool is_held() const;  ///< something is moved by hand
-    void report(const Status& done);
 
     Renderer& renderer_;
     std::string renderer_name_;

@@ -19,12 +19,6 @@ struct Entry {
     std::string group, names, help;
 };
 
-/// Bytes that begin a character: what takes room on the terminal.
-std::size_t shown_length(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(
-        text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
-}
-
 /// Not "-" alone, "--" or a number.
 bool is_option(const std::string& word) {
     const std::size_t name = word.starts_with("--") ? 2 : 1;
@@ -37,7 +31,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     std::istringstream words(text);
     std::string result, line;
     for (std::string word; words >> word;) {
-        if (!line.empty() && indent + shown_length(line) + 1 + shown_length(word) > help_width) {
+        if (!line.empty() && indent + character_count(line) + 1 + character_count(word) > help_width) {
             result += std::string(indent, ' ') + line + "\n";
             line.clear();
         }
@@ -107,7 +101,7 @@ std::string Options::Parser::help() const {
     for (const Entry& entry : entries) {
         if (entry.group != last_group) text += "\n" + entry.group + ":\n";
         last_group = entry.group;
-        const std::size_t shown = shown_length(entry.names) + 2;
+        const std::size_t shown = character_count(entry.names) + 2;
         const std::string explanation = wrapped(entry.help, names_width);
         text += "  " + entry.names;
         text += shown < names_width ? std::string(names_width - shown, ' ') : "\n" + std::string(names_width, ' ');

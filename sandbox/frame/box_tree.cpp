@@ -54,18 +54,12 @@ BoxTree BoxTree::made(std::size_t count, const Bounds& whole, BoundsOf bounds_of
     std::vector<Bounds> boxes((count + run_length - 1) / run_length);
     for (const std::uint64_t entry : sorted) {
         const auto item = static_cast<std::uint32_t>(entry);
-        const Bounds bounds = bounds_of_item(item);
-        Bounds& box = boxes[tree.items_.size() / run_length];
-        box.add(bounds.min);
-        box.add(bounds.max);
+        boxes[tree.items_.size() / run_length].add(bounds_of_item(item));
         tree.items_.push_back(item);
     }
     while (boxes.size() > 1) {
         std::vector<Bounds> larger((boxes.size() + fan - 1) / fan);
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            larger[i / fan].add(boxes[i].min);
-            larger[i / fan].add(boxes[i].max);
-        }
+        for (std::size_t i = 0; i < boxes.size(); ++i) larger[i / fan].add(boxes[i]);
         tree.levels_.push_back(std::exchange(boxes, std::move(larger)));
     }
     tree.levels_.push_back(std::move(boxes));

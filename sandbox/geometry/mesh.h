@@ -27,6 +27,10 @@ struct Bounds {
         min = glm::min(min, point);
         max = glm::max(max, point);
     }
+    void add(const Bounds& other) {
+        min = glm::min(min, other.min);
+        max = glm::max(max, other.max);
+    }
     glm::dvec3 center() const { return (min + max) * 0.5; }
     glm::dvec3 size() const { return max - min; }
     bool operator==(const Bounds&) const = default;

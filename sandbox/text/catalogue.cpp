@@ -6,6 +6,8 @@
 #include <memory>
 #include <mutex>
 
+#include "text/words.h"
+
 namespace viewing {
 
 namespace {
@@ -74,8 +76,7 @@ std::string pseudo_text(std::string_view english) {
         } else {
             text += byte;
         }
-        const bool continues_character = (byte & 0xC0) == 0x80;
-        if (!in_place && !continues_character) ++characters;
+        if (!in_place && !continues_character(byte)) ++characters;
         in_place &= byte != '}';
     }
     // Words of five letters, so that a sentence still finds where to break.

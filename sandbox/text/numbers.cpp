@@ -7,6 +7,8 @@
 #include <locale>
 #include <sstream>
 
+#include "text/words.h"
+
 namespace viewing {
 
 namespace {
@@ -55,8 +57,7 @@ void NumberChars::append(std::string_view text) {
     for (const char byte : text) {
         if (bytes == static_cast<int>(sizeof data)) return;
         data[bytes++] = byte;
-        const bool continues_character = (byte & 0xC0) == 0x80;
-        if (!continues_character) ++columns;
+        if (!continues_character(byte)) ++columns;
     }
 }
 

@@ -5,9 +5,22 @@
 
 namespace viewing {
 
+std::size_t character_count(std::string_view text) {
+    return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
+}
+
+void remove_last_character(std::string& text) {
+    while (!text.empty() && continues_character(text.back())) {
+        text.pop_back();
+    }
+    if (!text.empty()) {
+        text.pop_back();
+    }
+}
+
 std::string one_line(std::string_view text) {
     std::size_t length = std::min<std::size_t>(text.size(), 200);
-    while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0U) == 0x80U) {
+    while (length < text.size() && length > 0 && continues_character(text[length])) {
         --length;
     }
     std::string line(text.substr(0, length));

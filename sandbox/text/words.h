@@ -1,4 +1,4 @@
-// The small pieces that messages are made of.
+// The small pieces that messages are made of, and the characters of UTF-8.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,17 @@
 #include <string_view>
 
 namespace viewing {
+
+/// Whether a byte belongs to the character that the byte before it belongs to.
+constexpr bool continues_character(char byte) {
+    return (byte & 0xC0) == 0x80;
+}
+
+/// Characters, not bytes.
+std::size_t character_count(std::string_view text);
+
+/// Nothing in an empty text.
+void remove_last_character(std::string& text);
 
 /// A text fit for a message: control characters become "?", more than 200 bytes are cut between two characters.
 std::string one_line(std::string_view text);

@@ -9,6 +9,7 @@
 #include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/matrices/display_code.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
@@ -146,7 +147,7 @@ void vector_line(const char* name, const glm::dvec3& value, Role role, const dou
     constexpr std::size_t columns = 7;
     const auto padded = [](double number) {
         const std::string text = number_text(number, 3);
-        const std::size_t shown = length_of(text);
+        const std::size_t shown = character_count(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
     std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);

@@ -1,8 +1,5 @@
-// Short words for what every panel and view asks the widgets' context for, and of a text.
+// Short words for what every panel and view asks the widgets' context for.
 #pragma once
-
-#include <algorithm>
-#include <string_view>
 
 #include "widgets/widgets.h"
 
@@ -16,12 +13,6 @@ inline float px(float design) {
 /// The same colour, 0 … 255 opaque.
 constexpr ImU32 with_alpha(ImU32 color, ImU32 alpha) {
     return (color & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
-}
-
-/// Characters of a text in UTF-8.
-inline std::size_t length_of(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
 }
 
 inline const widgets::Palette& palette() {

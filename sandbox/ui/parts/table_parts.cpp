@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "text/words.h"
+
 namespace viewing {
 
 float width_of(const std::string& text, ImFont* font) {
@@ -19,11 +21,7 @@ void text_at_right(const std::string& text) {
 
 std::string shortened(std::string text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
-        // The bytes that continue a letter go with it.
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
+    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) remove_last_character(text);
     return text + "…";
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -55,7 +56,7 @@ std::string derivation_vector(const glm::dvec3& value) {
     std::string text = "(";
     for (int axis = 0; axis < 3; ++axis) {
         const std::string number = derivation_number(value[axis]);
-        text.append(std::size_t{7} - std::min(length_of(number), std::size_t{7}), ' ').append(number);
+        text.append(std::size_t{7} - std::min(character_count(number), std::size_t{7}), ' ').append(number);
         text += axis < 2 ? "," : ")";
     }
     return text;

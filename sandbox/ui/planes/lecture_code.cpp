@@ -8,6 +8,7 @@
 
 #include "frame/planes/lecture_code.h"
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
@@ -74,7 +75,7 @@ void code_item(const Writing& writing, const std::string& code, const std::strin
     std::vector<std::string> rows = rows_of(code, static_cast<std::size_t>(writing.columns));
     const std::string note = number.empty() ? "" : writing.before + number;
     const std::size_t room = static_cast<std::size_t>(writing.columns);
-    if (!note.empty() && rows.back().size() + 1 + length_of(note) > room) rows.emplace_back();
+    if (!note.empty() && rows.back().size() + 1 + character_count(note) > room) rows.emplace_back();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, row_height = ImGui::GetTextLineHeight() + px(1.0F);
     ImGui::Dummy({width, row_height * static_cast<float>(rows.size())});
@@ -82,7 +83,7 @@ void code_item(const Writing& writing, const std::string& code, const std::strin
     for (std::size_t row = 0; row < rows.size(); ++row)
         draw_code(draw, {at.x, at.y + row_height * static_cast<float>(row)}, rows[row]);
     if (note.empty()) return;
-    const float digit = ImGui::CalcTextSize("0").x, number_width = digit * static_cast<float>(length_of(number));
+    const float digit = ImGui::CalcTextSize("0").x, number_width = digit * static_cast<float>(character_count(number));
     const float y = at.y + row_height * static_cast<float>(rows.size() - 1), x = at.x + width - number_width;
     draw->AddText({x - digit * static_cast<float>(std::strlen(writing.before)), y}, palette().quiet, writing.before);
     draw->AddText({x, y}, palette().text, number.c_str());
@@ -129,7 +130,7 @@ Writing writing_for(const Function& function, float width) {
         std::size_t longest = 0;
         for (const CodeLine& line : function.lines)
             longest = std::max(longest, code_of(function, line, writing.names_array).size() + 1 +
-                                            length_of(writing.before + number_text(line.value, 3)));
+                                            character_count(writing.before + number_text(line.value, 3)));
         if (longest <= static_cast<std::size_t>(writing.columns)) return writing;
     }
     return writings[std::size(writings) - 1];
