@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "text/numbers.h"
 #include "widgets/area.h"
 #include "widgets/depth.h"
 #include "widgets/depth_inner.h"
@@ -109,10 +110,10 @@ void DrawReadout(ImDrawList* draw, const inner::Box& area, ImVec2 at, const Tick
     const std::string heading = i < style.codes.size()
                                     ? say("code {code}", "code"_a = style.codes[i])
                                     : say("{number} of {count}", "number"_a = i + 1, "count"_a = count);
-    std::vector<std::string> lines{say("z: {z}", "z"_a = inner::Figures(eye_distances[i]))};
+    std::vector<std::string> lines{say("z: {z}", "z"_a = viewing::steady_figures(eye_distances[i]))};
     if (i + 1 < count) {
         lines.push_back(say("to the next: {distance}",
-                            "distance"_a = inner::Figures(std::abs(eye_distances[i + 1] - eye_distances[i]))));
+                            "distance"_a = viewing::steady_figures(std::abs(eye_distances[i + 1] - eye_distances[i]))));
     }
     inner::DrawReadoutBox(draw, area, at, heading, lines);
 }
@@ -146,12 +147,12 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
         const Tick* pointed = ImGui::IsItemHovered() ? TickAt(rows, ticks, pointer) : nullptr;
         DrawTicks(draw, rows, ticks, pointed);
         DrawRowTexts(draw, rows, min.y + Px(6), style.first_depth, style.last_depth, style.depth_title);
-        DrawRowTexts(draw, rows, max.y - text - Px(6), say("near {z}", "z"_a = inner::Figures(near)),
-                     say("far {z}", "z"_a = inner::Figures(far)), style.z_title);
+        DrawRowTexts(draw, rows, max.y - text - Px(6), say("near {z}", "z"_a = viewing::steady_figures(near)),
+                     say("far {z}", "z"_a = viewing::steady_figures(far)), style.z_title);
         for (const Tick& tick : ticks) {
             inner::RecordRect(("tick/" + std::to_string(tick.index)).c_str(), ImVec2(tick.upper_x, rows.upper),
                               ImVec2(tick.is_joined ? tick.lower_x : tick.upper_x, rows.lower),
-                              inner::Figures(eye_distances[tick.index]));
+                              viewing::steady_figures(eye_distances[tick.index]));
         }
         if (pointed) {
             hovered = static_cast<int>(pointed->index);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "text/numbers.h"
 #include "text/words.h"
 #include "widgets/inner.h"
 
@@ -256,19 +257,18 @@ void DrawColorBox(ImVec2 min, ImVec2 max, const glm::u8vec3& rgb, const char* he
 bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value) {
     glm::vec3& working = CurrentContext().editing.color;
     glm::u8vec3 edited = rgb;
-    char hex[8];
-    std::snprintf(hex, sizeof hex, "#%02x%02x%02x", rgb.r, rgb.g, rgb.b);
+    const std::string hex = viewing::hex_color(rgb.r, rgb.g, rgb.b);
 
     ImGui::BeginGroup();
     ImGui::PushID(label);
-    const float width = inner::Px(38) + inner::FaceOf(CurrentContext().fonts.number).Measure(hex).x;
+    const float width = inner::Px(38) + inner::FaceOf(CurrentContext().fonts.number).Measure(hex.c_str()).x;
     if (ImGui::InvisibleButton("##box", ImVec2(std::ceil(width), ImGui::GetFrameHeight()))) {
         working = FloatsOf(rgb);
         ImGui::OpenPopup("picker");
     }
     if (ResetClicked()) edited = default_value;
-    DrawColorBox(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), rgb, hex);
-    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex);
+    DrawColorBox(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), rgb, hex.c_str());
+    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex.c_str());
     if (ImGui::BeginPopup("picker")) {
         ClosePopupOnEscape();
         // The finer copy keeps hue and saturation where 8 bits would lose them.

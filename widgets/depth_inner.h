@@ -1,4 +1,4 @@
-// What the diagrams of depth.h share: numbers with three figures, vertical lines to drag, the box beside the pointer.
+// What the diagrams of depth.h share: vertical lines to drag, the box beside the pointer.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,6 @@
 #include "widgets/inner.h"
 
 namespace widgets::inner {
-
-/// With three figures however small: "12.3", "0.00123", "1.23·10⁻⁹"; "0" for zero.
-std::string Figures(double value);
 
 /// The value at a pixel of a logarithmic axis.
 double ValueAtPixel(const LogScale& scale, double pixel);

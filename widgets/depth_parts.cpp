@@ -6,17 +6,6 @@
 
 namespace widgets::inner {
 
-std::string Figures(double value) {
-    if (value == 0.0) return "0";
-    if (!std::isfinite(value)) return viewing::number_text(value, 0);
-    // Rounded first: 9.999 has the decimals of 10.0.
-    int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
-    if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
-    if (exponent >= -4 && exponent < 6) return viewing::number_text(value, std::max(2 - exponent, 0));
-    const std::string mantissa = viewing::number_text(value / std::pow(10.0, exponent), 2);
-    return mantissa + "·10" + viewing::raised_text(exponent);
-}
-
 double ValueAtPixel(const LogScale& scale, double pixel) {
     const double fraction = (pixel - scale.from) / (scale.to - scale.from);
     return std::pow(10.0, scale.low + fraction * (scale.high - scale.low));

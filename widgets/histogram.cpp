@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "text/numbers.h"
 #include "widgets/area.h"
 #include "widgets/depth.h"
 #include "widgets/depth_inner.h"
@@ -102,7 +103,7 @@ void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     const Palette& palette = CurrentContext().palette;
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
     const float y = plot.max.y + Px(5), gap = Px(10);
-    const std::string low = inner::Figures(range.x), high = inner::Figures(range.y);
+    const std::string low = viewing::steady_figures(range.x), high = viewing::steady_figures(range.y);
     const float low_width = face.Measure(low).x, high_width = face.Measure(high).x;
     float low_x = std::max(plot.X(range.x) - 0.5F * low_width, plot.min.x);
     float high_x = std::min(plot.X(range.y) - 0.5F * high_width, plot.max.x - high_width);
@@ -121,7 +122,7 @@ void DrawEnds(ImDrawList* draw, const Plot& plot, const glm::dvec2& range) {
     };
     draw_text(low_x, palette.text, low);
     draw_text(high_x, palette.text, high);
-    const std::string first = inner::Figures(plot.low), last = inner::Figures(plot.high);
+    const std::string first = viewing::steady_figures(plot.low), last = viewing::steady_figures(plot.high);
     const float first_end = plot.min.x + face.Measure(first).x, last_x = plot.max.x - face.Measure(last).x;
     if (first_end + gap <= low_x) draw_text(plot.min.x, palette.quiet, first);
     if (last_x - gap >= high_x + high_width) draw_text(last_x, palette.quiet, last);
@@ -134,9 +135,9 @@ glm::dvec2 UseRange(const Plot& plot, const glm::dvec2& range, inner::DragLinesU
         "beside the lines what has counts.";
     const double apart = 1e-3 * (plot.high - plot.low);
     use = inner::UseLines(
-        {.id = "from", .x = plot.X(range.x), .text = inner::Figures(range.x), .tip_title = "From", .tip = tip},
-        {.id = "to", .x = plot.X(range.y), .text = inner::Figures(range.y), .tip_title = "To", .tip = tip}, plot.min.y,
-        plot.max.y);
+        {.id = "from", .x = plot.X(range.x), .text = viewing::steady_figures(range.x), .tip_title = "From", .tip = tip},
+        {.id = "to", .x = plot.X(range.y), .text = viewing::steady_figures(range.y), .tip_title = "To", .tip = tip},
+        plot.min.y, plot.max.y);
     glm::dvec2 edited = range;
     if (use.low.x) edited.x = std::max(std::min(plot.Value(*use.low.x), range.y - apart), plot.low);
     if (use.high.x) edited.y = std::min(std::max(plot.Value(*use.high.x), range.x + apart), plot.high);
@@ -160,8 +161,8 @@ void DrawReadout(ImDrawList* draw, const inner::Box& area, const Plot& plot, ImV
     const double bar = (plot.high - plot.low) / static_cast<double>(counts.size());
     const auto index = std::min(static_cast<std::size_t>((plot.Value(pointer.x) - plot.low) / bar), counts.size() - 1);
     const double begin = plot.low + static_cast<double>(index) * bar;
-    const std::string lines[] = {
-        say("{first} to {last}", "first"_a = inner::Figures(begin), "last"_a = inner::Figures(begin + bar))};
+    const std::string lines[] = {say("{first} to {last}", "first"_a = viewing::steady_figures(begin),
+                                     "last"_a = viewing::steady_figures(begin + bar))};
     inner::DrawReadoutBox(draw, area, pointer, Counted(counts[index], style), lines);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/numbers.h"
 #include "widgets/area.h"
 #include "widgets/precision_inner.h"
 
@@ -44,7 +45,7 @@ void Reset(double& value, double default_value, Distances& edited, const Precisi
 inner::DragLine NearLine(const ChartPlot& plot, double near) {
     return {.id = "near",
             .x = PlaceOf(plot, near),
-            .text = inner::Figures(near),
+            .text = viewing::steady_figures(near),
             .tip_title = "Near",
             .tip =
                 "Drag to move the near plane; Alt for finer steps, right-click resets it. Nothing nearer is drawn. "
@@ -54,7 +55,7 @@ inner::DragLine NearLine(const ChartPlot& plot, double near) {
 inner::DragLine FarLine(const ChartPlot& plot, double far) {
     return {.id = "far",
             .x = PlaceOf(plot, far),
-            .text = inner::Figures(far),
+            .text = viewing::steady_figures(far),
             .tip_title = "Far",
             .tip = "Drag to move the far plane; Alt for finer steps, right-click resets it. Nothing farther is drawn."};
 }
@@ -120,8 +121,8 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
         inner::DrawDragLine(draw, PlaceOf(plot, z), plot.min.y, plot.max.y, Shown(palette.camera), line_use);
         names.push_back({PlaceOf(plot, z), text, palette.camera, name});
     };
-    line(distances.near, "near", say("near {z}", "z"_a = inner::Figures(distances.near)), use.low);
-    line(distances.far, "far", say("far {z}", "z"_a = inner::Figures(distances.far)), use.high);
+    line(distances.near, "near", say("near {z}", "z"_a = viewing::steady_figures(distances.near)), use.low);
+    line(distances.far, "far", say("far {z}", "z"_a = viewing::steady_figures(distances.far)), use.high);
     mark(style.cursor_z, palette.accent, tr("pixel"), "pixel", 2.0F);
     for (const DepthMark& object : style.marks) {
         mark(object.z, object.color ? object.color : palette.quiet, object.label, object.label, 1.25F);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/numbers.h"
 #include "widgets/precision_inner.h"
 
 namespace widgets::inner {
@@ -131,10 +132,12 @@ void DrawPrecisionReadout(ImDrawList* draw, const Box& area, const ChartPlot& pl
         draw->AddCircleFilled(at, Px(4), Shown(curve->color));
         draw->AddCircle(at, Px(6.5F), Shown(palette.text), 0, Px(1.5F) * palette.stroke);
     }
-    std::vector<std::string> lines{say("z: {z}", "z"_a = Figures(z)), say("Δz: {step}", "step"_a = Figures(*step))};
+    std::vector<std::string> lines{say("z: {z}", "z"_a = viewing::steady_figures(z)),
+                                   say("Δz: {step}", "step"_a = viewing::steady_figures(*step))};
     for (const ChartCurve& term : style.terms) {
         if (const std::optional<double> value = ValueAt(term, z)) {
-            lines.push_back(say("{name}: {value}", "name"_a = tr(term.name), "value"_a = Figures(*value)));
+            lines.push_back(
+                say("{name}: {value}", "name"_a = tr(term.name), "value"_a = viewing::steady_figures(*value)));
         }
     }
     DrawReadoutBox(draw, area, at, curve->name, lines);

@@ -1,7 +1,6 @@
 #include "cli/as_json.h"
 
-#include <array>
-#include <cstdio>
+#include "text/numbers.h"
 
 namespace viewing {
 
@@ -28,9 +27,7 @@ Json as_json(const glm::dmat4& matrix) {
 }
 
 std::string as_text(const Color& color) {
-    std::array<char, 8> text;
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", color.r, color.g, color.b);
-    return text.data();
+    return hex_color(color.r, color.g, color.b);
 }
 
 Json as_json(const std::vector<Problem>& problems) {

@@ -4,7 +4,6 @@
 #include <chrono>
 
 #include "cli/as_json.h"
-#include "frame/hidden/method_choices.h"
 #include "gl/gl.h"
 #include "measure/hidden_answers.h"
 #include "state/fields.h"
@@ -55,9 +54,8 @@ bool has_build(VisibilityMethod method) {
 }
 
 Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std::vector<Polygon>& polygons) {
-    const auto front = front_winding(params.cull.front_face);
-    const CullCounts counts = count_facing(polygons, viewpoint, front);
-    const std::size_t left = culled(polygons, viewpoint, culled_faces(params.cull.face), front).size();
+    const CullCounts counts = count_facing(polygons, viewpoint, params.cull.front_face);
+    const std::size_t left = culled(polygons, viewpoint, params.cull.face, params.cull.front_face).size();
     return {{"enabled", params.cull.enabled},
             {"face", name_of(params.cull.face)},
             {"front_face", name_of(params.cull.front_face)},
@@ -121,9 +119,9 @@ private:
     Json painter_keys() {
         request_.visibility.method = VisibilityMethod::painter;
         Json wrong = Json::object();
-        const std::span<const char* const> names = names_of<SortKey>();
+        const std::span<const char* const> names = names_of<PainterKey>();
         for (std::size_t index = 0; index < names.size(); ++index) {
-            request_.visibility.sort_key = static_cast<SortKey>(index);
+            request_.visibility.sort_key = static_cast<PainterKey>(index);
             wrong[names[index]] = wrong_pixels(*solver_.solve(request_));
         }
         return wrong;

@@ -1,6 +1,8 @@
-// Sorting by the bits of x, y and z in turn puts what is near in space near in the list. Source: Morton 1966.
+// Sorting along Hilbert's curve puts what is near in space near in the list: it never jumps, so that no run of
+// neighbours has a box across the whole mesh. Source: Skilling, Programming the Hilbert curve, 2004.
 #include "frame/box_tree.h"
 
+#include <array>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -9,17 +11,45 @@ namespace viewing {
 namespace {
 
 constexpr int bits = 10;  ///< of each coordinate
+using Cell = std::array<std::uint32_t, 3>;
+
+/// Turns the coordinates of a cell into the digits of its place along the curve: one bit of each of the three, the
+/// first of them the highest, make a digit.
+Cell digits_on_curve(Cell cell) {
+    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1) {  // turn the octants inside the octants
+        const std::uint32_t below = half - 1;
+        for (std::uint32_t& axis : cell) {
+            if ((axis & half) != 0) {
+                cell[0] ^= below;
+            } else {
+                const std::uint32_t exchanged = (cell[0] ^ axis) & below;
+                cell[0] ^= exchanged;
+                axis ^= exchanged;
+            }
+        }
+    }
+    cell[1] ^= cell[0];  // from Gray's code
+    cell[2] ^= cell[1];
+    std::uint32_t turned = 0;
+    for (std::uint32_t half = 1U << (bits - 1); half > 1; half >>= 1)
+        if ((cell[2] & half) != 0) turned ^= half - 1;
+    for (std::uint32_t& axis : cell) axis ^= turned;
+    return cell;
+}
 
 /// The place of a point along the curve through the bounds; what is not finite is at the beginning.
 std::uint64_t place_on_curve(const glm::dvec3& point, const Bounds& bounds) {
     const glm::dvec3 share = (point - bounds.min) / bounds.size();  // not a number where there is no extent
-    std::uint64_t place = 0;
+    Cell cell{};
     for (int axis = 0; axis < 3; ++axis) {
         constexpr double cells = 1 << bits;
-        const auto cell =
-            static_cast<std::uint64_t>(share[axis] > 0.0 ? std::min(share[axis] * cells, cells - 1.0) : 0.0);
-        for (int bit = 0; bit < bits; ++bit) place |= (cell >> bit & 1U) << (3 * bit + axis);
+        cell[static_cast<std::size_t>(axis)] =
+            static_cast<std::uint32_t>(share[axis] > 0.0 ? std::min(share[axis] * cells, cells - 1.0) : 0.0);
     }
+    std::uint64_t place = 0;
+    const Cell digits = digits_on_curve(cell);
+    for (int bit = bits - 1; bit >= 0; --bit)
+        for (const std::uint32_t axis : digits) place = place << 1 | (axis >> bit & 1U);
     return place;
 }
 

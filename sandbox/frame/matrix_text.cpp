@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
+
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -39,10 +40,8 @@ constexpr Notation matlab{{"NaN", "Inf", "-Inf"}, false, false};
 std::string number_text(double value, const Notation& notation) {
     if (std::isnan(value)) return notation.specials.nan;
     if (std::isinf(value)) return value > 0.0 ? notation.specials.infinity : notation.specials.minus_infinity;
-    std::array<char, 32> digits;
     const double without_negative_zero = value + 0.0;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), without_negative_zero).ptr;
-    std::string text(digits.data(), end);
+    std::string text = shortest_number(without_negative_zero);
     if (notation.needs_point && text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
 }

@@ -1,5 +1,5 @@
 // The states that passes are made of, by name: what each lets through and what it leaves behind. Which pass has which
-// is decided in planes/plan_stencil.cpp and, for decals, in depth/plan_depth.cpp.
+// is decided in plan_stencil.cpp.
 #pragma once
 
 #include "state/depth_params.h"

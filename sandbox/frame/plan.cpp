@@ -45,16 +45,15 @@ bool is_hidden(const Level& level, std::size_t plane) {
 
 /// Inside a mirror the next patch counts from the same value on.
 void give_region_back(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
-    const int region = level.region_of(plane);
     Pass clear = patch_mask(level, plane, {marked("Clear lights"), marked("Clear lights {plane}")},
                             tr("forgets which light is missing on this patch"));
     clear.depth.test = false;
-    clear.stencil = forgets_lights(region);
+    clear.stencil = stencil_of_forgetting_lights(level, plane);
     if (!level.casting_lights(plane).empty()) passes.push_back(clear);
     Pass back = patch_mask(level, plane, {marked("Leave the patch"), marked("Leave the patch {plane}")},
                            tr("counts the stencil down to what the mirror has"));
     back.depth.test = false;
-    back.stencil = leaves(region);
+    back.stencil = stencil_of_leaving(level, plane);
     passes.push_back(back);
 }
 

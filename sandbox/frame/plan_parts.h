@@ -52,14 +52,7 @@ struct Level {
     Pass patch_pass(const PatchName& name, std::string reason, std::size_t index) const;
 };
 
-/// Makes a pass draw a square that fills the picture, at a depth of clip space that has this eye distance.
-void fill_picture(Pass& pass, double clip_z, double eye_distance);
-
-/// The scene itself, or its mirror image.
-Pass objects_pass(const Level& level);
-
-/// The stencil's bit of a light.
-int light_bit(const Params& params, std::size_t light);
+// The stencil of each pass: plan_stencil.cpp.
 
 /// Inside its mirror; anywhere in the real world.
 StencilState stencil_of_level(const Level& level);
@@ -67,11 +60,38 @@ StencilState stencil_of_level(const Level& level);
 /// Marks a patch as a mirror or receiver.
 StencilState stencil_of_mask(const Level& level, std::size_t plane);
 
+/// Inside a patch that is marked already.
+StencilState stencil_of_patch(const Level& level, std::size_t plane);
+
 /// Of the patch itself: inside its mask where it blends over a mirror image, else it is its own mask.
 StencilState stencil_of_surface(const Level& level, std::size_t plane, bool blends);
 
-/// Of a shadow that is painted over the patch: once a pixel and on the patch alone, unless a switch says otherwise.
+/// Of a shadow on the patch. As paint: once a pixel and on the patch alone, unless a switch says otherwise. As missing
+/// light: marks where the light is missing.
 StencilState stencil_of_shadow(const Level& level, std::size_t plane, std::size_t light);
+
+/// Inside a patch, where exactly these lights are marked as missing.
+StencilState stencil_of_patch_without(const Level& level, std::size_t plane, std::span<const std::size_t> missing);
+
+/// Takes the marks of missing lights, and the patch's own, back: in a mirror the next patch has the same values.
+StencilState stencil_of_forgetting_lights(const Level& level, std::size_t plane);
+StencilState stencil_of_leaving(const Level& level, std::size_t plane);
+
+/// Off the patch that this pass has marked: what stands behind a mirror must not show through it.
+StencilState stencil_of_objects_beyond(const Pass& mask);
+
+/// Objects that decals lie on, and decals on what is seen of them: each with its object's mark in place of 0.
+StencilState stencil_of_decal_bases();
+StencilState stencil_of_decals();
+
+/// Leaves no mark of patches where objects are to be marked.
+StencilState stencil_of_wiping();
+
+/// Makes a pass draw a square that fills the picture, at a depth of clip space that has this eye distance.
+void fill_picture(Pass& pass, double clip_z, double eye_distance);
+
+/// The scene itself, or its mirror image.
+Pass objects_pass(const Level& level);
 
 /// Marks a patch in the stencil, without colour or depth.
 Pass patch_mask(const Level& level, std::size_t plane, const PatchName& name, std::string reason);

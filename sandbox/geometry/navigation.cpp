@@ -50,12 +50,12 @@ Vec3 ground_forward(const Angles& angles) {
 }
 
 /// Zeros what the mode cannot do.
-void keep_available(Vec3& move, Vec3& turn, MotionMode mode, const MotionSlips& slips) {
+void keep_available(Vec3& move, Vec3& turn, Navigation mode, const MotionSlips& slips) {
     const MovingFreedoms can = available_freedoms(mode);
-    const bool local_look = slips.creeping_roll && mode == MotionMode::walk;
+    const bool local_look = slips.creeping_roll && mode == Navigation::walk;
     move *= Vec3(can.strafe, can.lift, can.forward);
     turn *= Vec3(can.pitch || local_look, can.yaw, can.roll);
-    if (mode == MotionMode::orbit) {  // sideways and up are turns there, see wanted_rates
+    if (mode == Navigation::orbit) {  // sideways and up are turns there, see wanted_rates
         move.x = move.y = 0.0;
     }
 }
@@ -65,12 +65,12 @@ struct WantedRates {
     Vec3 velocity, turn_rate_deg;
 };
 
-WantedRates wanted_rates(const MotionInput& input, MotionMode mode, const MotionSlips& slips,
+WantedRates wanted_rates(const MotionInput& input, Navigation mode, const MotionSlips& slips,
                          const MotionTuning& tuning) {
     const double factor = input.slow ? slow_factor : 1.0;
     Vec3 move = input.move / std::max(1.0, glm::length(input.move));
     Vec3 turn(input.pitch, input.yaw, input.roll);
-    if (mode == MotionMode::orbit) {  // to the right of the target means turning left, up means looking down
+    if (mode == Navigation::orbit) {  // to the right of the target means turning left, up means looking down
         turn += Vec3(-move.y, move.x, 0.0);
     }
     turn = glm::clamp(turn, -1.0, 1.0);
@@ -164,13 +164,13 @@ void pan(Pose& pose, const glm::dvec2& shift) {
     pose.target += moved;
 }
 
-Pose moved(Pose pose, Motion& motion, const Vec3& path, const Vec3& turn, MotionMode mode, const MotionSlips& slips) {
+Pose moved(Pose pose, Motion& motion, const Vec3& path, const Vec3& turn, Navigation mode, const MotionSlips& slips) {
     switch (mode) {
-        case MotionMode::fly:
+        case Navigation::fly:
             return fly(pose, path, turn);
-        case MotionMode::walk:
+        case Navigation::walk:
             return walk(pose, path, turn, slips);
-        case MotionMode::orbit:
+        case Navigation::orbit:
             break;
     }
     orbit_turn(pose, motion, turn, slips);
@@ -189,15 +189,15 @@ bool Motion::at_rest() const {
     return velocity == Vec3(0.0) && turn_rate_deg == Vec3(0.0);
 }
 
-Pose step(const Pose& pose, Motion& motion, const MotionInput& input, MotionMode mode, const MotionSlips& slips,
+Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation mode, const MotionSlips& slips,
           const MotionTuning& tuning, double dt_s) {
     keep_available(motion.velocity, motion.turn_rate_deg, mode, slips);
-    motion.past_pole = motion.past_pole && mode == MotionMode::orbit && slips.pole_flip;
+    motion.past_pole = motion.past_pole && mode == Navigation::orbit && slips.pole_flip;
 
     Vec3 no_path(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
     keep_available(no_path, look, mode, slips);
     Pose result = moved(pose, motion, no_path, look, mode, slips);
-    if (mode == MotionMode::orbit) {
+    if (mode == Navigation::orbit) {
         zoom(result, input.zoom);
         pan(result, input.pan);
     }
@@ -215,19 +215,19 @@ Pose step(const Pose& pose, Motion& motion, const MotionInput& input, MotionMode
     return result;
 }
 
-MovingFreedoms available_freedoms(MotionMode mode) {
-    const bool walks = mode == MotionMode::walk;
+MovingFreedoms available_freedoms(Navigation mode) {
+    const bool walks = mode == Navigation::walk;
     return {.forward = true,
             .strafe = !walks,
             .lift = !walks,
             .yaw = true,
             .pitch = !walks,
-            .roll = mode == MotionMode::fly};
+            .roll = mode == Navigation::fly};
 }
 
-MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, MotionMode mode) {
+MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode) {
     const MovingFreedoms can = available_freedoms(mode);
-    const bool orbits = mode == MotionMode::orbit;
+    const bool orbits = mode == Navigation::orbit;
     return {.forward = can.forward && (motion.velocity.z != 0.0 || (orbits && input.zoom != 1.0)),
             .strafe = can.strafe && (motion.velocity.x != 0.0 || (orbits && input.pan.x != 0.0)),
             .lift = can.lift && (motion.velocity.y != 0.0 || (orbits && input.pan.y != 0.0)),

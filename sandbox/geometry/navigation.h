@@ -9,7 +9,8 @@
 
 namespace viewing {
 
-enum class MotionMode { fly, walk, orbit };
+/// Six degrees of freedom, two, or about a target.
+enum class Navigation { fly, walk, orbit };
 
 /// What is held, or was moved since the last step.
 struct MotionInput {
@@ -58,7 +59,7 @@ struct MotionTuning {
 /// of any length give the same path; a stall of more than a quarter of a second counts as that, a dt_s that is not
 /// above 0 as 0. Walk keeps height, pitch and roll to the last bit. Orbit keeps the eye's distance and the roll, its
 /// pitch within ±89.9°; it moves as if bolted to the target, whether or not it looks at it.
-Pose step(const Pose& pose, Motion& motion, const MotionInput& input, MotionMode mode, const MotionSlips& slips,
+Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation mode, const MotionSlips& slips,
           const MotionTuning& tuning, double dt_s);
 
 /// The degrees of freedom, as lamps.
@@ -68,9 +69,9 @@ struct MovingFreedoms {
 };
 
 /// What a mode can move: fly all six, walk forward and yaw, orbit all but roll.
-MovingFreedoms available_freedoms(MotionMode mode);
+MovingFreedoms available_freedoms(Navigation mode);
 
 /// What moves now, of what is available: from what goes on and from this step's mouse.
-MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, MotionMode mode);
+MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode);
 
 }  // namespace viewing

@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <span>
+
+#include "text/numbers.h"
 
 namespace viewing {
 
@@ -16,21 +17,57 @@ namespace {
 
 constexpr std::size_t most_boxes = 16;
 
-/// The largest channel difference of each pixel of a row. Two plain loops over bytes, which compilers turn into vector
-/// instructions; one over pixels and channels they do not.
-class RowDifference {
+/// The largest channel difference of each pixel, a row of the part that both pictures have at a time. Two plain loops
+/// over bytes, which compilers turn into vector instructions; one over pixels and channels they do not. Only pixels
+/// beyond the threshold look for a like in their neighbourhood.
+class Differences {
 public:
-    explicit RowDifference(int width) : channels_(4 * static_cast<std::size_t>(width)), pixels_(channels_.size() / 4) {}
+    Differences(const Image& a, const Image& b, const CompareOptions& options)
+        : a_(a),
+          b_(b),
+          options_(options),
+          width(std::min(a.width, b.width)),
+          height(std::min(a.height, b.height)),
+          channels_(4 * static_cast<std::size_t>(width)),
+          pixels_(static_cast<std::size_t>(width)) {}
 
-    std::span<const std::uint8_t> between(const std::uint8_t* a, const std::uint8_t* b) {
+    bool are_none(int y) const { return std::memcmp(a_.row(y), b_.row(y), channels_.size()) == 0; }
+
+    std::span<const std::uint8_t> row(int y) {
+        const std::uint8_t *a = a_.row(y), *b = b_.row(y);
         std::uint8_t* channel = channels_.data();
         for (std::size_t i = 0; i < channels_.size(); ++i)
             channel[i] = static_cast<std::uint8_t>(std::max(a[i], b[i]) - std::min(a[i], b[i]));
         std::uint8_t* pixel = pixels_.data();
         for (std::size_t x = 0; x < pixels_.size(); ++x, channel += 4)
             pixel[x] = std::max(std::max(channel[0], channel[1]), std::max(channel[2], channel[3]));
+        if (options_.reach_px > 0)
+            for (int x = 0; x < width; ++x)
+                if (pixel[x] > options_.worst && has_like(a_, x, y, b_) && has_like(b_, x, y, a_))
+                    pixel[x] = static_cast<std::uint8_t>(options_.worst);
         return pixels_;
     }
+
+private:
+    bool has_like(const Image& from, int x, int y, const Image& other) const {
+        const std::uint8_t* pixel = from.row(y) + 4 * static_cast<std::size_t>(x);
+        const int reach = options_.reach_px;
+        for (int v = std::max(y - reach, 0); v <= std::min(y + reach, height - 1); ++v)
+            for (int u = std::max(x - reach, 0); u <= std::min(x + reach, width - 1); ++u) {
+                const std::uint8_t* near = other.row(v) + 4 * static_cast<std::size_t>(u);
+                int worst = 0;
+                for (int channel = 0; channel < 4; ++channel)
+                    worst = std::max(worst, std::abs(pixel[channel] - near[channel]));
+                if (worst <= options_.worst) return true;
+            }
+        return false;
+    }
+
+    const Image &a_, &b_;
+    const CompareOptions options_;
+
+public:
+    const int width, height;  ///< of the part that both have
 
 private:
     std::vector<std::uint8_t> channels_;
@@ -112,10 +149,8 @@ private:
     std::vector<PixelBox> closed_;
 };
 
-std::string percent(double share) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g %%", 100.0 * share);
-    return text;
+std::string share_text(double share) {
+    return figures(100.0 * share, 4) + " %";
 }
 
 std::string size_text(const std::array<int, 2>& size) {
@@ -153,23 +188,33 @@ double CompareReport::beyond_share() const {
     return pixels == 0 ? 0.0 : static_cast<double>(beyond) / static_cast<double>(pixels);
 }
 
+std::vector<std::uint8_t> pixel_differences(const Image& a, const Image& b, const CompareOptions& options) {
+    Differences rows(a, b, options);
+    std::vector<std::uint8_t> levels;
+    levels.reserve(static_cast<std::size_t>(rows.width) * static_cast<std::size_t>(rows.height));
+    for (int y = 0; y < rows.height; ++y) {
+        const std::span<const std::uint8_t> row = rows.row(y);
+        levels.insert(levels.end(), row.begin(), row.end());
+    }
+    return levels;
+}
+
 CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options) {
     assert(options.worst >= 0 && options.worst <= 255 && options.share >= 0.0 && options.share <= 1.0);
+    assert(options.reach_px >= 0);
     CompareReport report;
     report.options = options;
     report.size_a = {a.width, a.height};
     report.size_b = {b.width, b.height};
     report.sizes_differ = report.size_a != report.size_b;
-    const int width = std::min(a.width, b.width);
-    const int height = std::min(a.height, b.height);
+    Differences rows(a, b, options);
     report.pixels = static_cast<std::int64_t>(std::max(a.width, b.width)) * std::max(a.height, b.height);
-    report.different = report.beyond = report.pixels - static_cast<std::int64_t>(width) * height;
+    report.different = report.beyond = report.pixels - static_cast<std::int64_t>(rows.width) * rows.height;
 
-    BoxFinder boxes(width, height);
-    RowDifference row(width);
-    for (int y = 0; y < height; ++y) {
-        if (std::memcmp(a.row(y), b.row(y), 4 * static_cast<std::size_t>(width)) == 0) continue;
-        const std::span<const std::uint8_t> difference = row.between(a.row(y), b.row(y));
+    BoxFinder boxes(rows.width, rows.height);
+    for (int y = 0; y < rows.height; ++y) {
+        if (rows.are_none(y)) continue;
+        const std::span<const std::uint8_t> difference = rows.row(y);
         int largest = 0;
         for (const std::uint8_t d : difference) {
             largest = std::max<int>(largest, d);
@@ -197,9 +242,9 @@ std::string sentence(const CompareReport& report) {
     const std::string found = std::to_string(report.different) + " of " + std::to_string(report.pixels) +
                               " pixels differ, at worst by " + std::to_string(report.worst_found) + " of 255 at (" +
                               std::to_string(report.worst_at[0]) + ", " + std::to_string(report.worst_at[1]) + "); " +
-                              std::to_string(report.beyond) + " (" + percent(report.beyond_share()) +
+                              std::to_string(report.beyond) + " (" + share_text(report.beyond_share()) +
                               ") by more than " + std::to_string(report.options.worst) + ", allowed are " +
-                              percent(report.options.share);
+                              share_text(report.options.share);
     if (report.sizes_differ)
         return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
                size_text(report.size_b) + "; of the part that both have, a channel differs by at most " +
@@ -239,10 +284,10 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
     Image out{std::max(a.width, b.width), std::max(a.height, b.height), {}};
     out.rgba.resize(out.row_bytes() * static_cast<std::size_t>(out.height));
     const auto has = [](const Image& image, int x, int y) { return x < image.width && y < image.height; };
-    RowDifference row(std::min(a.width, b.width));
+    Differences rows(a, b, options);
     std::span<const std::uint8_t> difference;
     for (int y = 0; y < out.height; ++y) {
-        if (has(a, 0, y) && has(b, 0, y)) difference = row.between(a.row(y), b.row(y));
+        if (y < rows.height) difference = rows.row(y);
         for (int x = 0; x < out.width; ++x) {
             constexpr std::array<std::uint8_t, 4> nothing{};
             const std::size_t offset = 4 * static_cast<std::size_t>(x);

@@ -19,6 +19,9 @@ struct CompareOptions {
     int worst = 2;
     /// 0 … 1. 0: no pixel may be beyond `worst`.
     double share = 0.0;
+    /// A pixel that has a like in the other picture, at most so many pixels away in x and y and as seen from either
+    /// picture, is not beyond `worst`: with 1, edges that moved by a pixel are no difference.
+    int reach_px = 0;
 };
 
 /// A rectangle of the picture, pixel (0, 0) at the top left.
@@ -45,8 +48,12 @@ struct CompareReport {
     double beyond_share() const;  ///< beyond / pixels; 0 for empty pictures
 };
 
-/// Options: worst 0 … 255, share 0 … 1. Boxes that are at most 16 pixels apart (or 1/80 of the larger side, if that is
-/// more) are one box.
+/// How far each pixel of the part that both pictures have is from the other picture's, row by row from the top: the
+/// largest difference of a channel, in levels; `worst` at most where the reach finds a like.
+std::vector<std::uint8_t> pixel_differences(const Image& a, const Image& b, const CompareOptions& options);
+
+/// Options: worst 0 … 255, share 0 … 1, reach 0 or more. Boxes that are at most 16 pixels apart (or 1/80 of the larger
+/// side, if that is more) are one box.
 CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {});
 
 /// One line for a person, starting with "equal" or "different".

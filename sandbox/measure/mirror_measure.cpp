@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "image/compare.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -52,9 +53,25 @@ Status read_depths(Renderer& renderer, BufferReader& reader, const FramePlan& wh
     return std::monostate{};
 }
 
+/// What differs from the first way's picture; edges that moved by a pixel are no difference.
+std::vector<std::uint8_t> differing(const Image& reference, const Image& picture, MirrorWayReport& report) {
+    constexpr CompareOptions alike{.worst = 2, .share = 0.0, .reach_px = 1};
+    std::vector<std::uint8_t> pixels = pixel_differences(reference, picture, alike);
+    report.compared = static_cast<std::int64_t>(pixels.size());
+    for (std::uint8_t& pixel : pixels) {
+        if (pixel <= alike.worst) {
+            pixel = 0;
+            continue;
+        }
+        ++report.different;
+        report.worst = std::max<int>(report.worst, pixel);
+    }
+    return pixels;
+}
+
 /// Lays what differs over the picture.
-void show_difference(FramePlan& frame, DifferenceDrawing drawing) {
-    frame.hidden.difference = std::make_shared<const DifferenceDrawing>(std::move(drawing));
+void show_difference(FramePlan& frame, std::span<const std::uint8_t> differs, glm::ivec2 size_px) {
+    frame.hidden.difference = std::make_shared<const DifferenceDrawing>(difference_drawing(differs, size_px));
     frame.passes.push_back(difference_pass(tr("red where the picture differs from the first way's, a veil elsewhere")));
 }
 
@@ -74,12 +91,11 @@ Result<MirrorWays> compare_mirror_ways(Renderer& renderer, const Params& state, 
         if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
         Image picture = renderer.read(view);
         if (index == 0) reference = picture;
-        PictureDifference found = picture_difference(reference.rgba, picture.rgba, size_px);
-        ways.reports[index] = found.report;
+        const std::vector<std::uint8_t> differs = differing(reference, picture, ways.reports[index]);
         if (Status read = read_depths(renderer, *reader, frame, scene, size_px, ways.reports[index]); !read)
             return Error{read.error()};
         if (!pictures || index == 0) continue;
-        show_difference(frame, std::move(found.drawing));
+        show_difference(frame, differs, size_px);
         if (Status drawn = renderer.draw(frame, scene, size_px, view); !drawn) return Error{drawn.error()};
     }
     return ways;

@@ -24,18 +24,6 @@ struct Session::LoadJob {
     BackgroundTask<Result<Scene>> task;
 };
 
-MotionMode motion_mode(Navigation navigation) {
-    switch (navigation) {
-        case Navigation::walk:
-            return MotionMode::walk;
-        case Navigation::orbit:
-            return MotionMode::orbit;
-        case Navigation::fly:
-            break;
-    }
-    return MotionMode::fly;
-}
-
 Session::Session(const LoadedState& state, Scene scene)
     : params(state.params),
       base_(state.base),
@@ -149,7 +137,7 @@ void Session::navigate(const MotionInput& input, double dt_s) {
     if (begins && params.camera.navigation == Navigation::orbit && !params.slips.pole_flip) aim_at_target();
     const Pose before{params.camera.position, params.camera.angles(), params.camera.target};
     const MotionSlips slips{params.slips.walk_slows, params.slips.creeping_roll, params.slips.pole_flip};
-    const MotionMode mode = motion_mode(params.camera.navigation);
+    const Navigation mode = params.camera.navigation;
     const Pose after = step(before, motion_, input, mode, slips, tuning_, dt_s);
     moving_ = viewing::moving_freedoms(motion_, input, mode);
     params.camera.position = after.position;

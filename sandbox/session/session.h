@@ -103,7 +103,4 @@ private:
     Params at_rest_, before_;
 };
 
-/// The navigation mode as the motion model names it.
-MotionMode motion_mode(Navigation navigation);
-
 }  // namespace viewing

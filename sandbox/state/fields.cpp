@@ -22,9 +22,9 @@ template <> std::span<const char* const> names_of<ShadowSign>() { static constex
 template <> std::span<const char* const> names_of<MirrorClip>() { static constexpr const char* names[] = {"none", "clip_distance", "oblique"}; return names; }
 template <> std::span<const char* const> names_of<MirroredThing>() { static constexpr const char* names[] = {"scene", "camera"}; return names; }
 template <> std::span<const char* const> names_of<VisibilityMethod>() { static constexpr const char* names[] = {"depth_buffer", "none", "painter", "newell", "bsp", "software_depth_buffer", "ray_cast"}; return names; }
-template <> std::span<const char* const> names_of<SortKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
-template <> std::span<const char* const> names_of<Splitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
-template <> std::span<const char* const> names_of<BspWalkOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }
+template <> std::span<const char* const> names_of<PainterKey>() { static constexpr const char* names[] = {"nearest", "farthest", "centroid"}; return names; }
+template <> std::span<const char* const> names_of<BspSplitter>() { static constexpr const char* names[] = {"first", "random", "fewest_splits", "balanced"}; return names; }
+template <> std::span<const char* const> names_of<BspOrder>() { static constexpr const char* names[] = {"back_to_front", "front_to_back"}; return names; }
 template <> std::span<const char* const> names_of<Shows>() { static constexpr const char* names[] = {"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting", "shadow_w"}; return names; }
 template <> std::span<const char* const> names_of<DepthScale>() { static constexpr const char* names[] = {"window", "linear"}; return names; }
 template <> std::span<const char* const> names_of<DecalMethod>() { static constexpr const char* names[] = {"offset", "equal", "stencil"}; return names; }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/navigation.h"
 #include "geometry/projection.h"
 #include "state/depth_params.h"
 #include "state/light_params.h"
@@ -21,10 +22,7 @@
 
 namespace viewing {
 
-enum class Navigation { fly, walk, orbit };
 enum class ProjectionType { perspective, orthographic };
-enum class CullFace { front, back, front_and_back };
-enum class FrontFace { ccw, cw };
 enum class Theme { dark, light, projector };
 
 struct CameraParams {

@@ -1,19 +1,18 @@
 // The part of the parameters that says which hidden-surface method draws, and how. Read params.h for the rest.
 #pragma once
 
+#include "visibility/choices.h"
+
 namespace viewing {
 
 enum class VisibilityMethod { depth_buffer, none, painter, newell, bsp, software_depth_buffer, ray_cast };
-enum class SortKey { nearest, farthest, centroid };
-enum class Splitter { first, random, fewest_splits, balanced };
-enum class BspWalkOrder { back_to_front, front_to_back };
 
 struct VisibilityParams {
     VisibilityMethod method = VisibilityMethod::depth_buffer;
     int step = -1;  ///< −1: all steps
-    SortKey sort_key = SortKey::farthest;
-    Splitter splitter = Splitter::fewest_splits;
-    BspWalkOrder walk = BspWalkOrder::back_to_front;
+    PainterKey sort_key = PainterKey::farthest;
+    BspSplitter splitter = BspSplitter::fewest_splits;
+    BspOrder walk = BspOrder::back_to_front;
     double epsilon = 1e-9;      ///< how near to a plane counts as on it, as a share of the scene's diagonal
     bool exact_curves = false;  ///< rays meet spheres, cylinders, cones and tori themselves, not their triangles
     VisibilityMethod compare_with = VisibilityMethod::ray_cast;  ///< the other one of the difference view

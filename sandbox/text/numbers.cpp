@@ -1,5 +1,6 @@
 #include "text/numbers.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -154,6 +155,16 @@ std::string figures(double value, int digits) {
            raised_text(exponent);
 }
 
+std::string steady_figures(double value) {
+    if (value == 0.0) return "0";
+    if (!std::isfinite(value)) return number_text(value, 0);
+    // Rounded first: 9.999 has the decimals of 10.0.
+    int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+    if (std::abs(value) >= 9.995 * std::pow(10.0, exponent)) ++exponent;
+    if (exponent >= -4 && exponent < 6) return number_text(value, std::max(2 - exponent, 0));
+    return number_text(value / std::pow(10.0, exponent), 2) + "·10" + raised_text(exponent);
+}
+
 std::string percent(double share, int decimals) {
     const double per_cent = 100.0 * share, least = std::pow(10.0, -decimals);
     if (share > 0.0 && per_cent < 0.5 * least) return "< " + number_text(least, decimals) + " %";
@@ -169,6 +180,15 @@ std::string grouped_number(std::int64_t number) {
         text.insert(place, 1, ',');
     }
     return text;
+}
+
+std::string shortest_number(double value) {
+    std::array<char, 32> digits;
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
+    return fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
 }
 
 std::string format_number(double value) {

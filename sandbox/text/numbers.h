@@ -19,6 +19,10 @@ std::string number_text(double value, int decimals);
 /// So many significant digits, without zeros at the end, as in a sentence: "0.25", "−3500", "1.2·10⁻⁷", "∞".
 std::string figures(double value, int digits = 2);
 
+/// Three significant digits, zeros at the end kept so that a moving value does not jump: "4.00", "12.5", "12,300",
+/// "1.20·10⁻⁷", and plainly "0".
+std::string steady_figures(double value);
+
 /// A share as "12.5 %"; what would be rounded to nothing or to all without being it is "< 0.1 %", "> 99.9 %".
 std::string percent(double share, int decimals = 1);
 
@@ -32,6 +36,12 @@ std::string raised_text(int value);
 
 /// The shortest decimal that reads back to exactly `value`, as JSON takes it: "0.5", "-0.0", "40000", "1e6".
 std::string format_number(double value);
+
+/// The same as C, Python and CSV have it, at times with an exponent of two digits: "0.5", "-0", "1e-05", "inf".
+std::string shortest_number(double value);
+
+/// A colour: "#e4572e".
+std::string hex_color(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
 /// Fixed decimals with the keyboard's minus: "-0.500".
 std::string plain_decimals(double value, int decimals);

@@ -11,13 +11,10 @@
 #include <vector>
 
 #include "platform/progress.h"
+#include "visibility/choices.h"
 #include "visibility/polygons.h"
 
 namespace viewing {
-
-/// Which polygon of a list gives the plane: its first one; one by chance; of some evenly taken candidates the one that
-/// cuts fewest others, or the one whose larger child is smallest.
-enum class BspSplitter { first, random, fewest_splits, balanced };
 
 struct BspOptions {
     BspSplitter splitter = BspSplitter::fewest_splits;
@@ -60,8 +57,6 @@ struct BspTree {
 
 /// Also defined for a build that stopped: every polygon is in the tree, some in nodes that are not `sorted`.
 BspTree build_bsp(std::span<const Polygon> polygons, const BspOptions& options = {}, WorkProgress* progress = nullptr);
-
-enum class BspOrder { back_to_front, front_to_back };
 
 /// A node on the walk, when its own polygons are drawn, and the eye's side of its plane: 1 front, −1 back, 0 in the
 /// plane, which goes on as 1: neither side can then hide the other, and the node's polygons are seen edge-on.

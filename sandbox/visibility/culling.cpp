@@ -11,9 +11,9 @@ namespace {
 constexpr double parallel_sine = 1e-12;
 constexpr double smallest_relative_area = 1e-12;
 
-Facing facing_of(double signed_measure, double tolerance, FrontWinding front) {
+Facing facing_of(double signed_measure, double tolerance, FrontFace front) {
     if (std::abs(signed_measure) <= tolerance) return Facing::neither;
-    return (signed_measure > 0.0) == (front == FrontWinding::counter_clockwise) ? Facing::towards : Facing::away;
+    return (signed_measure > 0.0) == (front == FrontFace::ccw) ? Facing::towards : Facing::away;
 }
 
 /// What is in front of the near plane, divided by w: corners in normalised device coordinates.
@@ -51,7 +51,7 @@ ScreenArea screen_area(const std::vector<glm::dvec2>& corners) {
 
 }  // namespace
 
-std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontWinding front) {
+std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
     const glm::dvec4 eye_world = viewpoint.eye_world();
     const double tolerance = eye_world.w != 0.0 ? default_epsilon(polygons) : parallel_sine;
     std::vector<Facing> result;
@@ -62,8 +62,7 @@ std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Vie
     return result;
 }
 
-std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                     FrontWinding front) {
+std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
     const glm::dmat4 clip_from_world = viewpoint.clip_from_world();
     std::vector<Facing> result;
     result.reserve(polygons.size());
@@ -74,7 +73,7 @@ std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Vi
     return result;
 }
 
-CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontWinding front) {
+CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
     const std::vector<Facing> by_plane = facing_by_plane(polygons, viewpoint, front);
     const std::vector<Facing> on_screen = facing_on_screen(polygons, viewpoint, front);
     const auto count = [](const std::vector<Facing>& facing, Facing wanted) {
@@ -94,11 +93,11 @@ CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& view
     return counts;
 }
 
-std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CulledFaces faces,
-                            FrontWinding front) {
+std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
+                            FrontFace front) {
     std::vector<Polygon> left;
-    if (faces == CulledFaces::front_and_back) return left;
-    const Facing goes = faces == CulledFaces::front ? Facing::towards : Facing::away;
+    if (faces == CullFace::front_and_back) return left;
+    const Facing goes = faces == CullFace::front ? Facing::towards : Facing::away;
     const std::vector<Facing> facing = facing_by_plane(polygons, viewpoint, front);
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         if (facing[i] != goes) left.push_back(polygons[i]);

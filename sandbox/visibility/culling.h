@@ -6,16 +6,11 @@
 #include <span>
 #include <vector>
 
+#include "visibility/choices.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
 
 namespace viewing {
-
-/// Which way round the corners of a front go on the screen: what glFrontFace is told.
-enum class FrontWinding { counter_clockwise, clockwise };
-
-/// What glCullFace is told.
-enum class CulledFaces { front, back, front_and_back };
 
 /// Which side of a polygon is seen; neither when the eye lies in its plane, or nothing of it is left to see.
 enum class Facing : char { towards, away, neither };
@@ -23,13 +18,13 @@ enum class Facing : char { towards, away, neither };
 /// By the eye's side of each plane, in the polygons' order. Within default_epsilon() of the plane, or for an
 /// orthographic camera below a sine of 1e−12, the eye counts as in it: neither.
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                    FrontWinding front = FrontWinding::counter_clockwise);
+                                    FrontFace front = FrontFace::ccw);
 
 /// By the sign of the area on the screen, of what is in front of the near plane. Neither: all of it is clipped, or its
 /// area is at most 1e−12 of the square of its size there. In a mirrored view clockwise and counter-clockwise change
 /// places on the screen, and this way is told the other winding, as GL is.
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                     FrontWinding front = FrontWinding::counter_clockwise);
+                                     FrontFace front = FrontFace::ccw);
 
 /// How many polygons face where, by the plane and as GL tells it; each three add up to `input`.
 struct CullCounts {
@@ -40,11 +35,11 @@ struct CullCounts {
 };
 
 CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                        FrontWinding front = FrontWinding::counter_clockwise);
+                        FrontFace front = FrontFace::ccw);
 
 /// What is left after culling by the plane's sign, in the same order. What is seen edge-on is neither a front nor a
 /// back: it stays, and covers no pixel; front_and_back leaves nothing.
-std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CulledFaces faces,
-                            FrontWinding front = FrontWinding::counter_clockwise);
+std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
+                            FrontFace front = FrontFace::ccw);
 
 }  // namespace viewing

@@ -1,24 +1,16 @@
 // The curves as words and as a table. Read growth.h for what a row is.
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "visibility/growth.h"
 
 namespace viewing {
 namespace {
 
 constexpr double clearly_slower = 1.25;
-
-/// The shortest digits that read back as the same number; the same in every locale.
-std::string digits(double number) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-    return {text.data(), end};
-}
 
 std::string csv_field(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -138,8 +130,9 @@ std::string growth_csv(std::span<const GrowthRow> rows) {
     std::string text = "method,polygons,time_ms,operation,operations,painting_ms,build_ms,problem\r\n";
     for (const GrowthRow& row : rows) {
         text += csv_field(growth_method_name(row.method)) + ',' + std::to_string(row.polygons) + ',' +
-                digits(row.time_ms) + ',' + csv_field(row.operation_name) + ',' + std::to_string(row.operations) + ',' +
-                digits(row.painting_ms) + ',' + digits(row.build_ms) + ',' + csv_field(row.problem) + "\r\n";
+                shortest_number(row.time_ms) + ',' + csv_field(row.operation_name) + ',' +
+                std::to_string(row.operations) + ',' + shortest_number(row.painting_ms) + ',' +
+                shortest_number(row.build_ms) + ',' + csv_field(row.problem) + "\r\n";
     }
     return text;
 }

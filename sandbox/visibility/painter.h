@@ -7,13 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "visibility/choices.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
 
 namespace viewing {
-
-/// Which eye distance of a polygon stands for it: of its nearest vertex, its farthest, or its centroid.
-enum class PainterKey { nearest, farthest, centroid };
 
 struct PainterOrder {
     std::vector<int> order;         ///< indices into the polygons, the farthest first; grows by one a step

@@ -49,14 +49,14 @@ TEST_F(HiddenPanel, EveryMethodIsChosenByNameAndBringsItsOptions) {
 TEST_F(HiddenPanel, OptionsWriteTheirFields) {
     choose("painter");
     desk.choose("depth/sort key", "depth/sort key/centroid");
-    EXPECT_EQ(params.visibility.sort_key, SortKey::centroid);
+    EXPECT_EQ(params.visibility.sort_key, PainterKey::centroid);
     desk.click("depth/Numbers");
     EXPECT_TRUE(params.visibility.numbers);
     choose("BSP tree");
     desk.choose("depth/splitter", "depth/splitter/balanced");
-    EXPECT_EQ(params.visibility.splitter, Splitter::balanced);
+    EXPECT_EQ(params.visibility.splitter, BspSplitter::balanced);
     desk.choose("depth/walk", "depth/walk/front to back");
-    EXPECT_EQ(params.visibility.walk, BspWalkOrder::front_to_back);
+    EXPECT_EQ(params.visibility.walk, BspOrder::front_to_back);
     desk.enter("depth/epsilon", "0.001");
     EXPECT_EQ(params.visibility.epsilon, 0.001);
     choose("ray casting");

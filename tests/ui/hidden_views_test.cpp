@@ -93,7 +93,7 @@ TEST_F(HiddenViews, TheTreeStaysWhileTheCameraMovesAndOnlyTheWalkChanges) {
         walks.insert(marks());
     }
     EXPECT_GT(walks.size(), 2U);
-    params.visibility.splitter = Splitter::first;
+    params.visibility.splitter = BspSplitter::first;
     desk.settle();
     EXPECT_EQ(hidden().links.tree.revision(), revision + 1);
 }
@@ -121,7 +121,7 @@ TEST_F(HiddenViews, MarksAreThePlacesInTheWalkThatTheStepHasReached) {
 }
 
 TEST_F(HiddenViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
-    for (const BspWalkOrder walk : {BspWalkOrder::back_to_front, BspWalkOrder::front_to_back}) {
+    for (const BspOrder walk : {BspOrder::back_to_front, BspOrder::front_to_back}) {
         params.visibility.walk = walk;
         show(Topic::tree, VisibilityMethod::bsp);
         const glm::dvec3 eye = params.camera.position;
@@ -129,7 +129,7 @@ TEST_F(HiddenViews, ANodesSentenceTellsWhichSideIsDrawnFirst) {
             const std::string told = node_sentence(result(), static_cast<int>(i), hidden().links.tree);
             const glm::dvec4 plane = result().tree->nodes[i].plane;
             const bool in_front = glm::dot(glm::dvec3(plane), eye) + plane.w > 0.0;
-            const bool front_first = in_front == (walk == BspWalkOrder::front_to_back);
+            const bool front_first = in_front == (walk == BspOrder::front_to_back);
             EXPECT_NE(told.find(in_front ? "the eye is in front" : "the eye is behind"), std::string::npos) << told;
             EXPECT_NE(told.find(front_first ? "its front side is drawn first" : "its back side is drawn first"),
                       std::string::npos)
@@ -177,7 +177,7 @@ TEST_F(HiddenViews, TheListMarksWhatTheStepHasReached) {
 }
 
 TEST_F(HiddenViews, ThePaintersListGivesTheKeyDistanceOfEachPolygon) {
-    params.visibility.sort_key = SortKey::nearest;
+    params.visibility.sort_key = PainterKey::nearest;
     show(Topic::order, VisibilityMethod::painter);
     const OrderRows rows(result(), hidden().links.tree);
     EXPECT_STREQ(rows.detail_title(), "nearest vertex");

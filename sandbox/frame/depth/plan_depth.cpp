@@ -36,7 +36,7 @@ Pass without_marks(const Pass& objects) {
     pass.reason = tr("clears the stencil of the planes' marks, which must not be taken for those of objects");
     pass.color_write = false;
     pass.depth = without_depth;
-    pass.stencil = wipes_marks();
+    pass.stencil = stencil_of_wiping();
     return pass;
 }
 
@@ -60,11 +60,11 @@ void draw_decals_apart(std::vector<Pass>& passes, const Params& params) {
     if (method == DecalMethod::equal) {
         decals.depth.func = CompareFunc::equal;
     } else {
-        objects.marks_objects = decals.marks_objects = true;  // in place of 0 below
-        objects.stencil = marks(0);
+        objects.marks_objects = decals.marks_objects = true;
+        objects.stencil = stencil_of_decal_bases();
         decals.reason = tr("draws decals where the stencil says that what they lie on is seen: no depth decides");
         decals.depth.test = false;
-        decals.stencil = exactly(0);
+        decals.stencil = stencil_of_decals();
     }
     const bool has_marks = std::any_of(passes.begin(), found, [](const Pass& pass) {
         return pass.stencil.test && pass.stencil.on_pass != StencilOp::keep;

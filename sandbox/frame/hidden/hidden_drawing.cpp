@@ -103,12 +103,21 @@ HiddenDrawing hidden_drawing(const HiddenResult& result) {
     return made;
 }
 
+DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px) {
+    constexpr glm::u8vec4 red(difference_color.r, difference_color.g, difference_color.b, 255), veil(0, 0, 0, 110);
+    DifferenceDrawing made{size_px, {}, static_cast<std::int64_t>(differs.size()), 0};
+    made.pixels.reserve(differs.size());
+    for (const std::uint8_t is_different : differs) {
+        made.pixels.push_back(is_different != 0 ? red : veil);
+        made.different += is_different != 0 ? 1 : 0;
+    }
+    return made;
+}
+
 DifferenceDrawing difference_drawing(const IdImage& reference, const IdImage& image) {
-    constexpr glm::u8vec4 differs(difference_color.r, difference_color.g, difference_color.b, 255), veil(0, 0, 0, 110);
     const IdDifference found = difference(reference, image);
-    DifferenceDrawing made{{image.width, image.height}, {}, found.compared, found.different};
-    made.pixels.reserve(found.differs.size());
-    for (const std::uint8_t is_different : found.differs) made.pixels.push_back(is_different != 0 ? differs : veil);
+    DifferenceDrawing made = difference_drawing(found.differs, {image.width, image.height});
+    made.compared = found.compared;
     return made;
 }
 

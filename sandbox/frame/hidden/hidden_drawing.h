@@ -44,12 +44,15 @@ struct HiddenDrawing {
 /// Of the polygons that the step has drawn, or of the picture at the step.
 HiddenDrawing hidden_drawing(const HiddenResult& result);
 
-/// Red where two pictures of polygon numbers differ away from edges, elsewhere a veil. The sizes are the same.
+/// Red where two pictures differ, elsewhere a veil.
 struct DifferenceDrawing {
     glm::ivec2 size_px{0};
     std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top
     std::int64_t compared = 0, different = 0;
 };
+/// `differs`: not 0 for each pixel that does, rows from the top.
+DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px);
+/// Of two pictures of polygon numbers of one size, away from edges.
 DifferenceDrawing difference_drawing(const IdImage& reference, const IdImage& image);
 
 /// What a frame shows of hidden-surface methods; none where GL draws the scene by itself.

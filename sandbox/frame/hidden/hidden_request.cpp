@@ -34,7 +34,7 @@ bool uses_exact_curves(const HiddenRequest& request) {
 bool draws_pixels(const VisibilityParams& visibility) {
     return visibility.method == VisibilityMethod::software_depth_buffer ||
            visibility.method == VisibilityMethod::ray_cast ||
-           (visibility.method == VisibilityMethod::bsp && visibility.walk == BspWalkOrder::front_to_back);
+           (visibility.method == VisibilityMethod::bsp && visibility.walk == BspOrder::front_to_back);
 }
 
 }  // namespace viewing

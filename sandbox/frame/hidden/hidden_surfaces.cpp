@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "frame/hidden/hidden_steps.h"
-#include "frame/hidden/method_choices.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -29,10 +28,10 @@ bool differ_in_step_alone(HiddenRequest a, const HiddenRequest& b) {
 }
 
 /// A mirrored view turns every winding around.
-FrontWinding winding_for(const HiddenRequest& request) {
+FrontFace winding_for(const HiddenRequest& request) {
     const bool mirrors = glm::determinant(glm::dmat3(request.viewpoint.view_from_world)) < 0.0;
     const FrontFace turned = request.cull.front_face == FrontFace::cw ? FrontFace::ccw : FrontFace::cw;
-    return front_winding(mirrors ? turned : request.cull.front_face);
+    return mirrors ? turned : request.cull.front_face;
 }
 
 std::vector<int> counted(std::size_t count) {
@@ -77,8 +76,7 @@ HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene)
 std::vector<Polygon> HiddenSurfaceSolver::polygons_for(HiddenResult& result) const {
     const HiddenRequest& request = result.request;
     if (!request.cull.enabled) return surface_->polygons;
-    std::vector<Polygon> kept =
-        culled(surface_->polygons, request.viewpoint, culled_faces(request.cull.face), winding_for(request));
+    std::vector<Polygon> kept = culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request));
     result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept.size());
     return kept;
 }
@@ -87,7 +85,7 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     const VisibilityParams& visibility = result.request.visibility;
     if (!trees_.tree || trees_.splitter != visibility.splitter || trees_.epsilon != visibility.epsilon) {
         const Stopwatch watch;
-        const BspOptions options{.splitter = bsp_splitter(visibility.splitter),
+        const BspOptions options{.splitter = visibility.splitter,
                                  .epsilon = visibility.epsilon * surface_->diagonal,
                                  .max_fragments = 1'000'000 + 2 * static_cast<int>(surface_->polygons.size())};
         auto tree = std::make_shared<const BspTree>(build_bsp(surface_->polygons, options, progress));
@@ -100,8 +98,8 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     result.fragments = std::shared_ptr<const std::vector<Polygon>>(result.tree, &result.tree->fragments);
 
     const Stopwatch watch;
-    auto walk = std::make_shared<BspWalk>(
-        walk_bsp(*result.tree, result.request.viewpoint.eye_world(), bsp_order(visibility.walk)));
+    auto walk =
+        std::make_shared<BspWalk>(walk_bsp(*result.tree, result.request.viewpoint.eye_world(), visibility.walk));
     result.time_ms = watch.ms();
     result.order = walk->fragments;
     result.walk = std::move(walk);
@@ -109,11 +107,11 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     if (result.request.cull.enabled) {
         const std::vector<Facing> facing =
             facing_by_plane(*result.fragments, result.request.viewpoint, winding_for(result.request));
-        const CulledFaces faces = culled_faces(result.request.cull.face);
+        const CullFace faces = result.request.cull.face;
         counters.culled = static_cast<std::int64_t>(std::erase_if(result.order, [&](int fragment) {
             const Facing side = facing[static_cast<std::size_t>(fragment)];
-            return faces == CulledFaces::front_and_back ||
-                   side == (faces == CulledFaces::front ? Facing::towards : Facing::away);
+            return faces == CullFace::front_and_back ||
+                   side == (faces == CullFace::front ? Facing::towards : Facing::away);
         }));
     }
     counters.polygons = static_cast<std::int64_t>(surface_->polygons.size());
@@ -187,8 +185,8 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
     result.fragments = polygons;
     const Stopwatch watch;
     if (visibility.method == VisibilityMethod::painter) {
-        auto painter = std::make_shared<const PainterOrder>(
-            painter_order(*polygons, request.viewpoint, painter_key(visibility.sort_key)));
+        auto painter =
+            std::make_shared<const PainterOrder>(painter_order(*polygons, request.viewpoint, visibility.sort_key));
         result.order = painter->order;
         counters.comparisons = painter->comparisons;
         counters.swaps = painter->swaps;

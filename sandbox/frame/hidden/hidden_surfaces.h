@@ -101,7 +101,7 @@ public:
 private:
     struct Trees {
         std::shared_ptr<const BspTree> tree;
-        Splitter splitter = Splitter::first;
+        BspSplitter splitter = BspSplitter::first;
         double epsilon = 0.0, build_ms = 0.0;
     };
     struct Rays {

@@ -1,6 +1,6 @@
 // Hidden-surface methods as passes. The plane's patch is none of their polygons, so it divides the scene as the root of
 // a BSP tree would: what lies beyond its plane first, the patch, then what lies before it. Read gl_text.cpp next.
-#include "frame/plan.h"
+#include "frame/plan_parts.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -33,7 +33,7 @@ void divide_by_the_patch(std::vector<Pass>& passes, const Derived& derived) {
     passes.back().clip_planes = {towards_eye};
     // A mirror lets its image through, and must not let through what stands behind it: there the mask keeps it out.
     const bool has_mask = passes.front().stencil.on_pass == StencilOp::replace && !passes.front().color_write;
-    if (has_mask) beyond.stencil = outside(passes.front().stencil.reference);
+    if (has_mask) beyond.stencil = stencil_of_objects_beyond(passes.front());
     passes.insert(passes.begin() + (has_mask ? 1 : 0), beyond);
 }
 

@@ -1,10 +1,10 @@
-// The same mirror image made in several ways, and how much their pictures and depths differ.
+// The same mirror image made in several ways, and how much their pictures and depths differ: measure/mirror_measure.h
+// finds it.
 #pragma once
 
 #include <array>
 #include <cstdint>
 
-#include "frame/hidden/hidden_drawing.h"
 #include "state/params.h"
 
 namespace viewing {
@@ -21,9 +21,8 @@ const char* name_of(MirrorWay way);
 
 /// One way beside the first one, which the others are compared with.
 struct MirrorWayReport {
-    std::int64_t different =
-        0;          ///< pixels without a like within ±2 levels next to it: edges that moved by one are none
-    int worst = 0;  ///< levels, of these pixels
+    std::int64_t different = 0;                  ///< pixels without a like in the first way's picture, nor next to it
+    int worst = 0;                               ///< levels, of these pixels
     double first_depth = 0.0, last_depth = 0.0;  ///< window depths of the image, before the patch covers it
     std::int64_t distinct_depths = 0;            ///< how many different codes
     std::int64_t image_pixels = 0;
@@ -34,15 +33,5 @@ struct MirrorWays {
     glm::ivec2 size_px{0};
     std::array<MirrorWayReport, mirror_way_count> reports;
 };
-
-/// Marks in red what is different, under a veil elsewhere.
-struct PictureDifference {
-    MirrorWayReport report;  ///< without its depths
-    DifferenceDrawing drawing;
-};
-
-/// Two pictures of the same size, 4 bytes a pixel, row by row from the top.
-PictureDifference picture_difference(std::span<const std::uint8_t> reference, std::span<const std::uint8_t> picture,
-                                     glm::ivec2 size_px);
 
 }  // namespace viewing

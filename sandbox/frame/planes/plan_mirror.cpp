@@ -109,7 +109,7 @@ Pass fresh_picture(const Level& level, std::size_t plane) {
     pass.is_mirror_image = true;
     pass.color = color_of(background, 1.0);
     pass.depth.func = CompareFunc::always;
-    pass.stencil = inside(level.region_of(plane));
+    pass.stencil = stencil_of_patch(level, plane);
     return pass;
 }
 

@@ -94,41 +94,35 @@ void add_shadows(std::vector<Pass>& passes, const Level& level, std::size_t plan
 }
 
 void add_missing_light(std::vector<Pass>& passes, const Level& level, std::size_t plane) {
-    const int region = level.region_of(plane);
     const bool mirrors = level.mirrors(plane);
     if (!(mirrors && level.params.reflection.stencil))
         passes.push_back(patch_mask(level, plane, {marked("Receiver mask"), marked("Receiver mask {plane}")},
                                     tr("marks the patch in the stencil buffer as the receiver of shadows")));
     const std::vector<std::size_t> lights = level.casting_lights(plane);
     const bool is_alone = level.derived.lights_world.size() == 1;
-    std::vector<int> bits;
     for (const std::size_t light : lights) {
-        const int bit = light_bit(level.params, light);
         Pass mask =
             shadow_pass(level, plane, light,
                         is_alone ? tr("Shadow mask") : say("Shadow mask of light {light}", "light"_a = light + 1),
                         tr("marks where the light is missing: no colour yet"));
         mask.color_write = false;
         mask.depth.test = false;
-        mask.stencil = counts_once(region, bit);
+        mask.stencil = stencil_of_shadow(level, plane, light);
         passes.push_back(mask);
-        bits.push_back(bit);
     }
 
     for (unsigned int set = 0; set < 1U << lights.size(); ++set) {
         std::vector<std::size_t> shining, missing;
-        int reference = region;
         for (std::size_t i = 0; i < lights.size(); ++i) {
             const bool is_missing = (set >> i & 1U) != 0;
             (is_missing ? missing : shining).push_back(lights[i]);
-            if (is_missing) reference |= bits[i];
         }
         Pass patch = patch_surface(level, plane, shining, mirrors);
         patch.name = level.placed(name_without(level, missing));
         patch.reason = missing.empty()   ? tr("where the stencil is clear, the light arrives")
                        : shining.empty() ? tr("where the stencil counts a caster, only ambient light arrives")
                                          : tr("where the stencil counts these lights as missing, the others arrive");
-        patch.stencil = exactly(reference);
+        patch.stencil = stencil_of_patch_without(level, plane, missing);
         passes.push_back(patch);
     }
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "frame/hidden/method_choices.h"
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
 
@@ -19,8 +18,7 @@ void start(FailureFinder& finder, const Session& session, const HiddenResult& re
     const Orbit orbit{camera.target, std::max(1e-3, glm::distance(camera.position, camera.target)),
                       result.request.viewpoint.clip_from_view};
     finder.asked = asked_now(session);
-    const FailureSearchOptions options{.key = painter_key(session.params.visibility.sort_key),
-                                       .start = {camera.yaw, camera.pitch}};
+    const FailureSearchOptions options{.key = session.params.visibility.sort_key, .start = {camera.yaw, camera.pitch}};
     finder.search.start([surface = result.surface, orbit, options](WorkProgress& progress) {
         return find_failure(surface->polygons, orbit, options, &progress);
     });

@@ -10,15 +10,15 @@ inline constexpr const char* method_names[] = {marked("GL depth buffer"), marked
                                                marked("Newell"),          marked("BSP tree"), marked("soft. z-buffer"),
                                                marked("ray casting")};
 
-/// SortKey.
+/// PainterKey.
 inline constexpr const char* sort_key_names[] = {marked("nearest vertex"), marked("farthest vertex"),
                                                  marked("centroid")};
 
-/// Splitter.
+/// BspSplitter.
 inline constexpr const char* splitter_names[] = {marked("first"), marked("random"), marked("fewest splits"),
                                                  marked("balanced")};
 
-/// BspWalkOrder.
+/// BspOrder.
 inline constexpr const char* walk_names[] = {marked("back to front"), marked("front to back")};
 
 }  // namespace viewing

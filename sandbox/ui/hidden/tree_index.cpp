@@ -105,7 +105,7 @@ std::string node_sentence(const HiddenResult& result, int node, const TreeIndex&
         is_index(node, index.nodes().size()) && index.nodes()[static_cast<std::size_t>(node)].mark > 0;
     if (!is_visited) return plane;
     const int side = index.eye_side_of(node);
-    const bool front_first = (side > 0) == (result.request.visibility.walk == BspWalkOrder::front_to_back);
+    const bool front_first = (side > 0) == (result.request.visibility.walk == BspOrder::front_to_back);
     if (side == 0) return say("{plane}; the eye lies in the plane: neither side hides the other", "plane"_a = plane);
     if (side > 0)
         return front_first ? say("{plane}; the eye is in front, so its front side is drawn first", "plane"_a = plane)

@@ -21,7 +21,7 @@ using widgets::Role;
 
 void camera_lamps(const Session& session) {
     const Navigation mode = session.params.camera.navigation;
-    const MovingFreedoms can = available_freedoms(motion_mode(mode));
+    const MovingFreedoms can = available_freedoms(mode);
     const MovingFreedoms& now = session.moving_freedoms();
     const Lamp lamps[] = {{marked("forward"), can.forward, now.forward}, {marked("strafe"), can.strafe, now.strafe},
                           {marked("up/down"), can.lift, now.lift},       {marked("yaw"), can.yaw, now.yaw},

@@ -113,7 +113,7 @@ TEST(HiddenOrders, ReachTheSamePictureAsRayCasting) {
             EXPECT_EQ(difference(rays->image, solver.solve(with_method(request, method))->image).different, 0);
         }
         HiddenRequest masked = with_method(request, VisibilityMethod::bsp);
-        masked.visibility.walk = BspWalkOrder::front_to_back;
+        masked.visibility.walk = BspOrder::front_to_back;
         EXPECT_EQ(difference(rays->image, solver.solve(masked)->image).different, 0);
     }
 }
@@ -227,7 +227,7 @@ TEST_F(HiddenSteps, OfTheTreeShareOneTreeForEveryEye) {
         EXPECT_EQ(nodes.size(), result->tree->nodes.size());
         EXPECT_EQ(nodes.size(), result->walk->visits.size());
     }
-    request.visibility.splitter = Splitter::first;
+    request.visibility.splitter = BspSplitter::first;
     EXPECT_NE(at(VisibilityMethod::bsp, -1)->tree, here->tree);
 }
 
@@ -390,9 +390,9 @@ TEST(HiddenSolver, GivesWhatAFreshOneGives) {
         VisibilityParams& visibility = request.visibility;
         visibility.method = static_cast<VisibilityMethod>(whole_number(random, 0, 6));
         visibility.step = whole_number(random, 0, 2) == 0 ? -1 : whole_number(random, 0, 60);
-        visibility.sort_key = static_cast<SortKey>(whole_number(random, 0, 2));
-        visibility.splitter = static_cast<Splitter>(whole_number(random, 0, 3));
-        visibility.walk = static_cast<BspWalkOrder>(whole_number(random, 0, 1));
+        visibility.sort_key = static_cast<PainterKey>(whole_number(random, 0, 2));
+        visibility.splitter = static_cast<BspSplitter>(whole_number(random, 0, 3));
+        visibility.walk = static_cast<BspOrder>(whole_number(random, 0, 1));
         visibility.epsilon = whole_number(random, 0, 3) == 0 ? 1e-3 : 1e-9;
         visibility.exact_curves = whole_number(random, 0, 1) == 1;
         request.cull.enabled = whole_number(random, 0, 2) == 0;
@@ -545,7 +545,7 @@ TEST(HiddenBudgetSlowTest, EndsWithASentenceAndAWholePicture) {
     const double whole = total_area(solver.surface()->polygons);
     for (const VisibilityMethod method : {VisibilityMethod::newell, VisibilityMethod::bsp}) {
         HiddenRequest request = with_method(request_of(Params{}, scene, {16, 12}), method);
-        request.visibility.splitter = Splitter::first;
+        request.visibility.splitter = BspSplitter::first;
         const auto result = solver.solve(request);
         EXPECT_TRUE(result->problem.ends_with(".")) << result->problem;
         const double clipped = result->newell ? result->newell->clipped_area : 0.0;

@@ -14,7 +14,7 @@ constexpr MotionTuning tuning;
 constexpr MotionTuning at_once{.smoothing_s = 0.0};
 
 /// Holds `input` for `seconds` in frames of `dt`.
-Pose hold(Pose pose, Motion& motion, const MotionInput& input, MotionMode mode, double seconds, double dt,
+Pose hold(Pose pose, Motion& motion, const MotionInput& input, Navigation mode, double seconds, double dt,
           const MotionSlips& slips = {}, const MotionTuning& used = tuning) {
     for (int frame = 0; frame < static_cast<int>(std::round(seconds / dt)); ++frame) {
         pose = step(pose, motion, input, mode, slips, used, dt);
@@ -22,7 +22,7 @@ Pose hold(Pose pose, Motion& motion, const MotionInput& input, MotionMode mode, 
     return pose;
 }
 
-Pose held_at_once(const Pose& pose, const MotionInput& input, MotionMode mode, double seconds,
+Pose held_at_once(const Pose& pose, const MotionInput& input, Navigation mode, double seconds,
                   const MotionSlips& slips = {}) {
     Motion motion;
     return hold(pose, motion, input, mode, seconds, 0.01, slips, at_once);
@@ -52,7 +52,7 @@ TEST(Fly, MovesAlongTheCamerasOwnAxes) {
     for (int i = 0; i < 3; ++i) {
         MotionInput input;
         input.move[i] = 1;
-        const Pose end = held_at_once(start, input, MotionMode::fly, 1.0);
+        const Pose end = held_at_once(start, input, Navigation::fly, 1.0);
         expect_near(end.position, start.position + 2.5 * own[i], 1e-9);
         EXPECT_EQ(end.angles, start.angles) << "untouched to the last bit";
     }
@@ -65,7 +65,7 @@ TEST(Fly, TurnsAboutTheCamerasOwnAxes) {
     for (int i = 0; i < 3; ++i) {
         MotionInput input;
         (i == 0 ? input.yaw : i == 1 ? input.pitch : input.roll) = 1;
-        const Pose end = held_at_once(start, input, MotionMode::fly, 0.5);
+        const Pose end = held_at_once(start, input, Navigation::fly, 0.5);
         EXPECT_LT(worst_difference(rotation_from_angles(end.angles), before * rotation_from_angles(half_second[i])),
                   1e-9);
         EXPECT_EQ(end.position, start.position);
@@ -79,7 +79,7 @@ TEST(Fly, OrderOfYawAndPitchMatters) {
     pitch.look_deg = {0, 40};
     Motion motion;
     const auto look = [&](const Pose& pose, const MotionInput& input) {
-        return step(pose, motion, input, MotionMode::fly, {}, tuning, 0.0);
+        return step(pose, motion, input, Navigation::fly, {}, tuning, 0.0);
     };
     const Pose yaw_first = look(look(start, yaw), pitch), pitch_first = look(look(start, pitch), yaw);
     EXPECT_NEAR(yaw_first.angles.roll_deg, 0, 1e-9);
@@ -95,7 +95,7 @@ TEST(Fly, LoopsThroughThePoleWithoutAJump) {
     Motion motion;
     double path = 0;
     for (int frame = 0; frame < 600; ++frame) {
-        const Pose next = step(pose, motion, up, MotionMode::fly, {}, at_once, 0.01);
+        const Pose next = step(pose, motion, up, Navigation::fly, {}, at_once, 0.01);
         const double turned = glm::degrees(std::acos(std::min(1.0, glm::dot(axes_of(pose)[2], axes_of(next)[2]))));
         EXPECT_NEAR(turned, 0.6, 1e-3);
         path += turned;
@@ -107,7 +107,7 @@ TEST(Fly, LoopsThroughThePoleWithoutAJump) {
 
 TEST(Fly, StaysARotationForever) {
     Motion motion;
-    const Pose end = hold({}, motion, everything_held(), MotionMode::fly, 100, 0.016);
+    const Pose end = hold({}, motion, everything_held(), Navigation::fly, 100, 0.016);
     const glm::dmat4 rotation = rotation_from_angles(end.angles);
     EXPECT_LT(worst_difference(rotation * glm::transpose(rotation), glm::dmat4(1.0)), 1e-13);
 }
@@ -117,7 +117,7 @@ TEST(Walk, SpeedDoesNotDependOnPitch) {
     forward.move.z = 1;
     for (const double pitch : {0.0, 45.0, -60.0, 89.0, 90.0, -90.0}) {
         const Pose start{{0, 1.7, 0}, {30, pitch, 0}, {}};
-        const Pose end = held_at_once(start, forward, MotionMode::walk, 1.0);
+        const Pose end = held_at_once(start, forward, Navigation::walk, 1.0);
         const double yaw = glm::radians(30.0);
         expect_near(end.position, {-2.5 * std::sin(yaw), 1.7, -2.5 * std::cos(yaw)}, 1e-9);
     }
@@ -126,7 +126,7 @@ TEST(Walk, SpeedDoesNotDependOnPitch) {
 TEST(Walk, UpsideDownGoesWhereItLooks) {
     MotionInput forward;
     forward.move.z = 1;
-    const Pose end = held_at_once({{0, 0, 0}, {0, 150, 0}, {}}, forward, MotionMode::walk, 1.0);
+    const Pose end = held_at_once({{0, 0, 0}, {0, 150, 0}, {}}, forward, Navigation::walk, 1.0);
     expect_near(end.position, {0, 0, 2.5}, 1e-9);
 }
 
@@ -141,7 +141,7 @@ TEST(Walk, NeverChangesHeightPitchOrRoll) {
         input.look_deg = {1.3, 2.4};
         input.pan = {1, 1};
         input.zoom = 0.5;
-        pose = hold(pose, motion, input, MotionMode::walk, 2, 0.017);
+        pose = hold(pose, motion, input, Navigation::walk, 2, 0.017);
         EXPECT_EQ(pose.position.y, start.position.y);
         EXPECT_EQ(pose.angles.pitch_deg, start.angles.pitch_deg);
         EXPECT_EQ(pose.angles.roll_deg, start.angles.roll_deg);
@@ -158,7 +158,7 @@ TEST(Walk, StrafeLiftPitchAndRollDoNothing) {
     input.pitch = input.roll = 1;
     input.look_deg = {0, 25};
     Motion motion;
-    const Pose end = hold(start, motion, input, MotionMode::walk, 1, 0.01);
+    const Pose end = hold(start, motion, input, Navigation::walk, 1, 0.01);
     EXPECT_EQ(end.position, start.position);
     EXPECT_EQ(end.angles, start.angles);
     EXPECT_TRUE(motion.at_rest());
@@ -168,7 +168,7 @@ TEST(Walk, YawIsAboutTheWorldsY) {
     const Pose start{{0, 0, 0}, {0, -40, 15}, {}};
     MotionInput left;
     left.yaw = 1;
-    const Pose end = held_at_once(start, left, MotionMode::walk, 1.5);
+    const Pose end = held_at_once(start, left, Navigation::walk, 1.5);
     const glm::dmat4 turned = rotation_from_angles({90, 0, 0}) * rotation_from_angles(start.angles);
     EXPECT_LT(worst_difference(rotation_from_angles(end.angles), turned), 1e-9);
 }
@@ -179,7 +179,7 @@ TEST(Walk, YawStaysWithinOneTurn) {
     Motion motion;
     Pose pose;
     for (int i = 0; i < 5; ++i) {
-        pose = step(pose, motion, drag, MotionMode::walk, {}, tuning, 0.01);
+        pose = step(pose, motion, drag, Navigation::walk, {}, tuning, 0.01);
     }
     EXPECT_NEAR(pose.angles.yaw_deg, 500 - 360, 1e-9);
 }
@@ -193,7 +193,7 @@ TEST(Orbit, KeepsTheDistanceTheAimAndTheRoll) {
     input.yaw = 0.4, input.pitch = -0.2, input.roll = 1;
     input.look_deg = {0.5, 0.1};
     Motion motion;
-    const Pose end = hold(pose, motion, input, MotionMode::orbit, 3, 0.02);
+    const Pose end = hold(pose, motion, input, Navigation::orbit, 3, 0.02);
     EXPECT_GT(glm::length(end.position - pose.position), 1.0);
     EXPECT_NEAR(glm::length(end.position - end.target), distance, 1e-9);
     EXPECT_EQ(end.angles.roll_deg, 12.0);
@@ -207,7 +207,7 @@ TEST(Orbit, PitchStopsBeforeThePoles) {
         MotionInput input;
         input.pitch = direction;
         Motion motion;
-        const Pose end = hold(pose, motion, input, MotionMode::orbit, 5, 0.02);
+        const Pose end = hold(pose, motion, input, Navigation::orbit, 5, 0.02);
         EXPECT_DOUBLE_EQ(end.angles.pitch_deg, direction * 89.9);
         EXPECT_EQ(end.angles.yaw_deg, 0.0) << "no flip";
     }
@@ -215,18 +215,18 @@ TEST(Orbit, PitchStopsBeforeThePoles) {
     MotionInput down;
     down.pitch = -1;
     Motion motion;
-    EXPECT_EQ(hold(above, motion, down, MotionMode::orbit, 1, 0.02).angles.pitch_deg, -90.0) << "not thrown back";
+    EXPECT_EQ(hold(above, motion, down, Navigation::orbit, 1, 0.02).angles.pitch_deg, -90.0) << "not thrown back";
 }
 
 TEST(Orbit, SidewaysAndUpKeysGoAroundTheTarget) {
     const Pose start{{0, 0, 5}, {}, {0, 0, 0}};
     MotionInput right;
     right.move.x = 1;
-    const Pose end = held_at_once(start, right, MotionMode::orbit, 1.5);
+    const Pose end = held_at_once(start, right, Navigation::orbit, 1.5);
     expect_near(end.position, {5, 0, 0}, 1e-9);
     MotionInput up;
     up.move.y = 1;
-    EXPECT_GT(held_at_once(start, up, MotionMode::orbit, 0.5).position.y, 1.0);
+    EXPECT_GT(held_at_once(start, up, Navigation::orbit, 0.5).position.y, 1.0);
 }
 
 TEST(Orbit, ZoomScalesTheDistanceAndPanShiftsBoth) {
@@ -234,24 +234,24 @@ TEST(Orbit, ZoomScalesTheDistanceAndPanShiftsBoth) {
     MotionInput input;
     input.zoom = 0.5;
     Motion motion;
-    expect_near(step(start, motion, input, MotionMode::orbit, {}, tuning, 0.01).position, {0, 0, 2.5}, 1e-12);
+    expect_near(step(start, motion, input, Navigation::orbit, {}, tuning, 0.01).position, {0, 0, 2.5}, 1e-12);
     input.zoom = 1e-9;
-    EXPECT_NEAR(step(start, motion, input, MotionMode::orbit, {}, tuning, 0.01).position.z, 0.01, 1e-12)
+    EXPECT_NEAR(step(start, motion, input, Navigation::orbit, {}, tuning, 0.01).position.z, 0.01, 1e-12)
         << "never onto the target";
 
     MotionInput pan;
     pan.pan = {1, 2};
-    const Pose panned = step(start, motion, pan, MotionMode::orbit, {}, tuning, 0.01);
+    const Pose panned = step(start, motion, pan, Navigation::orbit, {}, tuning, 0.01);
     expect_near(panned.position, {1, 2, 5}, 1e-12);
     expect_near(panned.target, {1, 2, 0}, 1e-12);
 
     MotionInput forward;
     forward.move.z = 1;
-    EXPECT_NEAR(held_at_once(start, forward, MotionMode::orbit, 1.0).position.z, 5 / std::exp(1.0), 1e-9);
+    EXPECT_NEAR(held_at_once(start, forward, Navigation::orbit, 1.0).position.z, 5 / std::exp(1.0), 1e-9);
 }
 
 TEST(Step, IsIndependentOfTheFrameRate) {
-    for (const MotionMode mode : {MotionMode::fly, MotionMode::walk, MotionMode::orbit}) {
+    for (const Navigation mode : {Navigation::fly, Navigation::walk, Navigation::orbit}) {
         const Pose start{{3, 2, 4}, {20, -10, 5}, {0, 1, 0}};
         Motion reference_motion;
         Pose reference = hold(start, reference_motion, everything_held(), mode, 1.0, 0.001);
@@ -282,19 +282,19 @@ TEST(Step, StartsAndStopsSmoothlyAndRestsExactly) {
     MotionInput forward;
     forward.move.z = 1;
     Motion motion;
-    Pose pose = step({}, motion, forward, MotionMode::fly, {}, tuning, 0.012);
+    Pose pose = step({}, motion, forward, Navigation::fly, {}, tuning, 0.012);
     EXPECT_NEAR(motion.velocity.z, 2.5 * (1 - std::exp(-0.1)), 1e-12) << "exponential, time constant 0.12 s";
     EXPECT_FALSE(motion.at_rest());
-    pose = hold(pose, motion, forward, MotionMode::fly, 2, 0.01);
+    pose = hold(pose, motion, forward, Navigation::fly, 2, 0.01);
     EXPECT_NEAR(motion.velocity.z, 2.5, 1e-6);
 
     const glm::dvec3 released = pose.position;
-    pose = hold(pose, motion, {}, MotionMode::fly, 0.1, 0.01);
+    pose = hold(pose, motion, {}, Navigation::fly, 0.1, 0.01);
     EXPECT_FALSE(motion.at_rest());
-    pose = hold(pose, motion, {}, MotionMode::fly, 1.4, 0.01);
+    pose = hold(pose, motion, {}, Navigation::fly, 1.4, 0.01);
     EXPECT_TRUE(motion.at_rest());
     EXPECT_NEAR(glm::length(pose.position - released), 2.5 * 0.12, 1e-3) << "coasts speed × time constant";
-    const Pose later = step(pose, motion, {}, MotionMode::fly, {}, tuning, 0.1);
+    const Pose later = step(pose, motion, {}, Navigation::fly, {}, tuning, 0.1);
     EXPECT_EQ(later.position, pose.position);
     EXPECT_EQ(later.angles, pose.angles);
 }
@@ -303,11 +303,11 @@ TEST(Step, ClampsStallsAndNonsenseTimes) {
     MotionInput forward;
     forward.move.z = 1;
     Motion a, b, c;
-    const Pose stalled = step({}, a, forward, MotionMode::fly, {}, tuning, 5.0);
-    const Pose quarter = step({}, b, forward, MotionMode::fly, {}, tuning, 0.25);
+    const Pose stalled = step({}, a, forward, Navigation::fly, {}, tuning, 5.0);
+    const Pose quarter = step({}, b, forward, Navigation::fly, {}, tuning, 0.25);
     EXPECT_EQ(stalled.position, quarter.position);
     for (const double dt : {0.0, -1.0, std::nan("")}) {
-        EXPECT_EQ(step({}, c, forward, MotionMode::fly, {}, tuning, dt).position, glm::dvec3(0));
+        EXPECT_EQ(step({}, c, forward, Navigation::fly, {}, tuning, dt).position, glm::dvec3(0));
     }
     EXPECT_TRUE(c.at_rest());
 }
@@ -315,20 +315,20 @@ TEST(Step, ClampsStallsAndNonsenseTimes) {
 TEST(Step, SlowIsAQuarterAndDiagonalsAreNoFaster) {
     MotionInput input;
     input.move = {1, 0, 1};
-    EXPECT_NEAR(glm::length(held_at_once({}, input, MotionMode::fly, 1).position), 2.5, 1e-9);
+    EXPECT_NEAR(glm::length(held_at_once({}, input, Navigation::fly, 1).position), 2.5, 1e-9);
     input.slow = true;
     input.yaw = 1;
     Motion motion;
-    hold({}, motion, input, MotionMode::fly, 1, 0.01, {}, at_once);
+    hold({}, motion, input, Navigation::fly, 1, 0.01, {}, at_once);
     EXPECT_NEAR(glm::length(motion.velocity), 2.5 / 4, 1e-12);
     EXPECT_NEAR(motion.turn_rate_deg.y, 15, 1e-12);
 }
 
 TEST(Step, ChangingTheModeDropsWhatItCannotDo) {
     Motion motion;
-    hold({}, motion, everything_held(), MotionMode::fly, 1, 0.01);
+    hold({}, motion, everything_held(), Navigation::fly, 1, 0.01);
     const Pose start{{0, 1.7, 0}, {0, -30, 10}, {}};
-    const Pose end = hold(start, motion, {}, MotionMode::walk, 1.5, 0.01);
+    const Pose end = hold(start, motion, {}, Navigation::walk, 1.5, 0.01);
     EXPECT_EQ(end.position.y, 1.7);
     EXPECT_EQ(end.angles.roll_deg, 10.0);
     EXPECT_TRUE(motion.at_rest());
@@ -338,16 +338,16 @@ TEST(Slips, WalkSlowsWhenLookingDown) {
     MotionInput forward;
     forward.move.z = 1;
     const MotionSlips slips{.walk_slows = true};
-    const Pose end = held_at_once({{0, 1.7, 0}, {0, -60, 0}, {}}, forward, MotionMode::walk, 1, slips);
+    const Pose end = held_at_once({{0, 1.7, 0}, {0, -60, 0}, {}}, forward, Navigation::walk, 1, slips);
     expect_near(end.position, {0, 1.7, -2.5 * 0.5}, 1e-9);
-    const Pose level = held_at_once({{0, 1.7, 0}, {0, 0, 0}, {}}, forward, MotionMode::walk, 1, slips);
+    const Pose level = held_at_once({{0, 1.7, 0}, {0, 0, 0}, {}}, forward, Navigation::walk, 1, slips);
     expect_near(level.position, {0, 1.7, -2.5}, 1e-9);
 }
 
 TEST(Slips, RollCreepsIn) {
     MotionInput look;
     look.look_deg = {2, 1};
-    for (const MotionMode mode : {MotionMode::walk, MotionMode::orbit}) {
+    for (const Navigation mode : {Navigation::walk, Navigation::orbit}) {
         const Pose start{{0, 1, 5}, {0, -20, 0}, {}};
         Pose right = start, wrong = start;
         Motion motion;
@@ -369,7 +369,7 @@ TEST(Slips, OrbitFlipsAtThePoleOnceAndGoesOn) {
     Pose pose = start;
     int flips = 0;
     for (int frame = 0; frame < 249; ++frame) {  // 149° at 60°/s
-        const Pose next = step(pose, motion, over, MotionMode::orbit, {.pole_flip = true}, at_once, 0.01);
+        const Pose next = step(pose, motion, over, Navigation::orbit, {.pole_flip = true}, at_once, 0.01);
         flips += glm::dot(axes_of(pose)[0], axes_of(next)[0]) < 0.0;
         pose = next;
     }
@@ -379,31 +379,31 @@ TEST(Slips, OrbitFlipsAtThePoleOnceAndGoesOn) {
     EXPECT_EQ(pose.angles.roll_deg, 0.0);
 
     Motion other;
-    const Pose limited = hold(start, other, over, MotionMode::orbit, 2.49, 0.01);
+    const Pose limited = hold(start, other, over, Navigation::orbit, 2.49, 0.01);
     EXPECT_GT(limited.position.z, 0.0) << "without the slip it stops";
 }
 
 TEST(Lamps, AvailableAndMoving) {
-    EXPECT_EQ(available_freedoms(MotionMode::fly), (MovingFreedoms{true, true, true, true, true, true}));
+    EXPECT_EQ(available_freedoms(Navigation::fly), (MovingFreedoms{true, true, true, true, true, true}));
     EXPECT_EQ(
-        available_freedoms(MotionMode::walk),
+        available_freedoms(Navigation::walk),
         (MovingFreedoms{.forward = true, .strafe = false, .lift = false, .yaw = true, .pitch = false, .roll = false}));
-    EXPECT_EQ(available_freedoms(MotionMode::orbit), (MovingFreedoms{true, true, true, true, true, false}));
+    EXPECT_EQ(available_freedoms(Navigation::orbit), (MovingFreedoms{true, true, true, true, true, false}));
 
     MotionInput input;
     input.move.z = 1;
     input.roll = 1;
     Motion motion;
-    step({}, motion, input, MotionMode::fly, {}, tuning, 0.01);
+    step({}, motion, input, Navigation::fly, {}, tuning, 0.01);
     EXPECT_EQ(
-        moving_freedoms(motion, input, MotionMode::fly),
+        moving_freedoms(motion, input, Navigation::fly),
         (MovingFreedoms{.forward = true, .strafe = false, .lift = false, .yaw = false, .pitch = false, .roll = true}));
     MotionInput drag;
     drag.look_deg = {1, 1};
     EXPECT_EQ(
-        moving_freedoms({}, drag, MotionMode::walk),
+        moving_freedoms({}, drag, Navigation::walk),
         (MovingFreedoms{.forward = false, .strafe = false, .lift = false, .yaw = true, .pitch = false, .roll = false}));
-    EXPECT_EQ(moving_freedoms({}, {}, MotionMode::orbit), MovingFreedoms{});
+    EXPECT_EQ(moving_freedoms({}, {}, Navigation::orbit), MovingFreedoms{});
     EXPECT_TRUE(MotionInput{}.idle());
     EXPECT_FALSE(drag.idle());
 }

@@ -183,7 +183,7 @@ TEST(Fields, NamesMatchTheirEnumerators) {
     EXPECT_EQ(name_of(DepthFormat::d32f), "d32f");
     EXPECT_EQ(name_of(CullFace::front_and_back), "front_and_back");
     EXPECT_EQ(name_of(VisibilityMethod::ray_cast), "ray_cast");
-    EXPECT_EQ(name_of(Splitter::balanced), "balanced");
+    EXPECT_EQ(name_of(BspSplitter::balanced), "balanced");
     EXPECT_EQ(name_of(DepthMapping::logarithmic), "logarithmic");
     EXPECT_EQ(name_of(Shows::overdraw), "overdraw");
     EXPECT_EQ(name_of(ShapeKind::mesh), "mesh");

@@ -22,7 +22,7 @@ std::vector<int> as_they_stand(std::span<const Polygon> polygons) {
 }
 
 std::int64_t wrong_after_culling(std::span<const Polygon> polygons, const Viewpoint& viewpoint) {
-    const std::vector<Polygon> left = culled(polygons, viewpoint, CulledFaces::back);
+    const std::vector<Polygon> left = culled(polygons, viewpoint, CullFace::back);
     return difference(ray_cast_image(polygons, viewpoint), paint(left, as_they_stand(left), viewpoint)).different;
 }
 
@@ -64,8 +64,8 @@ TEST(Culling, FromInsideEveryFaceTurnsItsBack) {
     EXPECT_GT(counts.gl_back, 0);
     EXPECT_GT(counts.gl_none, 0) << "what lies behind the eye has no area";
     EXPECT_EQ(counts.gl_back + counts.gl_none, 12);
-    EXPECT_TRUE(culled(box, inside, CulledFaces::back).empty());
-    EXPECT_EQ(culled(box, inside, CulledFaces::front).size(), 12U);
+    EXPECT_TRUE(culled(box, inside, CullFace::back).empty());
+    EXPECT_EQ(culled(box, inside, CullFace::front).size(), 12U);
 }
 
 TEST(Culling, BothWaysAgreeOnRandomScenes) {
@@ -75,7 +75,7 @@ TEST(Culling, BothWaysAgreeOnRandomScenes) {
         Random random(seed + scene);
         const std::vector<Polygon> polygons = random_polygons(random);
         const Viewpoint viewpoint = random_viewpoint(random);
-        for (const FrontWinding front : {FrontWinding::counter_clockwise, FrontWinding::clockwise}) {
+        for (const FrontFace front : {FrontFace::ccw, FrontFace::cw}) {
             const CullCounts counts = count_facing(polygons, viewpoint, front);
             EXPECT_EQ(counts.disagree, 0);
             EXPECT_EQ(counts.facing_towards + counts.facing_away + counts.edge_on, counts.input);
@@ -108,19 +108,17 @@ TEST(Culling, WhatARayMeetsFirstOnAClosedMeshFacesIt) {
 TEST(Culling, TurnsRoundWithTheWindingAndTheFace) {
     const std::vector<Polygon> cone = polygons_of(cone_mesh(12));
     const Viewpoint viewpoint = viewpoint_at({3, 1, 5}, {0, 0, 0});
-    const auto sources = [&](CulledFaces faces, FrontWinding front) {
+    const auto sources = [&](CullFace faces, FrontFace front) {
         std::vector<int> result;
         for (const Polygon& polygon : culled(cone, viewpoint, faces, front)) result.push_back(polygon.source);
         return result;
     };
-    const std::vector<int> fronts = sources(CulledFaces::back, FrontWinding::counter_clockwise);
-    EXPECT_EQ(fronts, sources(CulledFaces::front, FrontWinding::clockwise));
-    EXPECT_EQ(sources(CulledFaces::front, FrontWinding::counter_clockwise),
-              sources(CulledFaces::back, FrontWinding::clockwise));
-    EXPECT_TRUE(sources(CulledFaces::front_and_back, FrontWinding::clockwise).empty());
+    const std::vector<int> fronts = sources(CullFace::back, FrontFace::ccw);
+    EXPECT_EQ(fronts, sources(CullFace::front, FrontFace::cw));
+    EXPECT_EQ(sources(CullFace::front, FrontFace::ccw), sources(CullFace::back, FrontFace::cw));
+    EXPECT_TRUE(sources(CullFace::front_and_back, FrontFace::cw).empty());
     EXPECT_TRUE(std::is_sorted(fronts.begin(), fronts.end())) << "the order stays";
-    const CullCounts as_is = count_facing(cone, viewpoint),
-                     turned = count_facing(cone, viewpoint, FrontWinding::clockwise);
+    const CullCounts as_is = count_facing(cone, viewpoint), turned = count_facing(cone, viewpoint, FrontFace::cw);
     EXPECT_EQ(static_cast<int>(fronts.size()), as_is.facing_towards);
     EXPECT_EQ(as_is.facing_towards, turned.facing_away);
     EXPECT_EQ(as_is.gl_front, turned.gl_back);
@@ -153,12 +151,12 @@ TEST(Culling, AloneIsNotEnoughForAConcaveMeshOrTwoMeshes) {
 
 TEST(Culling, DegenerateInputHasADefinedResult) {
     expect_counts(count_facing({}, viewpoint_on_z()), 0, 0, 0);
-    EXPECT_TRUE(culled({}, viewpoint_on_z(), CulledFaces::back).empty());
+    EXPECT_TRUE(culled({}, viewpoint_on_z(), CullFace::back).empty());
     std::vector<Polygon> edge_on, behind;
     add(edge_on, {{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}});
     expect_counts(count_facing(edge_on, viewpoint_on_z()), 0, 0, 1);
-    EXPECT_EQ(culled(edge_on, viewpoint_on_z(), CulledFaces::back).size(), 1U);
-    EXPECT_EQ(culled(edge_on, viewpoint_on_z(), CulledFaces::front).size(), 1U);
+    EXPECT_EQ(culled(edge_on, viewpoint_on_z(), CullFace::back).size(), 1U);
+    EXPECT_EQ(culled(edge_on, viewpoint_on_z(), CullFace::front).size(), 1U);
     add(behind, {{-1, 0, 20}, {1, 0, 20}, {0, 1, 20}});
     const CullCounts counts = count_facing(behind, viewpoint_on_z());
     EXPECT_EQ(counts.facing_away, 1);
