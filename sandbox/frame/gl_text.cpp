@@ -128,6 +128,24 @@ void offset_and_clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
     }
 }
 
+/// What the frame before left on is put back, masks above all: glClear obeys them. The first frame finds it so anyway.
+void take_back(Calls& calls, const std::vector<Pass>& passes) {
+    if (passes.empty()) return;
+    const Pass first = first_gl_state(), &last = passes.back();
+    depth_calls(calls, first, last);
+    cull_calls(calls, first, last);
+    stencil_calls(calls, first, last);
+    blend_calls(calls, first, last);
+    offset_and_clip_calls(calls, first, last);
+    const auto told_depth =
+        std::find_if(passes.rbegin(), passes.rend(), [](const Pass& pass) { return pass.depth.test; });
+    if (told_depth != passes.rend() && !told_depth->depth.write) calls.add("glDepthMask(GL_TRUE)");
+    const auto told_stencil =
+        std::find_if(passes.rbegin(), passes.rend(), [](const Pass& pass) { return pass.stencil.test; });
+    if (told_stencil != passes.rend() && told_stencil->stencil.write_bits != StencilState{}.write_bits)
+        calls.add("glStencilMask(" + bits(StencilState{}.write_bits) + ")");
+}
+
 }  // namespace
 
 Pass first_gl_state() {
@@ -138,13 +156,14 @@ Pass first_gl_state() {
 }
 
 std::vector<std::string> clear_calls(const FramePlan& frame) {
-    std::vector<std::string> calls;
-    if (!frame.mask_on_while_clearing) calls.emplace_back("glDepthMask(GL_FALSE)");
-    calls.push_back("glClearDepth(" + number(frame.clear_depth_value) + ")");
-    calls.emplace_back(frame.clear_depth ? "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"
-                                         : "glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)");
-    if (!frame.mask_on_while_clearing) calls.emplace_back("glDepthMask(GL_TRUE)");
-    return calls;
+    Calls calls;
+    take_back(calls, frame.passes);
+    if (!frame.mask_on_while_clearing) calls.add("glDepthMask(GL_FALSE)");
+    calls.add("glClearDepth(" + number(frame.clear_depth_value) + ")");
+    calls.add(frame.clear_depth ? "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"
+                                : "glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)");
+    if (!frame.mask_on_while_clearing) calls.add("glDepthMask(GL_TRUE)");
+    return calls.list;
 }
 
 std::vector<std::string> gl_calls(const Pass& pass, const Pass& before) {

@@ -181,7 +181,7 @@ FramePlan plan_observer(const Params& params, const Derived& derived, const Obse
 std::vector<std::string> gl_calls(const Pass& pass, const Pass& before);
 Pass first_gl_state();
 
-/// How a frame begins.
+/// How a frame begins, after another one of the same plan: first what that one's last pass left is put back.
 std::vector<std::string> clear_calls(const FramePlan& frame);
 
 /// "GL_LEQUAL" and the like.

@@ -60,7 +60,7 @@ constexpr double offset_limit = 1e6;
 constexpr std::string_view length = "world units";
 constexpr std::string_view degrees = "°";
 constexpr std::string_view camera_formula = "C = T(position) · Ry(yaw) · Rx(pitch) · Rz(roll), V = C⁻¹";
-constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z)";
+constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z) (perspective, standard depth)";
 constexpr std::string_view shadow_formula = "S = (P·L) I − L Pᵀ";
 constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1";
 
@@ -177,8 +177,8 @@ const Field all_fields[] = {
      .step = 0.01,
      .logarithmic = true,
      .help =
-         "Distance of the near plane: what is closer is cut off. Depth precision is lost here: ten times nearer costs "
-         "ten times the resolution.",
+         "Distance of the near plane: what is closer is cut off. In a perspective with standard depth it decides the "
+         "precision: a tenth of it makes the steps of depth far away ten times as wide.",
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
     {.path = "projection.far",
@@ -293,7 +293,7 @@ const Field all_fields[] = {
      .place = IN(depth.logarithm_per_vertex),
      .label = "per vertex",
      .help = "Takes the logarithm in the vertex shader and lets GL interpolate it. Cheaper, and wrong inside large "
-             "triangles: between its corners the depth is bent towards the eye or away from it.",
+             "triangles: between their corners depth is too far away, in an orthographic view too near.",
      .formula = "z_clip = (2 ln(w/n)/ln(f/n) − 1) · w",
      .gl_call = "gl_Position.z in place of gl_FragDepth"},
 
@@ -332,8 +332,8 @@ const Field all_fields[] = {
      .place = IN(cull.enabled),
      .label = "cull face",
      .help =
-         "Drops polygons by the side they show before they are rasterised. Half the work for closed objects; the enum "
-         "is GL_CULL_FACE, not GL_CULL.",
+         "Drops polygons by the side they show before they are rasterised: about half of those of closed objects. The "
+         "enum is GL_CULL_FACE, not GL_CULL.",
      .gl_call = "glEnable(GL_CULL_FACE)"},
     {.path = "cull.face",
      .place = IN(cull.face),
@@ -428,7 +428,7 @@ const Field all_fields[] = {
      .label = "stencil once",
      .help = "Lets each pixel be darkened only once. Off, a pixel that several flattened polygons cover is blended "
              "several times and gets darker.",
-     .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INCR)"},
+     .gl_call = "glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT)"},
     {.path = "shadow.clip_to_receiver",
      .place = IN(shadow.clip_to_receiver),
      .label = "clip to receiver",
@@ -658,7 +658,7 @@ const Field all_fields[] = {
     {.path = "visibility.epsilon",
      .place = IN(visibility.epsilon),
      .label = "epsilon",
-     .unit = "of the scene's diagonal",
+     .unit = "diagonals of the scene",
      .min = 1e-12,
      .max = 0.1,
      .step = 1e-9,
@@ -690,8 +690,9 @@ const Field all_fields[] = {
     {.path = "view.depth_scale",
      .place = IN(view.depth_scale),
      .label = "depth scale",
-     .help = "window shows the depth as it is stored, most of it nearly white; linear shows the distance from the eye "
-             "between near and far."},
+     .help =
+         "window shows the depth as it is stored, which standard depth in a perspective leaves nearly white; linear "
+         "shows the distance from the eye between near and far."},
     {.path = "view.depth_colors",
      .place = IN(view.depth_colors),
      .label = "depth colours",

@@ -8,7 +8,7 @@
 
 namespace viewing {
 
-/// The point whose way is derived: the followed vertex; where none is followed, one unit above the middle of the
+/// The point whose way is derived: the followed vertex; where none is followed, one unit from the middle of the
 /// chosen plane's patch, on the chosen light's side.
 glm::dvec3 derivation_point(const Derived& derived);
 

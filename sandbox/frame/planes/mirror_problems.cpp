@@ -2,7 +2,7 @@
 // can be seen. Part of problems.h; shadow_problems.cpp is its counterpart.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/planes/object_reach.h"
@@ -122,24 +122,63 @@ void say_images(Sayer& tell, const Params& params, const Derived& derived, const
                 "reflection.printed_by_rows");
 }
 
-/// How many mirrors a line of sight may meet between two of them that enclose an angle: none where it has no end.
-std::optional<int> mirrors_met(const Mirror& one, const Mirror& other) {
-    const double cosine = -glm::dot(glm::dvec3(one.towards_eye()), glm::dvec3(other.towards_eye()));
-    const double angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-    if (angle < 1e-6) return std::nullopt;
-    return static_cast<int>(std::ceil(std::numbers::pi / angle - 1e-9));
+/// Lines of sight are not followed further: no state asks for more bounces.
+constexpr int most_followed = 17;
+
+bool are_endless(const Mirror& one, const Mirror& other) {
+    return glm::dot(glm::dvec3(one.towards_eye()), glm::dvec3(other.towards_eye())) < -1.0 + 1e-12;
+}
+
+/// How often a line is thrown back that has met a mirror at a point: by the patches, each from the eye's side.
+int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm::dvec3 at, glm::dvec3 direction) {
+    const Mirror* met = &first;
+    int count = 0;
+    while (met && ++count < most_followed) {
+        const glm::dvec3 normal(met->towards_eye());
+        direction -= 2.0 * glm::dot(normal, direction) * normal;
+        const Mirror* next = nullptr;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (const Mirror& mirror : mirrors) {
+            const double approach = glm::dot(glm::dvec3(mirror.towards_eye()), direction);
+            const double way = -glm::dot(mirror.towards_eye(), glm::dvec4(at, 1.0)) / approach;
+            if (&mirror == met || !(approach < 0.0) || !(way > 0.0) || way >= nearest) continue;
+            const PlanePatch& patch = mirror.plane.patch;
+            const glm::dvec3 on_patch = at + way * direction - patch.center;
+            if (std::abs(glm::dot(on_patch, patch.u)) > patch.extent) continue;
+            if (std::abs(glm::dot(on_patch, patch.v)) > patch.extent) continue;
+            nearest = way;
+            next = &mirror;
+        }
+        if (next) at += nearest * direction;
+        met = next;
+    }
+    return count;
+}
+
+/// The most that lines of sight are thrown back, of a grid of them through each mirror's patch.
+int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_world) {
+    constexpr int grid = 24;
+    int most = 0;
+    for (const Mirror& mirror : mirrors)
+        for (int cell = 0; cell < grid * grid; ++cell) {
+            const glm::dvec2 place = (glm::dvec2(cell % grid, cell / grid) + 0.5) * (2.0 / grid) - 1.0;
+            const PlanePatch& patch = mirror.plane.patch;
+            const glm::dvec3 at = patch.center + patch.extent * (place.x * patch.u + place.y * patch.v);
+            const glm::dvec3 direction = glm::normalize(at * eye_world.w - glm::dvec3(eye_world));
+            most = std::max(most, reflections_of(mirrors, mirror, at, direction));
+        }
+    return most;
 }
 
 /// Mirrors that show each other.
-void say_bounces(Sayer& tell, const Params& params, const std::vector<Mirror>& mirrors, int depth) {
+void say_bounces(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
+                 int depth) {
+    if (mirrors.size() < 2) return;
     bool is_endless = false;
-    int most = 1;
     for (std::size_t one = 0; one < mirrors.size(); ++one)
-        for (std::size_t other = one + 1; other < mirrors.size(); ++other) {
-            const std::optional<int> met = mirrors_met(mirrors[one], mirrors[other]);
-            is_endless = is_endless || !met;
-            most = std::max(most, met.value_or(most));
-        }
+        for (std::size_t other = one + 1; other < mirrors.size(); ++other)
+            is_endless = is_endless || are_endless(mirrors[one], mirrors[other]);
+    const int most = most_reflections(mirrors, derived.eye_world);
     if (!params.reflection.stencil || (!is_endless && most <= depth)) return;
     if (depth < params.reflection.bounces)
         return tell(true, say("{depth} of {bounces} bounces are drawn: more would draw the scene too often, or be more "
@@ -148,16 +187,24 @@ void say_bounces(Sayer& tell, const Params& params, const std::vector<Mirror>& m
     if (depth == 1) {
         tell.broken(is_endless, tr("mirrors that face each other show one another without end: a mirror seen in a "
                                    "mirror is drawn without its image"));
-        tell(!is_endless, say("a line of sight can meet {count} of these mirrors: a mirror seen in a mirror is drawn "
-                              "without its image",
-                              "count"_a = most));
+        tell(!is_endless && most < most_followed,
+             say("a line of sight meets up to {count} mirrors, one after the other: a mirror seen in a mirror is drawn "
+                 "without its image",
+                 "count"_a = most));
+        tell(!is_endless && most == most_followed,
+             tr("a line of sight meets mirrors again and again: a mirror seen in a mirror is drawn without its image"));
     } else {
         tell.broken(is_endless, say("mirrors that face each other show one another without end: the mirror after "
                                     "{depth} bounces is drawn without its image",
                                     "depth"_a = depth));
-        tell(!is_endless, say("a line of sight can meet {count} of these mirrors: the mirror after {depth} bounces is "
-                              "drawn without its image",
-                              "count"_a = most, "depth"_a = depth));
+        tell(!is_endless && most < most_followed,
+             say("a line of sight meets up to {count} mirrors, one after the other: the mirror after {depth} bounces "
+                 "is drawn without its image",
+                 "count"_a = most, "depth"_a = depth));
+        tell(!is_endless && most == most_followed,
+             say("a line of sight meets mirrors again and again: the mirror after {depth} bounces is drawn without its "
+                 "image",
+                 "depth"_a = depth));
     }
 }
 
@@ -188,7 +235,7 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     say_clipping(tell, params, mirrors, scene);
     say_masks(tell, params, derived, mirrors, scene);
     say_images(tell, params, derived, mirrors);
-    say_bounces(tell, params, mirrors, reflection_depth);
+    say_bounces(tell, params, derived, mirrors, reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);
 }
 

@@ -88,7 +88,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 }
 
 /// The offset that keeps a blended shadow from fighting with its plane.
-void say_offset(Sayer& tell, const Params& params, const Derived& derived) {
+void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
@@ -108,10 +108,6 @@ void say_offset(Sayer& tell, const Params& params, const Derived& derived) {
     tell.broken(shadow.write_depth && shadow.offset != ShadowOffset::no_depth_test,
                 tr("the shadow writes its depth, offset included: the stored depths are no longer the plane's own"),
                 "shadow.write_depth");
-    // The slope's part is about one pixel of the plane for each 1, the constant one a step of depth.
-    const bool pulls = factor < -8.0 || units * derived.facts.depth_step_at_target < -0.1;
-    tell.broken(by_polygon && pulls, tr("the polygon offset is too large: the shadow is pulled before objects that "
-                                        "should hide it, and bleeds through them"));
     tell.broken(by_lift,
                 say("the shadow floats {height} above the plane: at a grazing view it slides away from its caster",
                     "height"_a = figures(shadow.lift, 3)),
@@ -154,12 +150,20 @@ void find_shadow_problems(std::vector<Problem>& problems, const Params& params, 
                        "floor's edge, in the air"),
                     "shadow.clip_to_receiver");
         say_paint(tell, shadow, thrown);
-        say_offset(tell, params, derived);
+        say_offset(tell, params);
     }
-    const bool shares = !shadow.own_stencil && (thrown.size() > 1 || drawn_planes(params, derived).size() > 1);
-    tell.broken(shares,
-                tr("planes and lights share one stencil value: where one shadow was counted the next one is missing, "
-                   "and shadows leak from plane to plane"),
+    if (shadow.own_stencil) return;
+    const bool lights = derived.lights_world.size() > 1 && thrown.size() > 1,
+               planes = drawn_planes(params, derived).size() > 1;
+    tell.broken(lights && !planes,
+                tr("the lights share one stencil bit: where the shadow of one has been counted, that of another is "
+                   "missing"),
+                "shadow.own_stencil");
+    tell.broken(planes,
+                lights ? tr("planes and lights share one stencil value: where one shadow was counted the next one is "
+                            "missing, and shadows leak from plane to plane")
+                       : tr("the planes share one stencil value: where one shadow was counted the next one is missing, "
+                            "and shadows leak from plane to plane"),
                 "shadow.own_stencil");
 }
 

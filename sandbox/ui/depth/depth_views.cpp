@@ -65,7 +65,7 @@ std::string depth_title(DepthFormat format, DepthMapping mapping) {
 void depth_choices(Params& params, float right) {
     static constexpr const char* scales[] = {marked("window"), marked("linear")};
     static constexpr const char* scale_explanations[] = {
-        marked("Window depth, 0 to 1 as it is stored: most of it is spent close to the eye."),
+        marked("Window depth, 0 to 1, as it is stored."),
         marked("Eye distance from near to far: as far apart as the surfaces are.")};
     static constexpr const char* colors[] = {marked("grey"), marked("bands")};
     static constexpr const char* color_explanations[] = {

@@ -207,10 +207,15 @@ void camera_matrices(const Params& params, const Derived& derived, const Derived
     if (switched) shows_camera_matrix = !shows_camera_matrix;
 
     const bool perspective = params.projection.type == ProjectionType::perspective;
-    show({marked("Projection"), "P", "clip_from_view",
-          marked("P takes view space to clip space; after ÷ w near becomes −1 and far +1."), Role::camera,
-          derived.clip_from_view, before.clip_from_view, projection_cells(params, derived.clip_zero_to_one),
-          camera_roles()},
+    const auto divided_z = [&](double distance) {
+        const glm::dvec4 clip = derived.clip_from_view * glm::dvec4(0.0, 0.0, -distance, 1.0);
+        return figures(clip.z / clip.w);
+    };
+    const std::string becomes =
+        say("P takes view space to clip space; after ÷ w near becomes {near} and far {far}.",
+            "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
+    show({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
+          before.clip_from_view, projection_cells(params, derived.clip_zero_to_one), camera_roles()},
          perspective ? say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3))
                      : say("aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3)),
          {});

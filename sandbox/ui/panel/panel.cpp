@@ -16,6 +16,16 @@
 namespace viewing {
 namespace {
 
+/// Of the width of a code, for the projection and mapping at hand. ε is the step between neighbouring floats.
+const char* depth_step_formula(const Params& params) {
+    const bool is_float = precision_of(params.depth.format).is_float;
+    if (params.depth.mapping == DepthMapping::logarithmic)
+        return is_float ? "Δz = ε(d) z ln(f/n)" : "Δz = z ln(f/n)/(2^b - 1)";
+    if (params.projection.type == ProjectionType::orthographic)
+        return is_float ? "Δz = ε(d) (f - n)" : "Δz = (f - n)/(2^b - 1)";
+    return is_float ? "Δz = ε(d) z^2 (f - n)/(f n)" : "Δz = z^2 (f - n)/(f n (2^b - 1))";
+}
+
 using widgets::Lamp;
 using widgets::Role;
 
@@ -110,8 +120,8 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     widgets::Note(note.c_str());
     widgets::Tooltip("Depth resolution",
                      "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
-                     "this fight.",
-                     "Δz = z^2 (f - n)/(f n (2^b - 1))");
+                     "this may fight.",
+                     depth_step_formula(params));
     tell_problems(problems, "projection");
 }
 

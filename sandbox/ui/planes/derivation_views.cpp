@@ -89,8 +89,8 @@ void light_slider(Params& params) {
 void tell_point(const Derived& derived, const char* letter) {
     if (derived.followed) return;
     const std::string note =
-        say("Click an object to follow one of its vertices; until then {point} is one unit above the middle of the "
-            "plane's patch.",
+        say("Click an object to follow one of its vertices; until then {point} is one unit from the middle of the "
+            "plane's patch, on the light's side.",
             "point"_a = letter);
     widgets::Note(note.c_str());
 }

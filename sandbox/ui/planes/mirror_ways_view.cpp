@@ -18,8 +18,8 @@ const char* explanation_of(MirrorWay way) {
     switch (way) {
         case MirrorWay::clip_distance:
             return tr(
-                "The mirrored scene is cut at the mirror, vertex by vertex, with gl_ClipDistance. The other pictures "
-                "are compared with this one.");
+                "The mirrored scene is cut at the mirror with gl_ClipDistance: each vertex has its distance, and each "
+                "triangle is cut where that is 0. The other pictures are compared with this one.");
         case MirrorWay::none:
             return tr("Nothing is cut: what lies behind the mirror, or crosses it, stands in front of the image.");
         case MirrorWay::oblique:

@@ -38,8 +38,8 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
 /// What the light sees: the picture with its sentence.
 void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID picture) {
     picture_item("light view", rect, picture);
-    const char* whole = tr("what the light sees: each of its shadows is hidden behind its caster");
-    const char* brief = tr("its shadows are hidden");
+    const char* whole = tr("what the light sees: true shadows hide behind their casters, and one seen here is false");
+    const char* brief = tr("a shadow seen here is false");
     if (derived.chosen_shadow().light_in_plane) {
         whole = tr("the light lies in the plane and sees it edge-on: there is no shadow");
         brief = tr("there is no shadow");

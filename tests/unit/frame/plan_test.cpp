@@ -586,9 +586,9 @@ TEST(PlanCalls, SayWhatEachPassChanges) {
     const auto calls_of = [&](std::size_t number) {
         return gl_calls(frame.passes.at(number), number == 0 ? first_gl_state() : frame.passes.at(number - 1));
     };
-    EXPECT_EQ(
-        clear_calls(frame),
-        (Calls{"glClearDepth(1.0)", "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"}));
+    EXPECT_EQ(clear_calls(frame),
+              (Calls{"glDisable(GL_DEPTH_TEST)", "glDisable(GL_CULL_FACE)", "glStencilMask(0xFF)", "glClearDepth(1.0)",
+                     "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)"}));
     EXPECT_EQ(calls_of(0),  // the mask
               (Calls{"glEnable(GL_DEPTH_TEST)", "glDepthFunc(GL_LEQUAL)", "glDepthMask(GL_FALSE)",
                      "glEnable(GL_STENCIL_TEST)", "glStencilFunc(GL_ALWAYS, 1, 0xFF)",
@@ -617,16 +617,31 @@ TEST(PlanCalls, LeadFromEachPassToTheNext) {
         clamp_to_ranges(params);
         const FramePlan frame = plan_of(params);
         std::map<std::string, std::string> state;  // of a call's name, or of a capability
-        Pass before = first_gl_state();
-        for (const Pass& pass : frame.passes) {
-            for (const std::string& call : gl_calls(pass, before)) {
-                const std::size_t open = call.find('(');
-                const std::string name = call.substr(0, open), value = call.substr(open + 1);
-                if (name == "glEnable" || name == "glDisable")
-                    state[value] = name;
-                else
-                    state[name] = value;
+        const auto obey = [&state](const std::string& call) {
+            const std::size_t open = call.find('(');
+            const std::string name = call.substr(0, open), value = call.substr(open + 1);
+            if (name == "glEnable" || name == "glDisable")
+                state[value] = name;
+            else
+                state[name] = value;
+        };
+        std::vector<Pass> passes = frame.passes;  // of two frames: the second begins with what the first has left
+        passes.insert(passes.end(), frame.passes.begin(), frame.passes.end());
+        Pass before;
+        for (std::size_t number = 0; number < passes.size(); ++number) {
+            if (number % frame.passes.size() == 0) {
+                for (const std::string& call : clear_calls(frame)) {
+                    obey(call);
+                    if (call.find("glClear(") != 0) continue;
+                    EXPECT_TRUE(!state.contains("glStencilMask") || state["glStencilMask"] == "0xFF)");
+                    EXPECT_TRUE(!state.contains("glColorMask") || state["glColorMask"].find("GL_FALSE") != 0);
+                    EXPECT_EQ(state.contains("glDepthMask") && state["glDepthMask"] == "GL_FALSE)",
+                              !frame.mask_on_while_clearing);
+                }
+                before = first_gl_state();
             }
+            const Pass& pass = passes[number];
+            for (const std::string& call : gl_calls(pass, before)) obey(call);
             const auto is_on = [&](const char* capability) {
                 return state[std::string(capability) + ")"] == "glEnable";
             };
