@@ -149,7 +149,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     find_light_problems(problems, params, derived);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);
-    find_mirror_problems(problems, params, derived, scene, frame.reflection_depth);
+    find_mirror_problems(problems, params, derived, scene, frame);
     find_overrides(problems, params, derived);
     find_depth_problems(problems, params, derived, scene);
     if (params.follow && !derived.followed)

@@ -28,6 +28,6 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
 void find_shadow_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                           const Scene& scene);
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene, int reflection_depth);
+                          const Scene& scene, const FramePlan& frame);
 
 }  // namespace viewing

@@ -6,7 +6,9 @@
 
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/planes/object_reach.h"
+#include "frame/planes/oblique_depth.h"
 #include "frame/say.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -33,14 +35,29 @@ glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
            shadow_matrix(mirror.plane.unit_plane, derived.eye_world);
 }
 
+/// What the mirror as near plane costs, or gains.
+void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
+                 const FramePlan& frame) {
+    constexpr double alike = 1.05;
+    const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
+    if (!tests || !depth) return;
+    tell.broken(depth->greatest > alike,
+                say("the mirror is the image's near plane, and depth is coarser for it: up to {factor} times, at z = "
+                    "{z}",
+                    "factor"_a = figures(depth->greatest), "z"_a = figures(depth->coarsest_distance)),
+                "reflection.clip");
+    const std::string least = figures(1.0 / depth->greatest), most = figures(1.0 / depth->least);
+    tell(depth->greatest <= alike && 1.0 / depth->least > alike,
+         least == most ? say("the mirror is the image's near plane, and depth is finer for it: about {factor} times",
+                             "factor"_a = most)
+                       : say("the mirror is the image's near plane, and depth is finer for it: {least} to {most} times",
+                             "least"_a = least, "most"_a = most));
+}
+
 /// What is kept out of the image, and what is not.
 void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& mirrors, const Scene& scene) {
     const ReflectionParams& reflection = params.reflection;
-    const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
-    tell.broken(reflection.clip == MirrorClip::oblique && tests,
-                tr("the oblique near plane bends depth: its far plane turns with it, and the codes inside the image "
-                   "are spent by its own planes"),
-                "reflection.clip");
     tell.broken(reflection.clip == MirrorClip::oblique && params.depth.logarithm_per_vertex &&
                     params.depth.mapping == DepthMapping::logarithmic,
                 tr("the logarithm per vertex replaces the z that the oblique near plane clips by: nothing is clipped"),
@@ -227,15 +244,16 @@ void say_shadows_inside(Sayer& tell, const Params& params, const Derived& derive
 }  // namespace
 
 void find_mirror_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
-                          const Scene& scene, int reflection_depth) {
-    if (reflection_depth < 1 || !shows_effects(params)) return;
+                          const Scene& scene, const FramePlan& frame) {
+    if (frame.reflection_depth < 1 || !shows_effects(params)) return;
     const std::vector<Mirror> mirrors = drawn_mirrors(params, derived);
     if (mirrors.empty()) return;
     Sayer tell(problems, "reflection");
+    if (params.reflection.clip == MirrorClip::oblique) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, mirrors, scene);
     say_masks(tell, params, derived, mirrors, scene);
     say_images(tell, params, derived, mirrors);
-    say_bounces(tell, params, derived, mirrors, reflection_depth);
+    say_bounces(tell, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);
 }
 

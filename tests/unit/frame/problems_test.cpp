@@ -5,6 +5,7 @@
 
 #include "frame_test.h"
 #include "state/fields.h"
+#include "state/presets.h"
 
 namespace viewing {
 namespace {
@@ -192,12 +193,12 @@ const std::vector<Case>& cases() {
          {"reflection.clip=none"},
          box_scene},
         {"reflection",
-         "bends depth",
+         "the mirror is the image's near plane",
          box_scene,
          {"reflection.clip=oblique"},
          {"reflection.clip=oblique", "reflection.enabled=false"}},
         {"reflection",
-         "bends depth",
+         "the mirror is the image's near plane",
          box_scene,
          {"reflection.clip=oblique"},
          {"reflection.clip=oblique", "visibility.method=none"}},
@@ -309,7 +310,26 @@ TEST(Problems, ASwitchThatBreaksThePictureIsToldOverIt) {
     EXPECT_EQ(breaks({"shadow.offset=none"}), 1);
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.5]"}), 0);  // on the way from point to parallel
     EXPECT_EQ(breaks({"light.position=[2,5,2,0.01]"}), 1);
-    EXPECT_EQ(breaks({"reflection.clip=oblique", "shadow.stencil_once=false"}), 2);
+    EXPECT_EQ(breaks({"reflection.reflect_light=false", "shadow.stencil_once=false"}), 2);
+}
+
+TEST(Problems, TellWhetherAnObliqueNearPlaneIsFinerOrCoarser) {
+    const auto told = [](const char* preset) {
+        const Result<LoadedState> state = load_state(preset);
+        EXPECT_TRUE(state) << state.error();
+        const Result<Params> params =
+            apply_settings(state->params, std::vector<std::string>{"reflection.clip=oblique"});
+        EXPECT_TRUE(params) << params.error();
+        const Result<Scene> scene = load_scene(params->scene, state->base, params->coplanar);
+        EXPECT_TRUE(scene) << scene.error();
+        return testing::problems_of(*params, *scene, {{800, 450}});
+    };
+    for (const char* preset : {"opening", "wall-mirror", "mirror-ways", "mirror-oblique-depth"}) {
+        const std::vector<Problem> problems = told(preset);
+        const bool is_coarser = std::string(preset) == "mirror-oblique-depth";
+        EXPECT_EQ(says(problems, "reflection", "depth is coarser for it"), is_coarser) << preset;
+        EXPECT_EQ(says(problems, "reflection", "depth is finer for it"), !is_coarser) << preset;
+    }
 }
 
 TEST(Problems, EveryOppositeOfADefaultIsTried) {
