@@ -190,8 +190,7 @@ constinit const Command doctor_command{
     "[--json]",
     "what GL and EGL there is, step by step, and what to install if something is missing",
     "Looks for everything that the program needs to draw without a display, in the order in which it needs it, and "
-    "names the "
-    "Debian package that helps where something is missing.",
+    "names the Debian package that helps where something is missing.",
     "doctor\n"
     "doctor --json",
     "02349",

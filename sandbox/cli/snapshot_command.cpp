@@ -225,10 +225,8 @@ constinit const Command snapshot_command{
     "[STATE] [--set PATH=VALUE]… -o OUT.png [--view VIEW] [--size WxH] [OPTIONS]",
     "a picture of a state into a PNG file, without a display",
     "Draws one picture through EGL alone: no display, no X. The same state gives a byte-equal file, always. Every "
-    "picture is "
-    "drawn under GL's debug output, and an error ends the command with exit 4. Unless the exit status is 0, 1 or 6, no "
-    "file "
-    "is touched.",
+    "picture is drawn under GL's debug output, and an error ends the command with exit 4. Unless the exit status is 0, "
+    "1 or 6, no file is touched.",
     "snapshot -o window.png\n"
     "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"

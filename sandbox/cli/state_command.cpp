@@ -26,8 +26,7 @@ constinit const Command state_command{
     "[STATE] [--set PATH=VALUE]…",
     "the whole state as JSON, every field with its value",
     "Prints what STATE and --set come to: every field, in the order of the documentation. Reading it back gives the "
-    "same "
-    "state exactly.",
+    "same state exactly.",
     "state > mine.json\n"
     "state mine.json --set shadow.opacity=0.8\n"
     "state --set light.position=[12,20,0,0] | viewing-sandbox snapshot - -o picture.png",

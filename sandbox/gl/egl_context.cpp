@@ -126,8 +126,7 @@ Result<EglContext> EglContext::make(const std::string& wish) {
         return std::move(*made);
     return Error{
         "no OpenGL 3.3 core context: EGL offers neither a software device nor a surfaceless display; install libegl1 "
-        "and "
-        "libgl1-mesa-dri, and see viewing-sandbox doctor"};
+        "and libgl1-mesa-dri, and see viewing-sandbox doctor"};
 }
 
 EglContext::EglContext(EglContext&& other) noexcept

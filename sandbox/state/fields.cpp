@@ -475,8 +475,7 @@ const Field all_fields[] = {
      .max = 10,
      .step = 0.001,
      .help = "How far the shadow is lifted off the plane towards the eye's side when the offset is \"lift\". Seen at a "
-             "grazing angle it "
-             "parts from its object."},
+             "grazing angle it parts from its object."},
     {.path = "shadow.style",
      .place = IN(shadow.style),
      .label = "style",
@@ -557,8 +556,7 @@ const Field all_fields[] = {
      .max = 16,
      .step = 1,
      .help = "How many mirrors a line of sight may meet one after the other. One plane needs 1; mirrors that face each "
-             "other "
-             "show more with each bounce."},
+             "other show more with each bounce."},
     {.path = "reflection.mirrored",
      .place = IN(reflection.mirrored),
      .label = "what is mirrored",

@@ -126,18 +126,18 @@ private:
 std::string sentence_of(const FailureView& result, PainterKey key) {
     const char* const key_name = name_of(key);
     if (!result.found && result.cancelled)
-        return say("The search was cancelled after {views} views; sorting by {key} was right in all of them.",
+        return say("The search was cancelled; sorting by {key} was right in every view. Views tried: {views}.",
                    "views"_a = result.views_tried, "key"_a = key_name);
     if (!result.found)
-        return say("No view was found where sorting by {key} fails: {views} views were tried.", "key"_a = key_name,
+        return say("No view was found where sorting by {key} fails. Views tried: {views}.", "key"_a = key_name,
                    "views"_a = result.views_tried);
     const char* const sentence = result.cancelled
                                      ? marked(
                                            "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
-                                           "{pitch}°; {views} views were tried before the search was cancelled.")
+                                           "{pitch}°. Views tried before the search was cancelled: {views}.")
                                      : marked(
                                            "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
-                                           "{pitch}°; {views} views were tried.");
+                                           "{pitch}°. Views tried: {views}.");
     return say_with(sentence, fmt::make_format_args(
                                   "key"_a = key_name, "wrong"_a = result.wrong_pixels, "all"_a = result.compared,
                                   "yaw"_a = number_text(result.view.yaw_deg, 1),

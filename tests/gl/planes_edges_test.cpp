@@ -2,6 +2,7 @@
 // the matter. planes_switches_test.cpp has the states that are broken on purpose.
 #include <cmath>
 
+#include "geometry/shapes.h"
 #include "gl_test.h"
 #include "render/buffer_read.h"
 
@@ -135,6 +136,24 @@ TEST_F(Extremes, OfALightShowNoShadow) {
         const Image with = draw(params_with({"view.samples=0", light}), scene, size_px);
         EXPECT_EQ(draw(params_with({"view.samples=0", light, "shadow.enabled=false"}), scene, size_px), with) << light;
     }
+}
+
+/// A square of side 1 under the light throws a shadow of side 5 / gap: over the whole patch, however small the gap.
+TEST_F(Extremes, OfALightCloseToItsCasterDarkenTheWholePatch) {
+    const auto picture = [&](double gap) {
+        const Scene scene =
+            testing::scene_of({testing::object("square", quad_mesh(), {0.0, 5.0 - gap, 0.0}, glm::dvec3(0.5))});
+        return draw(
+            params_with({"view.samples=0", "light.position=[0,5,0,1]", "plane.extent=12", "reflection.enabled=false"}),
+            scene, size_px);
+    };
+    const Image far = picture(0.05);
+    const Image lit =
+        draw(params_with({"view.samples=0", "light.position=[0,5,0,1]", "plane.extent=12", "reflection.enabled=false",
+                          "shadow.enabled=false"}),
+             testing::scene_of({testing::object("square", quad_mesh(), {0.0, 4.95, 0.0}, glm::dvec3(0.5))}), size_px);
+    EXPECT_GT(pixels_beyond(lit, far, 8), 1000);
+    for (const double gap : {0.02, 0.01, 0.004, 0.001}) EXPECT_EQ(pixels_beyond(picture(gap), far, 0), 0) << gap;
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
         const std::string across = objects_across(scene, mirror.towards_eye(), -standing);
         if (!across.empty())
             return tell.broken(true,
-                               say("{objects} crosses the mirror's plane: the part behind it is mirrored, too, and its "
+                               say("the mirror's plane cuts {objects}: the part behind it is mirrored, too, and its "
                                    "image sticks out of the mirror",
                                    "objects"_a = across),
                                "reflection.clip");
@@ -80,7 +80,7 @@ void say_clipping(Sayer& tell, const Params& params, const std::vector<Mirror>& 
         if (!behind.empty())
             return tell.broken(
                 true,
-                say("{objects} lies behind the mirror: its image, which is not clipped, appears in front of it",
+                say("{objects} behind the mirror: the image, which is not clipped, appears in front of it",
                     "objects"_a = behind),
                 "reflection.clip");
     }

@@ -15,8 +15,8 @@ std::vector<ClipPlane> caster_clips(const ShadowParams& shadow, const glm::dvec4
     std::vector<ClipPlane> clips;
     if (shadow.clip_casters) clips.push_back(towards_light);
     if (shadow.clip_at_light && cast.light_world.w > 0.0) {
-        // A little before w = 0: a shadow a thousand times as far as its caster is far enough.
-        constexpr double smallest_w = 1e-3;
+        // A little before w = 0, where float32 begins to take its sign for another: a light may all but touch a caster.
+        constexpr double smallest_w = 1e-5;
         glm::dvec4 w_of_point = -cast.light_world.w * towards_light;
         w_of_point.w += (1.0 - smallest_w) * std::abs(cast.plane_dot_light);
         clips.push_back(w_of_point);

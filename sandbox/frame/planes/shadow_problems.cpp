@@ -55,8 +55,8 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
                                          "objects"_a = beyond),
                                      "shadow.clip_at_light");
     else if (!across.empty())
-        tell(true, say("{objects} crosses the plane through the light, where w = 0: its shadow reaches to infinity, "
-                       "and GL alone cuts off what lies beyond (w ≤ 0)",
+        tell(true, say("the plane through the light, where w = 0, cuts {objects}: the shadow reaches to infinity, and "
+                       "GL alone cuts off what lies beyond (w ≤ 0)",
                        "objects"_a = across));
     else
         tell(true, say("what of {objects} is not between {light} and {plane} (w ≤ 0 there) casts no shadow",

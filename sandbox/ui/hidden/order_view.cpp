@@ -144,7 +144,7 @@ void draw_pixels_of(const HiddenResult& result) {
     recorded_note(compare.empty()
                       ? tr("Polygons come in the scene's own order; the depth buffer decides at every pixel.")
                       : compare);
-    recorded_note(say("{tested} pixels tested, {written} written",
+    recorded_note(say("pixels: {tested} tested, {written} written",
                       "tested"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_tested, 0)),
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
