@@ -141,7 +141,7 @@ std::vector<std::string> cut_texts(const std::vector<Letter>& letters) {
 }
 
 /// Where texts that are 40 % longer do not all fit yet; every text there is looked up all the same.
-const std::set<std::string> tight_places{"views", "views/lecture code"};
+const std::set<std::string> tight_places{"views"};
 
 /// "views/tree view" of "views/tree view_459984C7/…".
 std::string place_of(const std::string& window) {
