@@ -134,7 +134,8 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
     int hovered = -1;
     const bool has_range = std::isfinite(near) && std::isfinite(far) && near < far;
     if (!has_range || eye_distances.empty()) {
-        inner::DrawHint(draw, min, max, has_range ? "There are no codes to show." : "Near is not less than far.");
+        inner::DrawHint(draw, min, max,
+                        has_range ? marked("There are no codes to show.") : marked("Near is not less than far."));
     } else {
         const float text = inner::FaceOf(CurrentContext().fonts.note).size;
         const Rows rows{.left = min.x + Px(14),

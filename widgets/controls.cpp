@@ -37,15 +37,25 @@ void DrawCheckBox(ImDrawList* draw, ImVec2 min, float side, bool on, bool hovere
     draw->AddPolyline(tick, 3, inner::Shown(inner::InkOn(palette.accent)), 0, side * 0.12F);
 }
 
+float CheckBoxSide() {
+    return std::floor(ImGui::GetFrameHeight() * 0.76F);
+}
+
 }  // namespace
 
+float ToggleWidth(const char* label) {
+    return LabelledWidth(label, CheckBoxSide());
+}
+
 bool Toggle(const char* label, bool& value, bool default_value) {
-    const std::string_view shown = inner::ShownPart(label);
-    const float height = ImGui::GetFrameHeight(), side = std::floor(height * 0.76F), gap = inner::Px(7);
-    const float text_width = shown.empty() ? 0.0F : gap + inner::FaceOf(nullptr).Measure(shown).x;
+    const float height = ImGui::GetFrameHeight(), side = CheckBoxSide(), gap = inner::Px(7);
+    const std::string shown = BrokenAtBlanks(tr_part(inner::ShownPart(label)), inner::LabelRoom() - side - gap);
+    const ImVec2 text = ImGui::CalcTextSize(shown.c_str());
+    const float text_width = shown.empty() ? 0.0F : gap + text.x;
+    const float further_lines = std::max(text.y - ImGui::GetTextLineHeight(), 0.0F);
     const ImVec2 min = ImGui::GetCursorScreenPos();
     bool edited = value;
-    if (ImGui::InvisibleButton(label, ImVec2(side + text_width, height))) edited = !value;
+    if (ImGui::InvisibleButton(label, ImVec2(side + text_width, height + further_lines))) edited = !value;
     if (ResetClicked()) edited = default_value;
     const bool changed = edited != value;
     value = edited;
@@ -96,6 +106,22 @@ std::string Shortened(std::string text, float room) {
 
 constexpr float arrow_room = 18.0F;  ///< design pixels for a closed list's triangle
 
+/// Small, and where one line is not enough in two that stand closely; shortened where those are not enough.
+void DrawLongPreview(ImDrawList* draw, ImVec2 min, float height, const char* preview, float room) {
+    const inner::FontScope font(CurrentContext().fonts.note);
+    const std::string broken = BrokenAtBlanks(preview, room);
+    const std::size_t end = broken.find('\n');
+    const bool fits = ImGui::CalcTextSize(broken.c_str()).x <= room && end == broken.rfind('\n');
+    const ImU32 ink = CurrentContext().palette.text;
+    const ImVec2 at(min.x + ImGui::GetStyle().FramePadding.x, min.y);
+    if (!fits || end == std::string::npos) {
+        DrawTextIn(draw, at, height, ink, fits ? broken : Shortened(preview, room));
+        return;
+    }
+    DrawTextIn(draw, at, height * 0.5F, ink, broken.substr(0, end));
+    DrawTextIn(draw, ImVec2(at.x, at.y + height * 0.5F), height * 0.5F, ink, broken.substr(end + 1));
+}
+
 }  // namespace
 
 bool BeginChoice(const char* label, const char* preview, float width) {
@@ -105,11 +131,12 @@ bool BeginChoice(const char* label, const char* preview, float width) {
     const ImVec2 max(min.x + width, min.y + ImGui::GetFrameHeight());
     inner::RecordRect(label, min, max, preview);
     const float text_room = width - ImGui::GetStyle().FramePadding.x * 2.0F - inner::Px(arrow_room);
-    const std::string shown = Shortened(tr(preview), text_room + 1.0F);
+    const bool is_long = inner::FaceOf(nullptr).Measure(preview).x > text_room + 1.0F;
     ImGui::PushID(label);
     ImGui::SetNextItemWidth(width);
-    const bool open =
-        ImGui::BeginCombo("##combo", shown.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+    const bool open = ImGui::BeginCombo("##combo", is_long ? "" : tr(preview),
+                                        ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+    if (is_long) DrawLongPreview(draw, min, max.y - min.y, tr(preview), text_room + 1.0F);
     inner::DrawTriangle(draw, ImVec2(max.x - inner::Px(13), (min.y + max.y) * 0.5F), inner::Px(4), true,
                         inner::Shown(CurrentContext().palette.quiet));
     if (open) {
@@ -125,25 +152,27 @@ void EndChoice() {
     ImGui::PopID();
 }
 
+float ChoiceWidth(std::span<const char* const> names) {
+    float width = 0.0F;
+    for (const char* name : names) width = std::max(width, inner::FaceOf(nullptr).Measure(name).x);
+    return std::ceil(width + ImGui::GetStyle().FramePadding.x * 2.0F + inner::Px(arrow_room));
+}
+
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width) {
     const int count = static_cast<int>(names.size());
-    if (width <= 0.0F) {
-        for (const char* name : names) width = std::max(width, inner::FaceOf(nullptr).Measure(name).x);
-        width = std::ceil(width + ImGui::GetStyle().FramePadding.x * 2.0F + inner::Px(arrow_room));
-    }
+    if (width <= 0.0F) width = ChoiceWidth(names);
     const char* preview = index >= 0 && index < count ? names[static_cast<std::size_t>(index)] : "—";
     int edited = index;
 
-    ImGui::BeginGroup();
-    if (BeginChoice(label, preview, width)) {
-        ShowItems(label, edited, names);
-        EndChoice();
-    } else if (ResetClicked()) {
-        edited = default_index;
+    {
+        const inner::Labelled labelled(label, width);
+        if (BeginChoice(label, preview, width)) {
+            ShowItems(label, edited, names);
+            EndChoice();
+        } else if (ResetClicked()) {
+            edited = default_index;
+        }
     }
-    inner::LabelBehind(label);
-    ImGui::EndGroup();
-
     const bool changed = edited != index;
     index = edited;
     return changed;
@@ -259,10 +288,10 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
     glm::u8vec3 edited = rgb;
     const std::string hex = viewing::hex_color(rgb.r, rgb.g, rgb.b);
 
-    ImGui::BeginGroup();
+    const float width = std::ceil(inner::Px(38) + inner::FaceOf(CurrentContext().fonts.number).Measure(hex).x);
+    const inner::Labelled labelled(label, width);
     ImGui::PushID(label);
-    const float width = inner::Px(38) + inner::FaceOf(CurrentContext().fonts.number).Measure(hex.c_str()).x;
-    if (ImGui::InvisibleButton("##box", ImVec2(std::ceil(width), ImGui::GetFrameHeight()))) {
+    if (ImGui::InvisibleButton("##box", ImVec2(width, ImGui::GetFrameHeight()))) {
         working = FloatsOf(rgb);
         ImGui::OpenPopup("picker");
     }
@@ -283,8 +312,6 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
         ImGui::EndPopup();
     }
     ImGui::PopID();
-    inner::LabelBehind(label);
-    ImGui::EndGroup();
 
     const bool changed = edited != rgb;
     rgb = edited;
@@ -293,15 +320,25 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 
 bool Button(const char* label, bool enabled, const char* why_disabled) {
     ImGui::BeginDisabled(!enabled);
-    const bool clicked = ImGui::Button(LabelText(label).c_str());
+    const bool clicked = ImGui::Button(BrokenLabelText(label, 2.0F * ImGui::GetStyle().FramePadding.x).c_str());
     Record(label);
     ImGui::EndDisabled();
     if (!enabled) Tooltip("", why_disabled);
     return clicked;
 }
 
+namespace {
+
+constexpr float small_padding = 8.0F;  ///< design pixels beside a small button's text
+
+}  // namespace
+
+float SmallButtonWidth(const char* label) {
+    return inner::FaceOf(nullptr).Measure(inner::ShownPart(label)).x + 2.0F * inner::Px(small_padding);
+}
+
 bool SmallButton(const char* label, bool enabled, const char* why_disabled) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(inner::Px(8), inner::Px(2)));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(inner::Px(small_padding), inner::Px(2)));
     const bool clicked = Button(label, enabled, why_disabled);
     ImGui::PopStyleVar();
     return clicked;

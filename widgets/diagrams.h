@@ -91,7 +91,7 @@ struct LogChartStyle {
     ChartAxis x, y;
     double marker_x = 0.0;  ///< a vertical line here; ≤ 0: none
     const char* marker_label = "";
-    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 200×120 design pixels on
+    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 160×120 design pixels on
 };
 
 /// Curves over two logarithmic axes, named at their ends; marker and dash tell them apart without colour, too. The

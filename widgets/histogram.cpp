@@ -246,8 +246,9 @@ bool Histogram(const char* id, std::span<const std::uint32_t> counts, double min
         DrawEnds(draw, plot, edited);
         if (hovered) DrawReadout(draw, {min, max}, plot, ImGui::GetIO().MousePos, counts, style);
     } else {
-        inner::DrawHint(draw, min, max,
-                        counts.empty() ? "Nothing has been counted yet." : "There is no range to count over.");
+        inner::DrawHint(
+            draw, min, max,
+            counts.empty() ? marked("Nothing has been counted yet.") : marked("There is no range to count over."));
     }
     draw->PopClipRect();
     const bool changed = (edited != before || takes_all || fit.clicked) && edited != range;

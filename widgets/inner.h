@@ -68,8 +68,22 @@ std::string_view ShownPart(const char* label);
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
+/// The room from the cursor on for a label that may be broken. At least 160 design pixels: a popup that fits itself to
+/// what is in it has no width of its own.
+float LabelRoom();
+
 /// The label behind a control, quiet, on the same line.
 void LabelBehind(const char* label);
+
+/// One item of a control and its label: the label stands behind, or above where there is no room behind a control of
+/// this width. Ends with its scope.
+struct Labelled {
+    Labelled(const char* label, float control_width);
+    ~Labelled();
+    Labelled(const Labelled&) = delete;
+    Labelled& operator=(const Labelled&) = delete;
+    const char* label_behind;  ///< null: it stands above
+};
 
 /// The frame of a field: rounded, tinted and outlined when `lit`, with a stripe in its role's colour at the left.
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);

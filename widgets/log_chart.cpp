@@ -122,7 +122,7 @@ int DrawLogChart(ImDrawList* draw, ImVec2 min, ImVec2 max, std::span<const Chart
 
 int LogChart(const char* id, std::span<const ChartCurve> curves, const LogChartStyle& style) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const ImVec2 size(std::max(style.size.x > 0.0F ? style.size.x : room.x, Px(200)),
+    const ImVec2 size(std::max(style.size.x > 0.0F ? style.size.x : room.x, Px(160)),
                       std::max(style.size.y > 0.0F ? style.size.y : room.y, Px(120)));
     const Group group(id);
     ImGui::InvisibleButton("chart", size);

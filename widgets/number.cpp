@@ -33,11 +33,9 @@ namespace {
 constexpr const char* component_names[] = {"x", "y", "z", "w"};
 
 bool LabelledBox(const char* label, double& value, const NumberStyle& style, float width, inner::BoxKind kind) {
-    ImGui::BeginGroup();
-    const bool changed = inner::NumberBox(label, value, style, width > 0.0F ? width : ImGui::CalcItemWidth(), kind);
-    inner::LabelBehind(label);
-    ImGui::EndGroup();
-    return changed;
+    if (width <= 0.0F) width = ImGui::CalcItemWidth();
+    const inner::Labelled labelled(label, width);
+    return inner::NumberBox(label, value, style, width, kind);
 }
 
 }  // namespace
@@ -53,15 +51,10 @@ bool Slider(const char* label, double& value, const NumberStyle& style, float wi
 bool Numbers(const char* label, std::span<double> values, const NumberStyle& style, std::span<const double> defaults,
              std::span<const Links> links) {
     IM_ASSERT(!values.empty() && values.size() <= std::size(component_names));
-    ImGui::BeginGroup();
-    bool changed = false;
-    {
-        const Group group(label);
-        changed = inner::NumberRow(values, component_names, style, defaults, links, ImGui::CalcItemWidth());
-    }
-    inner::LabelBehind(label);
-    ImGui::EndGroup();
-    return changed;
+    const float width = ImGui::CalcItemWidth();
+    const inner::Labelled labelled(label, width);
+    const Group group(label);
+    return inner::NumberRow(values, component_names, style, defaults, links, width);
 }
 
 bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value,

@@ -21,9 +21,10 @@ bool PlaneButtons(glm::dvec4& plane) {
         glm::dvec4 plane;
         const char* tip;
     };
-    static const Preset presets[] = {{"yz", {1.0, 0.0, 0.0, 0.0}, "The plane x = 0, upright: a = 1, the rest 0."},
-                                     {"xz", {0.0, 1.0, 0.0, 0.0}, "The plane y = 0, the ground: b = 1, the rest 0."},
-                                     {"xy", {0.0, 0.0, 1.0, 0.0}, "The plane z = 0, upright: c = 1, the rest 0."}};
+    static const Preset presets[] = {
+        {"yz", {1.0, 0.0, 0.0, 0.0}, marked("The plane x = 0, upright: a = 1, the rest 0.")},
+        {"xz", {0.0, 1.0, 0.0, 0.0}, marked("The plane y = 0, the ground: b = 1, the rest 0.")},
+        {"xy", {0.0, 0.0, 1.0, 0.0}, marked("The plane z = 0, upright: c = 1, the rest 0.")}};
     const glm::dvec4 before = plane;
     for (const Preset& preset : presets) {
         if (SmallButton(preset.name)) plane = preset.plane;
@@ -48,8 +49,10 @@ bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& defau
     ImGui::BeginGroup();
     bool changed = false;
     {
+        const float width = ImGui::CalcItemWidth();
+        const inner::Labelled labelled(label, width);
         const Group group(label);
-        if (inner::NumberRow(values, names, style, defaults, links, ImGui::CalcItemWidth())) {
+        if (inner::NumberRow(values, names, style, defaults, links, width)) {
             const glm::dvec4 edited(values[0], values[1], values[2], values[3]);
             if (NormalLength(edited) >= smallest) {
                 plane = edited;
@@ -57,7 +60,6 @@ bool PlaneEquation(const char* label, glm::dvec4& plane, const glm::dvec4& defau
             }
         }
     }
-    inner::LabelBehind(label);
     {
         const Group group(label);
         changed |= PlaneButtons(plane);
@@ -71,14 +73,14 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
     const double defaults[] = {default_value.x, default_value.y, default_value.z, default_value.w};
     const bool at_origin = glm::length(glm::dvec3(light)) < smallest;
     const inner::Segment kinds[] = {
-        {.name = "Point (w = 1)",
+        {.name = marked("Point (w = 1)"),
          .recorded_name = "point",
-         .tip = "A lamp at the point (x, y, z); its rays spread from there."},
-        {.name = "Parallel (w = 0)",
+         .tip = marked("A lamp at the point (x, y, z); its rays spread from there.")},
+        {.name = marked("Parallel (w = 0)"),
          .recorded_name = "parallel",
          .enabled = !at_origin,
-         .why_disabled = "A parallel light needs a direction: x, y and z are all 0.",
-         .tip = "A light infinitely far away, like the sun; (x, y, z) is the direction towards it."}};
+         .why_disabled = marked("A parallel light needs a direction: x, y and z are all 0."),
+         .tip = marked("A light infinitely far away, like the sun; (x, y, z) is the direction towards it.")}};
 
     glm::dvec4 edited = light;
     ImGui::BeginGroup();
@@ -86,7 +88,11 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
         const Group group(label);
         const int clicked = inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
         if (clicked >= 0) edited.w = clicked == 0 ? 1.0 : 0.0;
-
+    }
+    {
+        const float width = ImGui::CalcItemWidth();
+        const inner::Labelled labelled(label, width);
+        const Group group(label);
         const NumberStyle position{.step = 0.02, .decimals = 2, .role = Role::light};
         const NumberStyle weight{.min = 0.0,
                                  .max = 1.0,
@@ -94,8 +100,7 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
                                  .decimals = 2,
                                  .default_value = default_value.w,
                                  .role = Role::light};
-        const float gap = inner::Px(4), width = ImGui::CalcItemWidth(),
-                    w_width = std::floor((width - 3.0F * gap) / 4.0F);
+        const float gap = inner::Px(4), w_width = std::floor((width - 3.0F * gap) / 4.0F);
         double values[] = {edited.x, edited.y, edited.z, edited.w};
         const std::span<const Links> position_links = links.subspan(0, std::min<std::size_t>(links.size(), 3));
         inner::NumberRow({values, 3}, {names, 3}, position, {defaults, 3}, position_links, width - gap - w_width);
@@ -104,7 +109,6 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
                          links.size() > 3 ? links.subspan(3, 1) : std::span<const Links>{}, w_width);
         edited = {values[0], values[1], values[2], values[3]};
     }
-    inner::LabelBehind(label);
     ImGui::EndGroup();
 
     const bool meaningful = glm::length(edited) >= smallest;

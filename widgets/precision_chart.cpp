@@ -140,7 +140,7 @@ ChartAxis AxisOrDefault(const ChartAxis& axis) {
 
 bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& near, double& far,
                     const PrecisionChartStyle& style) {
-    const ImVec2 size = inner::AreaSize(style.size, ImVec2(200, 120));
+    const ImVec2 size = inner::AreaSize(style.size, ImVec2(160, 120));
     const Group group(id);
     const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
     ImDrawList* draw = ImGui::GetWindowDrawList();

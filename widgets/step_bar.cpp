@@ -183,17 +183,31 @@ void Word(std::string_view word, float width, bool to_right = false) {
               Shown(CurrentContext().palette.quiet), word);
 }
 
-/// "step 12 of 340" or "all 340 steps", with the number in a box to be typed in; the words keep their places.
+/// "step 12 of 340" or "all 340 steps", with the number in a box to be typed in; the words keep their places. Where
+/// they have no room: "12 / 340".
 struct StepText {
-    float word, box, rest;
+    const char *step_word, *all_word, *steps_word;
     std::string of;
+    float word, box, rest;
 
-    explicit StepText(int count) {
-        const inner::Face face = inner::FaceOf(nullptr), digits = inner::FaceOf(CurrentContext().fonts.number);
-        of = count < 10'000 ? say("of {count}", "count"_a = count) : say("/ {count}", "count"_a = count);
-        word = std::ceil(std::max(face.Measure(tr("step")).x, face.Measure(tr("all")).x));
-        box = std::ceil(digits.Measure(std::to_string(std::max(count, 100))).x + Px(14));
-        rest = std::ceil(std::max(face.Measure(of).x, face.Measure(tr("steps")).x));
+    StepText(int count, float room) : step_word(tr("step")), all_word(tr("all")), steps_word(tr("steps")) {
+        const std::string slash = say("/ {count}", "count"_a = count);
+        of = count < 10'000 ? say("of {count}", "count"_a = count) : slash;
+        box = std::ceil(inner::FaceOf(CurrentContext().fonts.number).Measure(std::to_string(std::max(count, 100))).x +
+                        Px(14));
+        Measure();
+        if (Width() <= room) return;
+        step_word = all_word = "";
+        of = slash;
+        steps_word = of.c_str();
+        Measure();
+    }
+    StepText(const StepText&) = delete;
+    StepText& operator=(const StepText&) = delete;
+    void Measure() {
+        const inner::Face face = inner::FaceOf(nullptr);
+        word = std::ceil(std::max(face.Measure(step_word).x, face.Measure(all_word).x));
+        rest = std::ceil(std::max(face.Measure(of).x, face.Measure(steps_word).x));
     }
     /// What a NumberBox with this name goes by.
     static ImGuiID BoxId() {
@@ -207,7 +221,7 @@ struct StepText {
     int Show(int step, int count) const {
         const bool all = step < 0;
         const ImVec2 min = ImGui::GetCursorScreenPos();
-        Word(all ? tr("all") : tr("step"), word, true);
+        Word(all ? all_word : step_word, word, true);
         ImGui::SameLine(0.0F, Px(6));
         double value = Reached(step, count);
         const NumberStyle style{.min = 0.0,
@@ -219,7 +233,7 @@ struct StepText {
         const bool edited = inner::NumberBox("step", value, style, box);
         Tooltip("Step", "Double-click to type, drag to change.");
         ImGui::SameLine(0.0F, Px(6));
-        Word(all ? tr("steps") : of, rest);
+        Word(all ? steps_word : of, rest);
         const std::string text =
             all ? say_count(count, "all of one step", "all {count} steps")
                 : say("step {step} of {count}", "step"_a = Reached(step, count), "count"_a = count);
@@ -286,7 +300,7 @@ bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt
     ImGui::BeginDisabled(count == 0);
     const float room = ImGui::GetContentRegionAvail().x, gap = Px(8);
     const float buttons = 5.0F * (ButtonWidth() + Px(2));
-    const StepText text(count);
+    const StepText text(count, room - buttons - gap);
     const float speed = Px(92) * CurrentContext().palette.type_scale, least_track = Px(150);
     const bool in_one_row = buttons + text.Width() + speed + least_track + 3.0F * gap <= room;
 

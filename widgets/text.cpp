@@ -6,10 +6,6 @@
 
 namespace widgets {
 
-namespace {
-
-/// The text with line breaks at blanks alone, so that each line is at most so wide where it can be. ImGui would break
-/// within "0.5" too.
 std::string BrokenAtBlanks(std::string_view text, float width) {
     std::string broken, line;
     while (!text.empty()) {
@@ -22,6 +18,8 @@ std::string BrokenAtBlanks(std::string_view text, float width) {
     }
     return broken + line;
 }
+
+namespace {
 
 /// Wrapped at the window's edge, in one colour, and recorded.
 void WrappedText(const char* recorded_as, const char* text, ImU32 color) {
@@ -140,14 +138,41 @@ void Face::Draw(ImDrawList* draw, ImVec2 position, ImU32 color, std::string_view
     draw->AddText(font, size, position, color, text.data(), text.data() + text.size());
 }
 
+float LabelRoom() {
+    return std::max(ImGui::GetContentRegionAvail().x, Px(160));
+}
+
+namespace {
+
+constexpr float label_gap = 7.0F;  ///< design pixels between a control and its label
+
+void QuietText(std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, CurrentContext().palette.quiet);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
 void LabelBehind(const char* label) {
     const std::string_view shown = tr_part(ShownPart(label));
     if (shown.empty()) return;
-    ImGui::SameLine(0.0F, Px(7));
+    ImGui::SameLine(0.0F, Px(label_gap));
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, CurrentContext().palette.quiet);
-    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
-    ImGui::PopStyleColor();
+    QuietText(shown);
+}
+
+Labelled::Labelled(const char* label, float control_width) : label_behind(label) {
+    ImGui::BeginGroup();
+    const std::string_view shown = tr_part(ShownPart(label));
+    if (shown.empty() || LabelledWidth(label, control_width) <= LabelRoom()) return;
+    label_behind = nullptr;
+    QuietText(BrokenAtBlanks(shown, LabelRoom()));
+}
+
+Labelled::~Labelled() {
+    if (label_behind) LabelBehind(label_behind);
+    ImGui::EndGroup();
 }
 
 void BeginTooltipWindow() {
@@ -167,4 +192,15 @@ void EndTooltipWindow() {
 }
 
 }  // namespace inner
+
+std::string BrokenLabelText(const char* label, float taken) {
+    return BrokenAtBlanks(tr_part(inner::ShownPart(label)), inner::LabelRoom() - taken) + "###" + label;
+}
+
+float LabelledWidth(const char* label, float control_width) {
+    const std::string_view shown = inner::ShownPart(label);
+    return shown.empty() ? control_width
+                         : control_width + inner::Px(inner::label_gap) + inner::FaceOf(nullptr).Measure(shown).x;
+}
+
 }  // namespace widgets

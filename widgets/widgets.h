@@ -3,9 +3,9 @@
 // Every widget edits the value it is given and says whether it did. Run `widgets-demo` to see each one.
 //
 // Conventions, as in Dear ImGui: `bool Name(label, value&, tuning…)`; true only in a frame in which the value changed;
-// "##id" parts of a label are not shown. Labels stand to the right of a control, quiet. Every text that a widget is
-// given is looked up in the catalogue (text/catalogue.h) where it is drawn; ids and what the recorder tells stay
-// English.
+// "##id" parts of a label are not shown. Labels stand to the right of a control, quiet; above it where there is no room
+// for them. Every text that a widget is given is looked up in the catalogue (text/catalogue.h) where it is drawn; ids
+// and what the recorder tells stay English.
 #pragma once
 
 #include <imgui.h>
@@ -125,6 +125,8 @@ void Record(const char* label);
 
 /// A label for ImGui itself: what is shown in the language spoken now, under an id that is English in all of them.
 std::string LabelText(const char* label);
+/// The same in as many lines as it takes in the room from the cursor on, of which ImGui itself needs `taken` pixels.
+std::string BrokenLabelText(const char* label, float taken);
 
 // ---- text ------------------------------------------------------------------------------------------
 
@@ -132,6 +134,9 @@ std::string LabelText(const char* label);
 /// behind it, or what number_text wrote. Empty when it is not one finite number.
 std::optional<double> ParseNumber(std::string_view text, std::string_view unit = {});
 
+/// The text with line breaks at blanks alone, so that each line is at most so many pixels wide where it can be, in the
+/// current font. ImGui would break within "0.5" too.
+std::string BrokenAtBlanks(std::string_view text, float width);
 void Note(const char* text);                               ///< small and quiet, wraps
 void Trouble(const char* sentence);                        ///< one sentence in the trouble colour with a sign, wraps
 float TroubleHeight(const char* sentence, float width);    ///< of a Trouble in the current font, that has such a width
@@ -184,15 +189,21 @@ bool Numbers(const char* label, std::span<double> values, const NumberStyle& sty
 bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value = {},
           std::span<const Links> links = {});
 
+/// Pixels of a control that is so wide together with the label behind it.
+float LabelledWidth(const char* label, float control_width);
+
 bool Toggle(const char* label, bool& value, bool default_value);  ///< checkbox; right-click resets
+float ToggleWidth(const char* label);                             ///< of a Toggle in one line, pixels
 /// Combo over names; right-click resets to `default_index`. `width` 0: as wide as its longest name.
 bool Choice(const char* label, int& index, std::span<const char* const> names, int default_index, float width = 0.0F);
+float ChoiceWidth(std::span<const char* const> names);  ///< in which the longest name is shown whole, pixels
 /// The same as a row of radio buttons. `tips`: what each one means, on hover.
 bool Segments(const char* label, int& index, std::span<const char* const> names, int default_index,
               std::span<const char* const> tips = {});
 
 /// A closed list that looks like a Choice, for items that are no enumeration: when true, draw them, then EndChoice.
-/// The label is not shown. `width` in pixels, 0: the item width.
+/// The label is not shown. `width` in pixels, 0: the item width. A preview that is too long for it is written small,
+/// in two lines if need be, and shortened where that is not enough.
 bool BeginChoice(const char* label, const char* preview, float width = 0.0F);
 void EndChoice();
 
@@ -203,6 +214,7 @@ bool ClosePopupOnEscape();
 bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value);
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
+float SmallButtonWidth(const char* label);  ///< in one line, pixels
 
 /// A header that folds what follows; the open state is kept by ImGui. Returns whether it is open.
 /// `note` stands quiet at its right end.

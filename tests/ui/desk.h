@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +17,8 @@
 #include "frame/problems.h"
 #include "state/fields.h"
 #include "state/json.h"
+#include "state/scene.h"
+#include "text/po.h"
 #include "ui/window/fonts.h"
 #include "ui/window/theme.h"
 #include "ui/window/workbench.h"
@@ -23,6 +27,14 @@
 namespace viewing::test {
 
 using widgets::RecordedItem;
+
+/// Every text there is, whatever their translations.
+inline std::vector<PoEntry> catalogue() {
+    std::ifstream file(assets_directory() / "text" / "ko.po", std::ios::binary);
+    Result<std::vector<PoEntry>> entries = read_po(std::string{std::istreambuf_iterator<char>(file), {}});
+    if (!entries) throw std::runtime_error(entries.error());
+    return *std::move(entries);
+}
 
 inline Session session_of(const std::string& state) {
     const Result<LoadedState> loaded = load_state(state);

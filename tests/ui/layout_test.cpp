@@ -1,8 +1,10 @@
-// Nothing covers anything else and nothing is cut off, at every size, in every theme.
+// Nothing covers anything else and nothing is cut off, at every size, in every theme, also with texts that are 40 %
+// longer.
 #include <sstream>
 #include <tuple>
 
 #include "desk.h"
+#include "text/catalogue.h"
 
 namespace viewing::test {
 namespace {
@@ -76,10 +78,16 @@ const std::pair<const char*, void (*)(Params&)> moods[] = {{"opening", [](Params
 
 using Case = std::tuple<ImVec2, double, Theme>;
 
-class LayoutTest : public ::testing::TestWithParam<Case> {};
+class LayoutTest : public ::testing::TestWithParam<std::tuple<Case, bool>> {
+protected:
+    LayoutTest() {
+        if (std::get<bool>(GetParam())) speak_pseudo(catalogue());
+    }
+    ~LayoutTest() override { speak_english(); }
+};
 
 TEST_P(LayoutTest, NothingOverlapsAndNothingIsCutOff) {
-    const auto [size, scale, theme] = GetParam();
+    const auto [size, scale, theme] = std::get<Case>(GetParam());
     Desk desk(size);
     desk.params().ui = {theme, scale};
     desk.apply_looks();
@@ -101,14 +109,16 @@ TEST_P(LayoutTest, NothingOverlapsAndNothingIsCutOff) {
         }
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest,
-                         ::testing::Values(Case{{1600, 900}, 1.0, Theme::dark}, Case{{1600, 900}, 1.0, Theme::light},
-                                           Case{{1600, 900}, 1.0, Theme::projector},
-                                           Case{{1280, 720}, 1.0, Theme::dark}, Case{{1280, 720}, 1.0, Theme::light},
-                                           Case{{1280, 720}, 1.0, Theme::projector}, Case{{800, 600}, 1.0, Theme::dark},
-                                           Case{{800, 600}, 1.0, Theme::light}, Case{{800, 600}, 1.0, Theme::projector},
-                                           Case{{3840, 2160}, 2.0, Theme::dark}, Case{{3840, 2160}, 2.0, Theme::light},
-                                           Case{{3840, 2160}, 2.0, Theme::projector}));
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, LayoutTest,
+    ::testing::Combine(::testing::Values(Case{{1600, 900}, 1.0, Theme::dark}, Case{{1600, 900}, 1.0, Theme::light},
+                                         Case{{1600, 900}, 1.0, Theme::projector}, Case{{1280, 720}, 1.0, Theme::dark},
+                                         Case{{1280, 720}, 1.0, Theme::light}, Case{{1280, 720}, 1.0, Theme::projector},
+                                         Case{{800, 600}, 1.0, Theme::dark}, Case{{800, 600}, 1.0, Theme::light},
+                                         Case{{800, 600}, 1.0, Theme::projector}, Case{{3840, 2160}, 2.0, Theme::dark},
+                                         Case{{3840, 2160}, 2.0, Theme::light},
+                                         Case{{3840, 2160}, 2.0, Theme::projector}),
+                       ::testing::Bool()));
 
 TEST(Layout, AreasNeverOverlapAtAnySize) {
     for (int width = 480; width <= 2400; width += 37)

@@ -150,6 +150,48 @@ TEST_F(ControlsTest, SegmentsWrapWhereTheyDoNotFit) {
     EXPECT_LE(ui.find("mode/GL_LESS").max.x, 180.0F);
 }
 
+TEST_F(ControlsTest, LongTextsMakeRoomForThemselves) {
+    bool value = false;
+    double number = 0.5;
+    float line = 0.0F, behind = 0.0F, above = 0.0F;
+    start([&] {
+        ImGui::BeginChild("narrow", ImVec2(220, 400));
+        line = ImGui::GetFrameHeight();
+        Toggle("a toggle that says in many words what it is for", value, true);
+        Button("a button that says in many words what it does");
+        Slider("short", number, {.min = 0.0, .max = 1.0}, 120.0F);
+        behind = ImGui::GetItemRectSize().y;
+        Slider("a label that is too long to stand behind", number, {.min = 0.0, .max = 1.0}, 120.0F);
+        above = ImGui::GetItemRectSize().y;
+        Slider("##none", number, {.min = 0.0, .max = 1.0}, 240.0F);
+        ImGui::EndChild();
+        return false;
+    });
+    for (const char* label :
+         {"a toggle that says in many words what it is for", "a button that says in many words what it does"}) {
+        const RecordedItem item = ui.find(label);
+        EXPECT_LE(item.max.x - item.min.x, 220.0F);
+        EXPECT_GT(item.max.y - item.min.y, 1.5F * line);
+    }
+    EXPECT_FLOAT_EQ(behind, line);
+    EXPECT_GT(above, 1.5F * line);
+    EXPECT_FLOAT_EQ(ui.find("none").max.y - ui.find("none").min.y, line);
+    ui.click("a toggle that says in many words what it is for");
+    EXPECT_TRUE(value);
+}
+
+TEST_F(ControlsTest, AChoiceSaysHowWideItHasToBe) {
+    int index = 0;
+    float needed = 0.0F;
+    start([&] {
+        needed = ChoiceWidth(names);
+        return Choice("depth func", index, names, 1);
+    });
+    const RecordedItem item = ui.find("depth func");
+    EXPECT_FLOAT_EQ(item.max.x - item.min.x, needed);
+    EXPECT_GT(needed, ImGui::CalcTextSize("GL_NEVER").x);
+}
+
 TEST_F(ControlsTest, ColorFieldKeepsItsBytes) {
     glm::u8vec3 rgb{1, 2, 3};
     start([&] { return ColorField("colour", rgb, {0x5A, 0x9E, 0xF0}); });

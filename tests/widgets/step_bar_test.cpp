@@ -46,6 +46,22 @@ TEST_F(StepBarTest, Buttons) {
     EXPECT_EQ(changes, 5);
 }
 
+TEST_F(StepBarTest, WithoutRoomForItsWordsItShowsNumbersAlone) {
+    float wide = 0.0F;
+    for (const float width : {400.0F, 230.0F}) {
+        start([&] {
+            ImGui::BeginChild("narrow", ImVec2(width, 100));
+            StepBar("steps", step, count, player, dt_s);
+            ImGui::EndChild();
+            return false;
+        });
+        const RecordedItem text = ui.find("steps/text");
+        EXPECT_LE(text.max.x, ui.find("steps/First").min.x + width);
+        if (wide > 0.0F) EXPECT_LT(text.max.x - text.min.x, wide);
+        wide = text.max.x - text.min.x;
+    }
+}
+
 TEST_F(StepBarTest, HeldButtonsGoOn) {
     count = 1000;
     step = 0;

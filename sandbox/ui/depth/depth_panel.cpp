@@ -12,6 +12,8 @@ constexpr const char* format_names[] = {marked("4 bit"),  marked("5 bit"),  mark
                                         marked("8 bit"),  marked("9 bit"),  marked("10 bit"), marked("11 bit"),
                                         marked("12 bit"), marked("16 bit"), marked("24 bit"), marked("32 bit float")};
 
+constexpr const char* mapping_names[] = {marked("standard"), marked("reversed"), marked("logarithmic")};
+
 void mapping_switches(Params& params) {
     if (params.depth.mapping == DepthMapping::reversed) {
         control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
@@ -45,7 +47,7 @@ void beside_controls(Params& params) {
     control(params, "view.beside.layout", {.segments = true, .names = layouts, .label = "##layout"});
     if (params.view.beside.shows != Beside::other_depth) return;
     control(params, "view.beside.format", {.width = 130.0F, .names = format_names, .label = marked("other format")});
-    control(params, "view.beside.mapping", {.width = 130.0F, .label = marked("other mapping")});
+    control(params, "view.beside.mapping", {.width = 130.0F, .names = mapping_names, .label = marked("other mapping")});
 }
 
 }  // namespace
@@ -55,7 +57,7 @@ void draw_depth_section(Session& session) {
     const widgets::Group group("buffer");
     Params& params = session.params;
     control(params, "depth.format", {.width = 130.0F, .names = format_names});
-    control(params, "depth.mapping", {.width = 130.0F});
+    control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
     mapping_switches(params);
     control(params, "depth.write_while_clearing", {.label = marked("Mask on while clearing")});
     if (has_decals(session.scene())) decal_controls(params);

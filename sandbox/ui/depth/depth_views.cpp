@@ -24,8 +24,10 @@ void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rec
 
 void tell_missing_depth(const Params& params, const Rect& rect) {
     if (params.visibility.method == VisibilityMethod::depth_buffer) return;
+    const std::string sentence = widgets::BrokenAtBlanks(
+        tr("This method draws with GL's depth test off: no depth is written."), rect.width() - px(20.0F));
     widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
-                      "This method draws with GL's depth test off: no depth is written.");
+                      sentence.c_str());
 }
 
 /// The headline of the second picture, and which of the two a divider's sides are.

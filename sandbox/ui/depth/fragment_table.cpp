@@ -108,7 +108,7 @@ void draw_object(const FragmentRow& row) {
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + side, top + side}, color, px(2.0F));
     ImGui::Dummy({side, side});
     ImGui::SameLine(0.0F, px(5.0F));
-    ImGui::TextUnformatted(shortened(row.texts[object], ImGui::GetContentRegionAvail().x).c_str());
+    shortened_text(row.texts[object], ImGui::GetContentRegionAvail().x);
 }
 
 /// Something to point at over the whole row; recorded as "2 box: 812 < 812  tie: fails".

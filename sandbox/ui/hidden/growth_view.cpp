@@ -34,7 +34,6 @@ public:
         }
     }
     float room() const { return room_; }
-    static float button_width(const char* label) { return ImGui::CalcTextSize(tr(label)).x + px(2.0F * 8.0F); }
 
 private:
     float room_;
@@ -88,7 +87,7 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     static constexpr const char* scenes[] = {marked("small random triangles"), marked("large random triangles"),
                                              marked("the current scene")};
     const bool is_running = state.measuring.is_running();
-    const float choice_width = std::min(px(184.0F), ImGui::GetContentRegionAvail().x);
+    const float choice_width = std::min(std::max(px(184.0F), widgets::ChoiceWidth(scenes)), flow.room());
     flow.next(choice_width);
     ImGui::BeginDisabled(is_running);
     widgets::Choice("##scene", state.scene, scenes, 0, choice_width);
@@ -97,7 +96,7 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
                      "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
                      "cuts polygons has much to cut. Of the current scene more and more polygons are taken.");
     const char* label = is_running ? marked("Cancel") : marked("Measure");
-    flow.next(Flow::button_width(label));
+    flow.next(widgets::SmallButtonWidth(label));
     if (!widgets::SmallButton(label)) return;
     if (is_running)
         state.measuring.cancel();
@@ -110,14 +109,14 @@ void quantity_words(GrowthViewState& state, Flow& flow) {
     static constexpr std::array explanations{
         marked("Time to the finished picture; of a BSP tree also to the finished tree."),
         marked("How often a method does what it does most: comparisons, pixels tested, intersection tests.")};
-    flow.next(Flow::button_width(names[0]) + Flow::button_width(names[1]) + px(2.0F));
+    flow.next(widgets::SmallButtonWidth(names[0]) + widgets::SmallButtonWidth(names[1]) + px(2.0F));
     int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (words("##quantity", index, names, explanations, 0, right)) state.shows_operations = index == 1;
 }
 
 float saving_width() {
-    return Flow::button_width("Save CSV") + px(6.0F) + Flow::button_width("Save PNG");
+    return widgets::SmallButtonWidth("Save CSV") + px(6.0F) + widgets::SmallButtonWidth("Save PNG");
 }
 
 /// How far it is; before and after that, the ways to keep the result. True when the picture is asked for, whose place
@@ -132,9 +131,9 @@ bool progress_or_saving(const GrowthViewState& state, Session& session, Flow& fl
         return false;
     }
     const bool has_rows = !shown_rows(state).empty();
-    flow.next(Flow::button_width("Save CSV"));
+    flow.next(widgets::SmallButtonWidth("Save CSV"));
     if (widgets::SmallButton("Save CSV", has_rows, "Measure first.")) save_csv(state, session);
-    flow.next(Flow::button_width("Save PNG"));
+    flow.next(widgets::SmallButtonWidth("Save PNG"));
     return widgets::SmallButton("Save PNG", has_rows, "Measure first.");
 }
 

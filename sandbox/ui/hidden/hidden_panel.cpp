@@ -6,6 +6,8 @@
 #include "ui/hidden/method_words.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
+#include "ui/parts/panel_parts.h"
+#include "ui/parts/table_parts.h"
 
 namespace viewing {
 namespace {
@@ -43,36 +45,38 @@ void options_of(VisibilityMethod method, Params& params) {
 void cancel_button(HiddenPanelState& state, const HiddenStatus& hidden) {
     const bool was_cancelled = hidden.answer && hidden.answer->camera->is_cancelled;
     if (!hidden.fraction && !was_cancelled) return;
-    ImGui::SameLine(px(118.0F));
-    if (!hidden.fraction) {
-        if (widgets::SmallButton("Run again")) state.restart_method = true;
-    } else if (widgets::SmallButton("Cancel")) {
-        state.cancel_method = true;
-    }
+    const char* label = hidden.fraction ? marked("Cancel") : marked("Run again");
+    beside(118.0F, widgets::SmallButtonWidth(label));
+    if (widgets::SmallButton(label)) (hidden.fraction ? state.cancel_method : state.restart_method) = true;
 }
 
-/// Two columns of what the method counted; what it does not have is left out.
+/// Two columns of what the method counted; what it does not have is left out. A name that has no room beside its number
+/// in one of them has both.
 class CounterTable {
 public:
     void number(const char* name, std::int64_t value) {
         if (value >= 0) text(name, grouped_number(value).c_str());
     }
     void text(const char* name, const char* value) {
-        const float column = px(148.0F), number_end = px(130.0F);
-        if (count_ % 2 == 1) ImGui::SameLine(column);
-        const float left = count_ % 2 == 1 ? column : 0.0F;
-        ImGui::PushFont(widgets::CurrentContext().fonts.note);
+        const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+        const float column = px(148.0F), number_end = px(130.0F), number_width = width_of(value, fonts.small_number);
+        if (is_second_) ImGui::SameLine(column);
+        const float left = is_second_ ? column : ImGui::GetCursorPosX();
+        const bool has_room = left + width_of(tr(name), fonts.note) + px(4.0F) + number_width <=
+                              (is_second_ ? column : 0.0F) + number_end;
+        if (is_second_ && !has_room) ImGui::NewLine();
+        ImGui::PushFont(fonts.note);
         ImGui::TextUnformatted(tr(name));
         ImGui::PopFont();
-        ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
-        ImGui::SameLine(left + number_end - ImGui::CalcTextSize(value).x);
+        ImGui::PushFont(fonts.small_number);
+        ImGui::SameLine((is_second_ || !has_room ? column : 0.0F) + number_end - number_width);
         ImGui::TextUnformatted(value);
         ImGui::PopFont();
-        ++count_;
+        is_second_ = has_room && !is_second_;
     }
 
 private:
-    int count_ = 0;
+    bool is_second_ = false;
 };
 
 void counters(const HiddenResult& result, bool shows_time) {
@@ -125,7 +129,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     const bool is_open = !is_drawn_by_gl_alone(method) || params.view.shows == Shows::difference ||
                          params.visibility.step >= 0 || params.visibility.numbers;
     if (!is_open) {
-        ImGui::SameLine();
+        behind(widgets::SmallButtonWidth("Steps"));
         if (widgets::SmallButton("Steps")) params.visibility.step = 0;
         widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order in which GL gets them.");
         return;

@@ -62,12 +62,11 @@ void draw_rung(const char* text, RungState rung) {
     ImGui::TextUnformatted(rung == RungState::failed ? "✗" : decided ? "✓" : " ");
     ImGui::SameLine(px(24.0F));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const std::string fitting = shortened(tr(text), ImGui::GetContentRegionAvail().x);
-    ImGui::TextUnformatted(fitting.c_str());
+    shortened_text(tr(text), ImGui::GetContentRegionAvail().x);
     if (rung == RungState::failed) {
         const float middle = std::round(at.y + 0.55F * ImGui::GetTextLineHeight());
-        ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {at.x + ImGui::CalcTextSize(fitting.c_str()).x, middle},
-                                            palette().quiet, px(1.0F));
+        ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {ImGui::GetItemRectMax().x, middle}, palette().quiet,
+                                            px(1.0F));
     }
     ImGui::PopStyleColor();
     widgets::Record((std::string(rung == RungState::failed ? "failed: "
@@ -82,7 +81,7 @@ void named_polygon(const char* letter, const std::string& name, ImU32 color) {
     ImGui::TextUnformatted(letter);
     ImGui::PopStyleColor();
     ImGui::SameLine(px(24.0F));
-    ImGui::TextUnformatted(shortened(name, ImGui::GetContentRegionAvail().x).c_str());
+    shortened_text(name, ImGui::GetContentRegionAvail().x);
 }
 
 /// What came of it stands above the tests: a low view shows at least that.
@@ -111,7 +110,7 @@ void draw_decided(const NewellCounters& counters) {
         const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
         const char* text = newell_test_text(static_cast<NewellTest>(test));
         const float room = right - ImGui::GetCursorPosX() - px(8.0F);
-        ImGui::TextUnformatted(shortened(tr(text), room).c_str());
+        shortened_text(tr(text), room);
         widgets::Record((std::string(text) + ": " + count).c_str());
         ImGui::SameLine(right);
         ImGui::TextUnformatted(count.c_str());

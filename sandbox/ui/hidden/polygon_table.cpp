@@ -75,7 +75,7 @@ bool PolygonTable::row(int number, const OrderRow& row) {
     text_at_right(digits);
     ImGui::TableNextColumn();
     swatch(row);
-    ImGui::TextUnformatted(shortened(row.name, ImGui::GetContentRegionAvail().x).c_str());
+    shortened_text(row.name, ImGui::GetContentRegionAvail().x);
     if (has_detail_) {
         ImGui::TableNextColumn();
         text_at_right(row.detail);

@@ -14,6 +14,7 @@
 #include "ui/parts/controls.h"
 #include "ui/parts/links.h"
 #include "ui/parts/look.h"
+#include "ui/parts/table_parts.h"
 
 namespace viewing {
 namespace {
@@ -33,7 +34,7 @@ std::string identity_text(const char* identity, double residual) {
 
 /// Where a small button at the right end of a row begins.
 float place_at_right(const char* button) {
-    return ImGui::GetContentRegionMax().x - std::max(px(52.0F), ImGui::CalcTextSize(tr(button)).x + px(16.0F));
+    return ImGui::GetContentRegionMax().x - std::max(px(52.0F), widgets::SmallButtonWidth(button));
 }
 
 void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
@@ -63,8 +64,8 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
     ImGui::PopID();
 }
 
-/// "Shadow S   rank 3 · S² = (P·L) S" and the copy menu.
-void heading(const char* title, const char* letter, const std::string& note, Role role) {
+/// "Shadow S   rank 3 · S² = (P·L) S" up to `right`. False where the note has no room there and has to stand below.
+bool heading(const char* title, const char* letter, const std::string& note, Role role, float right) {
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.heading);
@@ -74,13 +75,16 @@ void heading(const char* title, const char* letter, const std::string& note, Rol
     ImGui::TextUnformatted(letter);
     ImGui::PopStyleColor();
     ImGui::PopFont();
-    ImGui::SameLine(0.0F, px(10.0F));
+    const float left = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x + px(10.0F);
+    if (left + width_of(note, context.fonts.note) > right) return false;
+    ImGui::SameLine(left);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(context.fonts.note);
     ImGui::PushStyleColor(ImGuiCol_Text, context.palette.quiet);
     ImGui::TextUnformatted(note.c_str());
     ImGui::PopStyleColor();
     ImGui::PopFont();
+    return true;
 }
 
 /// A matrix with everything around it.
@@ -104,15 +108,20 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     const char* pressed = nullptr;
     ImGui::PushID(shown.name);
     mark_changed(shown.cells, shown.now, shown.before);
-    heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role);
+    const auto room_of = [](const char* button) { return widgets::SmallButtonWidth(button) + px(4.0F); };
+    float end = place_at_right("Copy") - px(4.0F);
+    for (const char* button : buttons) end -= room_of(button);
+    const bool has_note =
+        heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role, end);
     widgets::Tooltip(shown.name, shown.explains);
     float right = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) {
-        right -= ImGui::CalcTextSize(tr(button)).x + px(20.0F);
+        right -= room_of(button);
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;
     }
     copy_menu(shown.name, shown.name, shown.now);
+    if (!has_note) widgets::Note(note.c_str());
     if (by_hand && *by_hand) {
         const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
         widgets::Matrix(shown.letter, **by_hand, style);
@@ -159,11 +168,11 @@ void followed_point(Session& session, const Derived& derived) {
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
     const std::string of = session.params.follow ? session.params.follow->object : "";
     const bool says_which = has_several && derived.followed;
-    heading(marked("Follow a point"), "p",
-            says_which ? say("{object} · by plane {plane}, light {light}", "object"_a = of,
-                             "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
-                       : of,
-            Role::point);
+    const std::string note = says_which
+                                 ? say("{object} · by plane {plane}, light {light}", "object"_a = of,
+                                       "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
+                                 : of;
+    const bool has_note = heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
     if (!derived.followed) {
         widgets::Note(
             "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
@@ -172,6 +181,7 @@ void followed_point(Session& session, const Derived& derived) {
     }
     ImGui::SameLine(place_at_right("Clear"));
     if (widgets::SmallButton("Clear")) session.params.follow.reset();
+    if (!has_note) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
     vector_line("p   ", followed.point_world, Role::point);
     vector_line("S p ", glm::dvec3(followed.shadow_homogeneous), Role::none, &followed.shadow_homogeneous.w);
@@ -219,7 +229,9 @@ void camera_matrices(const Params& params, const Derived& derived, const Derived
          perspective ? say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3))
                      : say("aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3)),
          {});
-    heading(marked("Camera movement"), "", tr("the slide's display()"), Role::camera);
+    const char* const slide = tr("the slide's display()");
+    if (!heading(marked("Camera movement"), "", slide, Role::camera, ImGui::GetContentRegionMax().x))
+        widgets::Note(slide);
     widgets::Tooltip(
         "Moving the camera is moving the world the other way",
         "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "

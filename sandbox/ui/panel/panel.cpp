@@ -134,25 +134,25 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
                                             "GL_GREATER", "GL_NOTEQUAL", "GL_GEQUAL", "GL_ALWAYS"};
     static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
     static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
-    static constexpr float second = 118.0F;
+    static constexpr float second = 118.0F, choice = 150.0F;
     const bool compares =
         params.view.shows == Shows::difference && params.visibility.compare_with == VisibilityMethod::depth_buffer;
     ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer && !compares);  // without any use
     control(params, "depth.test", {.label = marked("Depth test")});
-    beside(second);
-    control(params, "depth.func", {.width = 150.0F, .names = funcs, .label = "##func"});
+    beside(second, px(choice));
+    control(params, "depth.func", {.width = choice, .names = funcs, .label = "##func"});
     control(params, "depth.write", {.label = marked("Depth mask")});
-    beside(second);
+    beside(second, widgets::ToggleWidth("Clear depth"));
     control(params, "depth.clear", {.label = marked("Clear depth")});
     ImGui::EndDisabled();
     control(params, "cull.enabled", {.label = marked("Cull face")});
-    beside(second);
-    control(params, "cull.face", {.width = 150.0F, .names = faces, .label = "##face"});
+    beside(second, px(choice));
+    control(params, "cull.face", {.width = choice, .names = faces, .label = "##face"});
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("Front face"));
-    beside(second);
-    control(params, "cull.front_face", {.width = 150.0F, .names = fronts, .label = "##front_face"});
-    if (control(params, "visibility.method", {.width = 150.0F, .names = method_names, .label = marked("method")}))
+    beside(second, px(choice));
+    control(params, "cull.front_face", {.width = choice, .names = fronts, .label = "##front_face"});
+    if (control(params, "visibility.method", {.width = choice, .names = method_names, .label = marked("method")}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_hidden_panel(hidden_state, session, hidden);
     tell_problems(problems, "depth");
@@ -167,7 +167,7 @@ void observer_section(Session& session) {
     control(session.params, "observer.pitch", {.decimals = 1, .label = marked("pitch")});
     control(session.params, "observer.distance", {.label = marked("distance")});
     control(session.params, "observer.light_rays", {.label = marked("Light rays")});
-    beside(118.0F);
+    beside(118.0F, widgets::ToggleWidth("Mirrored eye"));
     control(session.params, "observer.mirrored_eye", {.label = marked("Mirrored eye")});
     control(session.params, "observer.image_space", {.label = marked("Image space")});
 }

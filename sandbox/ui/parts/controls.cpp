@@ -1,5 +1,6 @@
 #include "ui/parts/controls.h"
 
+#include <algorithm>
 #include <cassert>
 #include <string>
 
@@ -34,6 +35,12 @@ struct DrawControl {
     const char* label;
 
     float width() const { return style.width * widgets::CurrentContext().scale; }
+    /// As asked for, and wider where the chosen name needs it and there is room.
+    float choice_width(std::span<const char* const> names, int index) const {
+        if (style.width <= 0.0F || index < 0 || index >= static_cast<int>(names.size())) return width();
+        const float needed = widgets::ChoiceWidth(names.subspan(static_cast<std::size_t>(index), 1));
+        return std::max(width(), std::min(needed, ImGui::GetContentRegionAvail().x));
+    }
 
     bool operator()(bool* value) const { return widgets::Toggle(label, *value, default_of<bool>(field)); }
 
@@ -74,7 +81,7 @@ struct DrawControl {
         const std::span<const char* const> names = style.names.empty() ? value.names : style.names;
         int index = value.index();
         const bool changed = style.segments ? widgets::Segments(label, index, names, start, style.tips)
-                                            : widgets::Choice(label, index, names, start, width());
+                                            : widgets::Choice(label, index, names, start, choice_width(names, index));
         if (changed) value.set(index);
         return changed;
     }

@@ -14,7 +14,7 @@ struct ControlStyle {
     int decimals = 2;
     bool slider = false;
     bool segments = false;                       ///< an enumeration as radio buttons
-    float width = 0.0F;                          ///< design pixels; 0: the usual one
+    float width = 0.0F;                          ///< design pixels; 0: the usual one. A list may be wider, for its name
     std::span<const widgets::Links> links = {};  ///< one per component
     std::span<const char* const> names = {};     ///< shown in place of the enumeration's own
     std::span<const char* const> tips = {};      ///< of segments: what each one means

@@ -21,6 +21,7 @@ Overlay::Overlay(ImDrawList* draw, const Rect& rect, const glm::dmat4& clip_from
 
 Overlay::~Overlay() {
     widgets::LabelPlacer placer(draw_, rect_.min, rect_.max);
+    for (const Rect& taken : taken_) placer.Avoid(taken.min, taken.max);
     const float around = 12.0F * scale_;  // the largest mark: the light's ring
     for (const Label& label : labels_)
         placer.Avoid({label.place.x - around, label.place.y - around},

@@ -34,6 +34,8 @@ public:
     void arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 2.0F);
     /// Labels are placed when the overlay ends, beside their points and not over each other.
     void label(const glm::dvec3& point, const char* text, ImU32 color);
+    /// No label covers this part of the picture.
+    void keep_labels_off(const Rect& taken) { taken_.push_back(taken); }
 
     ImDrawList* draw() const { return draw_; }
     const Rect& rect() const { return rect_; }
@@ -55,6 +57,7 @@ private:
     glm::dmat4 clip_from_world_;
     float scale_, stroke_;
     std::vector<Label> labels_;
+    std::vector<Rect> taken_;
 };
 
 }  // namespace viewing

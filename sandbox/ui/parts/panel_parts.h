@@ -13,14 +13,23 @@ inline void tell_problems(const std::vector<Problem>& problems, std::string_view
         if (problem.group == group) widgets::Trouble(problem.sentence.c_str());
 }
 
-/// A second control in the same row, at a fixed column.
-inline void beside(float design_x) {
-    ImGui::SameLine(px(design_x));
+/// Places the cursor for a second control `width` pixels wide: in the same row, at a fixed column; below where the
+/// first one reaches into that column or the second has no room there.
+inline void beside(float design_x, float width) {
+    const float left = ImGui::GetWindowPos().x + px(design_x);
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (ImGui::GetItemRectMax().x < left && left + width <= right) ImGui::SameLine(px(design_x));
+}
+
+/// Places the cursor for an item `width` pixels wide: behind the last one where there is room, else below it.
+inline void behind(float width) {
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+    if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
 /// What is wanted less often stays folded. Returns whether it is open.
 inline bool details(const char* label) {
-    const bool open = ImGui::TreeNodeEx(widgets::LabelText(label).c_str(),
+    const bool open = ImGui::TreeNodeEx(widgets::BrokenLabelText(label, ImGui::GetTreeNodeToLabelSpacing()).c_str(),
                                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
     widgets::Record(label);
     return open;

@@ -25,4 +25,13 @@ std::string shortened(std::string text, float width) {
     return text + "…";
 }
 
+void shortened_text(const std::string& text, float width) {
+    const std::string shown = shortened(text, width);
+    ImGui::TextUnformatted(shown.c_str());
+    if (shown == text) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().text);
+    widgets::Tooltip("", text.c_str());
+    ImGui::PopStyleColor();
+}
+
 }  // namespace viewing

@@ -31,5 +31,7 @@ void text_at_right(const std::string& text);
 
 /// The start of a text that fits into so many pixels, with "…" where something was left out.
 std::string shortened(std::string text, float width);
+/// The same, drawn; where something was left out, a tooltip has the whole.
+void shortened_text(const std::string& text, float width);
 
 }  // namespace viewing

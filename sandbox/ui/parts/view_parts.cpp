@@ -1,6 +1,7 @@
 #include "ui/parts/view_parts.h"
 
 #include <cmath>
+#include <string>
 
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
@@ -98,6 +99,16 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         at.x += width_of(entry) + between;
     }
     ImGui::PopFont();
+}
+
+Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, const char* whole, const char* brief) {
+    const float room = rect.width() - px(20.0F);
+    const bool fits = ImGui::CalcTextSize(whole).x < room;
+    const std::string shown = fits ? whole : widgets::BrokenAtBlanks(brief, room);
+    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+    const ImVec2 at(rect.min.x + px(10.0F), rect.max.y - px(24.0F) + ImGui::GetTextLineHeight() - size.y);
+    widgets::HaloText(draw, at, color, shown.c_str());
+    return {at, {at.x + size.x, at.y + size.y}};
 }
 
 void draw_followed(Overlay& overlay, const Derived& derived) {

@@ -35,6 +35,10 @@ struct LegendEntry {
 /// In the lower left corner of a view.
 void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
 
+/// At the lower edge of a picture: the whole sentence in one line where there is room, else the brief one in as many
+/// lines as it takes. Returns what it covers.
+Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, const char* whole, const char* brief);
+
 /// p with its ray from the light, s, the foot on the plane and the mirror image.
 void draw_followed(Overlay& overlay, const Derived& derived);
 

@@ -60,7 +60,8 @@ private:
     bool is_short_;
 };
 
-/// "light: parallel [      ] point": l_w from 0 to 1, where x, y and z stay.
+/// "light: parallel [      ] point": l_w from 0 to 1, where x, y and z stay. In a narrow place the first words stand
+/// above.
 void light_slider(Params& params) {
     constexpr double smallest = 1e-6;
     glm::dvec4& light = params.lights[params.chosen().light].position;
@@ -72,16 +73,18 @@ void light_slider(Params& params) {
                                      .default_value = default_params().lights.front().position.w,
                                      .links = link::light[3],
                                      .role = widgets::Role::light};
-    const float words = ImGui::CalcTextSize(tr("light: parallel")).x + ImGui::CalcTextSize(tr("point")).x + px(16.0F);
-    const float room = ImGui::GetContentRegionAvail().x;
+    const float room = ImGui::GetContentRegionAvail().x, gap = px(8.0F), least = px(60.0F);
+    const float before = ImGui::CalcTextSize(tr("light: parallel")).x + gap,
+                behind = ImGui::CalcTextSize(tr("point")).x + gap;
+    const bool in_a_row = before + least + behind <= room;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("light: parallel"));
-    ImGui::SameLine(0.0F, px(8.0F));
-    widgets::Slider("##l_w", light.w, style, std::clamp(room - words, px(60.0F), px(260.0F)));
+    if (in_a_row) ImGui::SameLine(0.0F, gap);
+    widgets::Slider("##l_w", light.w, style, std::clamp(room - behind - (in_a_row ? before : 0.0F), least, px(260.0F)));
     widgets::Tooltip("Parallel or point light",
                      "The light's fourth coordinate. 1: a point light at l. 0: a parallel light from the direction (x, "
                      "y, z). Between them the light is at (x, y, z) divided by it, farther away the smaller it is.");
-    ImGui::SameLine(0.0F, px(8.0F));
+    ImGui::SameLine(0.0F, gap);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr("point"));
 }

@@ -79,10 +79,10 @@ void plane_controls(Params& params, std::size_t index) {
     explain(extent, marked("extent"));
     widgets::Toggle(marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
     explain(field("plane.receives_shadow"), marked("Receiver"));
-    beside(second);
+    beside(second, widgets::ToggleWidth("Mirrors"));
     widgets::Toggle(marked("Mirrors"), plane.mirrors, defaults.mirrors);
     explain(field("plane.mirrors"), marked("Mirrors"));
-    beside(second + 76.0F);
+    beside(second + 76.0F, widgets::ToggleWidth("Gloss"));
     widgets::Toggle(marked("Gloss"), plane.gloss, defaults.gloss);
     explain(field("plane.gloss"), marked("Gloss"));
 }
@@ -126,7 +126,7 @@ void shadow_style(Params& params) {
 
 void shadow_switches(Params& params) {
     control(params, "shadow.clip_at_light", {.label = marked("Clip at light")});
-    beside(second);
+    beside(second, widgets::ToggleWidth("Own stencil"));
     control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
     static constexpr const char* signs[] = {"sign(P·L)", marked("none"), marked("forced")};
     control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
@@ -144,7 +144,7 @@ void mirror_switches(Params& params) {
     };
     for (const Row& row : rows) {
         control(params, row.left, {.label = row.left_label});
-        beside(second);
+        beside(second, widgets::ToggleWidth(row.right_label));
         control(params, row.right, {.label = row.right_label});
     }
     control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
@@ -161,7 +161,7 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     light_controls(params, 0, marked("position"));
     explain(field("light.position"), marked("light"));
     control(params, "animation.light_orbit", {.label = marked("Orbit")});
-    beside(74.0F);
+    beside(74.0F, widgets::LabelledWidth("speed", px(123.0F)));
     control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = marked("speed")});
     further_lights(params);
     tell_problems(problems, "light");
@@ -199,7 +199,7 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
             const widgets::Group group("shadow");
             control(params, row.shadow, {.label = row.shadow_label});
         }
-        beside(second);
+        beside(second, widgets::ToggleWidth(row.reflection_label));
         const widgets::Group group("reflection");
         control(params, row.reflection, {.label = row.reflection_label});
     }

@@ -90,9 +90,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     overlay.label(light, "l", palette().light);
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
     const char* brief = tr("the world moves by V = C⁻¹");
-    const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
-    widgets::HaloText(overlay.draw(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().camera,
-                      fits ? whole : brief);
+    overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));
 }
 
 }  // namespace viewing

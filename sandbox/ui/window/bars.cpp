@@ -57,12 +57,19 @@ const NamedFile* choose(const char* id, const char* shown, const std::vector<Nam
     return chosen;
 }
 
+/// Pixels of a button at the bar's right end with what is between it and the next.
+float button_room(const char* label) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return ImGui::CalcTextSize(tr(label)).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+}
+
 /// A button with a popup that hangs from it, inside the window whatever its width, and closes on Escape.
-bool begin_menu(const char* button, const char* popup, const char* explanation) {
+bool begin_menu(const char* button, const char* popup, const char* explanation, float least_width = 0.0F) {
     if (widgets::Button(button)) ImGui::OpenPopup(popup);
     widgets::Tooltip(button, explanation);
     const ImVec2 corner = ImGui::GetItemRectMax();
     ImGui::SetNextWindowPos({corner.x, corner.y + px(4.0F)}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({least_width, 0.0F}, {FLT_MAX, FLT_MAX});
     if (!ImGui::BeginPopup(popup)) return false;
     widgets::ClosePopupOnEscape();
     return true;
@@ -109,7 +116,9 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
-    if (!begin_menu(marked("Look"), "look menu", marked("Themes, scale, and what is folded away"))) return;
+    // Wide enough from its first frame on for the slider with its label: it takes its width from what is in it.
+    const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
+    if (!begin_menu(marked("Look"), "look menu", marked("Themes, scale, and what is folded away"), least)) return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"});
@@ -138,6 +147,13 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     const bool narrow = layout.top_bar.width() < px(1000.0F);
+    const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
+    float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
+    for (const char* label : {"Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
+    // In a narrow bar long buttons take their room from the lists.
+    const float scene_width = px(narrow ? 150.0F : 170.0F), preset_width = px(narrow ? 110.0F : 220.0F);
+    const float room = layout.top_bar.width() - px(20.0F) - buttons;
+    const float share = narrow ? std::clamp(room / (scene_width + px(6.0F) + preset_width), 0.1F, 1.0F) : 1.0F;
     if (!narrow) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushFont(widgets.fonts.heading);
@@ -148,7 +164,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
         ImGui::SameLine();
     }
     const std::string shown = scene_title(session.params.scene, scenes_);
-    if (const NamedFile* scene = choose("##scene", shown.c_str(), scenes_, px(narrow ? 150.0F : 170.0F)))
+    if (const NamedFile* scene = choose("##scene", shown.c_str(), scenes_, share * scene_width))
         session.params.scene = scene->name;
     explain(field("scene"));
     ImGui::SameLine(0.0F, px(narrow ? 6.0F : 18.0F));
@@ -160,7 +176,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
     const std::string preset_shown = !preset_    ? tr("choose…")
                                      : is_preset ? preset_->title
                                                  : say("{preset} (changed)", "preset"_a = tr(preset_->title.c_str()));
-    if (const NamedFile* preset = choose("##preset", preset_shown.c_str(), presets_, px(narrow ? 110.0F : 220.0F))) {
+    if (const NamedFile* preset = choose("##preset", preset_shown.c_str(), presets_, share * preset_width)) {
         const Status opened = session.open(preset->name);
         session.report(opened);
         if (opened) {
@@ -170,17 +186,11 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
         }
     }
 
-    // The buttons stand at the right end, in the widths they had in the last frame.
-    const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    float width = -spacing;
-    for (const char* label : {"Undo", "Redo", "File", "Look", "?"})
-        width += ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
-    if (!layout.matrices_fit)
-        width += ImGui::CalcTextSize(tr("Matrices")).x + 2.0F * ImGui::GetStyle().FramePadding.x + spacing;
-    ImGui::SameLine(std::max(ImGui::GetCursorPosX(), layout.top_bar.width() - width - px(10.0F)));
+    // The buttons stand at the right end.
+    ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
+                             layout.top_bar.width() - buttons + ImGui::GetStyle().ItemSpacing.x - px(10.0F)));
     if (!layout.matrices_fit) {
-        if (widgets::Button(arrangement.prefers_matrices ? marked("Controls") : marked("Matrices")))
-            arrangement.prefers_matrices = !arrangement.prefers_matrices;
+        if (widgets::Button(other_column)) arrangement.prefers_matrices = !arrangement.prefers_matrices;
         ImGui::SameLine();
     }
     if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();

@@ -22,9 +22,8 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
     view_header(rect, "");
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
-    const char* name = tr(topic_names()[static_cast<std::size_t>(topic)]);
-    const float wanted = ImGui::CalcTextSize(name).x + 2.0F * ImGui::GetStyle().FramePadding.x + px(19.0F);
-    if (widgets::Choice("##topic", topic, topic_names(), 0, std::min(std::max(px(190.0F), wanted), rect.width())))
+    const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), rect.width());
+    if (widgets::Choice("##topic", topic, topic_names(), 0, width))
         choose_topic(params, slot, static_cast<Topic>(topic));
     widgets::Tooltip(
         "What this view shows",
@@ -44,9 +43,7 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
         whole = tr("the light lies in the plane and sees it edge-on: there is no shadow");
         brief = tr("there is no shadow");
     }
-    const bool fits = ImGui::CalcTextSize(whole).x + px(20.0F) < rect.width();
-    widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.max.y - px(24.0F)}, palette().light,
-                      fits ? whole : brief);
+    sentence_over_picture(ImGui::GetWindowDrawList(), rect, palette().light, whole, brief);
 }
 
 }  // namespace
