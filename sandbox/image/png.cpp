@@ -142,10 +142,10 @@ bool is_opaque(const Image& image) {
 
 Result<Image> read_png(const std::filesystem::path& path) try {
     const std::string name = path.string();
+    if (Status checked = check_readable(path); !checked) return Error{checked.error()};
     const File file(std::fopen(path.c_str(), "rb"));
     if (!file) return Error{name + ": cannot be read: " + std::generic_category().message(errno)};
     std::error_code size_error;
-    if (std::filesystem::is_directory(path, size_error)) return Error{name + ": cannot be read: it is a directory"};
 
     unsigned char signature[8];
     const std::size_t signature_bytes = std::fread(signature, 1, sizeof signature, file.get());

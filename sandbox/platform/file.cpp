@@ -2,9 +2,12 @@
 #include "platform/file.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <optional>
+#include <random>
 #include <string>
 #include <system_error>
 
@@ -12,10 +15,10 @@ namespace viewing {
 
 namespace {
 
-/// Writes all bytes to a new or opened file and closes it; 0 or the errno of what failed.
-int write_all(const std::filesystem::path& path, int flags, std::span<const std::uint8_t> bytes) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
-    if (file < 0) return errno;
+namespace fs = std::filesystem;
+
+/// Writes all bytes and closes the file; 0 or the errno of what failed. `keeps`: until they are on the disk.
+int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     int failure = 0;
     while (!bytes.empty() && failure == 0) {
         const ssize_t written = ::write(file, bytes.data(), bytes.size());
@@ -25,39 +28,89 @@ int write_all(const std::filesystem::path& path, int flags, std::span<const std:
             failure = errno;
         }
     }
+    if (keeps && failure == 0 && ::fsync(file) != 0 && errno != EINVAL) failure = errno;
     if (::close(file) != 0 && failure == 0) failure = errno;
     return failure;
 }
 
-Error cannot_write(const std::filesystem::path& path, int code) {
+/// A new file in the folder, under a name that nobody can know before; −1 with errno. Its name does not grow with the
+/// target's, which may be as long as the file system allows.
+int open_new(const fs::path& folder, fs::path& made) {
+    std::random_device random;
+    constexpr int tries = 100;
+    int file = -1;
+    for (int i = 0; i < tries && file < 0; ++i) {
+        made = folder / (".viewing-sandbox-" + std::to_string(random()) + ".partial");
+        file = ::open(made.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
+        if (file < 0 && errno != EEXIST) break;
+    }
+    return file;
+}
+
+/// Where a chain of links ends, be there a file or not; none for one that goes round.
+std::optional<fs::path> end_of_links(fs::path path) {
+    constexpr int longest_chain = 40;
+    std::error_code error;
+    for (int i = 0; i < longest_chain; ++i) {
+        if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) return std::nullopt;
+        path = path.parent_path() / next;  // which an absolute one replaces
+    }
+    return std::nullopt;
+}
+
+void keep_folder(const fs::path& folder) {
+    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return;
+    ::fsync(opened);  // some file systems have nothing to do here and refuse
+    ::close(opened);
+}
+
+/// Into a new file that then takes the target's name; 0 or the errno of what failed.
+int replace(const fs::path& target, std::span<const std::uint8_t> bytes) {
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    fs::path beside;
+    const int file = open_new(folder, beside);
+    if (file < 0) return errno;
+    struct stat old {};
+    if (::stat(target.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
+    int failure = write_all(file, bytes, true);
+    if (failure == 0 && ::rename(beside.c_str(), target.c_str()) != 0) failure = errno;
+    failure == 0 ? keep_folder(folder) : static_cast<void>(::unlink(beside.c_str()));
+    return failure;
+}
+
+Error cannot_write(const fs::path& path, int code) {
     return {path.string() + ": cannot be written: " + std::generic_category().message(code)};
 }
 
 }  // namespace
 
-Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    namespace fs = std::filesystem;
+Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     if (path.empty()) return Error{"an output needs a file name, and this one is empty"};
     std::error_code ignored;
     const fs::file_status there = fs::status(path, ignored);
     if (fs::is_directory(there)) return Error{path.string() + ": cannot be written: it is a directory"};
+    int failure = 0;
     if (fs::exists(there) && !fs::is_regular_file(there)) {
-        const int failure = write_all(path, 0, bytes);
-        return failure == 0 ? Status(std::monostate{}) : Status(cannot_write(path, failure));
+        const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        failure = file < 0 ? errno : write_all(file, bytes, false);
+    } else {
+        const std::optional<fs::path> target = end_of_links(path);
+        failure = target ? replace(*target, bytes) : ELOOP;
     }
+    return failure == 0 ? Status(std::monostate{}) : Status(cannot_write(path, failure));
+}
 
-    fs::path target = path;
-    if (fs::is_symlink(fs::symlink_status(path, ignored))) {
-        target = fs::weakly_canonical(path, ignored);
-        if (ignored) target = path;
-    }
-    fs::path beside = target;
-    beside += ".partial-" + std::to_string(::getpid());
-    int failure = write_all(beside, O_CREAT | O_TRUNC, bytes);
-    if (failure == 0 && ::rename(beside.c_str(), target.c_str()) != 0) failure = errno;
-    if (failure == 0) return std::monostate{};
-    ::unlink(beside.c_str());
-    return cannot_write(path, failure);
+Status check_readable(const fs::path& file) {
+    if (file.empty()) return Error{"an input needs a file name, and this one is empty"};
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status)) return Error{file.string() + ": no such file"};
+    if (fs::is_directory(status)) return Error{file.string() + ": is a directory, not a file"};
+    if (!fs::is_regular_file(status)) return Error{file.string() + ": is not a file"};
+    return std::monostate{};
 }
 
 }  // namespace viewing

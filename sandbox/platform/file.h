@@ -1,4 +1,5 @@
-// Writing a whole file so that nobody ever finds half of it. Every file a command writes goes through here.
+// Writing a whole file so that nobody ever finds half of it, and what is asked of a file before it is read. Every file
+// that is written goes through here.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +10,14 @@
 
 namespace viewing {
 
-/// Puts `bytes` into `path`: first into a new file beside it, which then takes its name, so that a failure leaves what
-/// was there before. A link is followed; a device or pipe (/dev/null) is written into, never replaced. The sentence
-/// of a failure names the path and the system's reason.
+/// Puts `bytes` into `path`: first into a new file beside it (.viewing-sandbox-….partial), which is on the disk before
+/// it takes its name, so that a failure leaves what was there before. The mode of what was there is kept. A link is
+/// followed, to a file that is not there yet as well; a device or pipe (/dev/null) is written into, never replaced. The
+/// sentence of a failure names the path and the system's reason.
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
+/// it.
+Status check_readable(const std::filesystem::path& file);
 
 }  // namespace viewing

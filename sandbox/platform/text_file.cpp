@@ -3,6 +3,8 @@
 #include <array>
 #include <fstream>
 
+#include "platform/file.h"
+
 namespace viewing {
 
 Result<std::string> read_text(std::istream& stream, const std::string& name) {
@@ -23,13 +25,8 @@ Result<std::string> read_text(std::istream& stream, const std::string& name) {
 
 Result<std::string> read_text_file(const std::filesystem::path& file) {
     const std::string name = file.string();
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) {
-        return Error{name + ": no such file"};
-    }
-    if (std::filesystem::is_directory(status)) {
-        return Error{name + ": is a directory, not a file"};
+    if (Status checked = check_readable(file); !checked) {
+        return Error{checked.error()};
     }
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "geometry/shapes.h"
+#include "platform/file.h"
 #include "state/obj_lines.h"
 #include "state/polygon.h"
 
@@ -143,15 +144,10 @@ Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std:
 
 Result<Mesh> load_obj(const std::filesystem::path& file, WorkProgress* progress) {
     const std::string name = file.string();
+    if (Status checked = check_readable(file); !checked) {
+        return Error{checked.error()};
+    }
     std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) {
-        return Error{name + ": no such file"};
-    }
-    if (!std::filesystem::is_regular_file(status)) {
-        return Error{name + ": " +
-                     (std::filesystem::is_directory(status) ? "is a directory, not a file" : "is not a file")};
-    }
     const std::uint64_t size_bytes = std::filesystem::file_size(file, error);
     if (!error && size_bytes > max_obj_bytes) {
         return Error{name + ": larger than 4 GiB"};

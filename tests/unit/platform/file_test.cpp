@@ -1,0 +1,94 @@
+// Files written whole or not at all, whatever is planted beside them, and files that are not read since reading them
+// would wait for somebody.
+#include "platform/file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "platform/text_file.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Files : public ::testing::Test {
+protected:
+    Files() {
+        std::string name = (fs::temp_directory_path() / "viewing-files-XXXXXX").string();
+        folder = ::mkdtemp(name.data());
+    }
+    ~Files() override { fs::remove_all(folder); }
+
+    static Status write(const fs::path& path, const std::string& text) {
+        return write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    }
+    static std::string read(const fs::path& path) {
+        std::ifstream stream(path, std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    std::size_t file_count() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+
+    fs::path folder;
+};
+
+TEST_F(Files, NothingPlantedUnderAKnownNameIsFollowed) {
+    std::ofstream(folder / "victim") << "kept";
+    fs::create_symlink(folder / "victim", folder / ("shot.png.partial-" + std::to_string(::getpid())));
+    ASSERT_TRUE(write(folder / "shot.png", "new"));
+    EXPECT_EQ(read(folder / "victim"), "kept");
+    EXPECT_EQ(read(folder / "shot.png"), "new");
+    EXPECT_EQ(file_count(), 3U) << "nothing is left over";
+}
+
+TEST_F(Files, KeepTheirMode) {
+    std::ofstream(folder / "old") << "old";
+    fs::permissions(folder / "old", fs::perms(0640));
+    ASSERT_TRUE(write(folder / "old", "new"));
+    EXPECT_EQ(fs::status(folder / "old").permissions(), fs::perms(0640));
+    const mode_t mask = ::umask(027);
+    ASSERT_TRUE(write(folder / "fresh", "new"));
+    ::umask(mask);
+    EXPECT_EQ(fs::status(folder / "fresh").permissions(), fs::perms(0640)) << "as any new file";
+}
+
+TEST_F(Files, LinksAreFollowedToWhatIsNotThereYet) {
+    fs::create_directory(folder / "below");
+    fs::create_symlink("below/second", folder / "first");
+    fs::create_symlink("third", folder / "below" / "second");
+    ASSERT_TRUE(write(folder / "first", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder / "below" / "second"));
+    EXPECT_EQ(read(folder / "below" / "third"), "new");
+    fs::create_symlink("round", folder / "round");
+    const Status status = write(folder / "round", "new");
+    ASSERT_FALSE(status);
+    EXPECT_EQ(status.error().find((folder / "round").string() + ": cannot be written: "), 0U) << status.error();
+}
+
+TEST_F(Files, MayHaveNamesAsLongAsTheFileSystemTakes) {
+    const fs::path longest = folder / std::string(255, 'x');
+    ASSERT_TRUE(write(longest, "new"));
+    EXPECT_EQ(read(longest), "new");
+    EXPECT_FALSE(write(folder / std::string(256, 'x'), "new"));
+    EXPECT_EQ(file_count(), 1U) << "nothing is left over";
+}
+
+TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const Result<std::string> text = read_text_file(folder / "pipe");
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error(), (folder / "pipe").string() + ": is not a file");
+    EXPECT_FALSE(check_readable("/dev/zero"));
+    EXPECT_EQ(check_readable(folder / "missing").error(), (folder / "missing").string() + ": no such file");
+}
+
+}  // namespace
+}  // namespace viewing
