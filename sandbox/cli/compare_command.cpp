@@ -35,8 +35,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         if (target) check_output(*target);
 
     const CompareReport report = compare_images(a, b, limits);
-    if (output) write_output(*output, encode_png(diff_picture(a, b, limits)));
-    if (json) write_output(*json, print_document(Json::parse(as_json(report))) + "\n");
+    Outputs outputs;
+    if (output) outputs.add(*output, encode_png(diff_picture(a, b, limits)));
+    if (json) outputs.add(*json, print_document(Json::parse(as_json(report))) + "\n");
+    outputs.write();
     const bool stdout_is_taken = output == "-" || json == "-";
     if (!stdout_is_taken) print(sentence(report) + "\n");
     return report.equal ? ExitStatus::done : ExitStatus::different;

@@ -31,16 +31,22 @@ void print(std::string_view text) {
         cannot_write("standard output", reason(errno));
 }
 
-void write_output(const std::string& target, std::span<const std::uint8_t> bytes) {
-    if (target == "-") {
-        print({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    } else {
-        value_or_end(write_file(target, bytes));
-    }
+void Outputs::add(const std::string& target, std::vector<std::uint8_t> bytes) {
+    outputs_.push_back({target, std::move(bytes)});
 }
 
-void write_output(const std::string& target, std::string_view text) {
-    write_output(target, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+void Outputs::add(const std::string& target, std::string_view text) {
+    outputs_.push_back({target, {text.begin(), text.end()}});
+}
+
+void Outputs::write() const {
+    std::vector<FileBytes> files;
+    for (const Output& output : outputs_)
+        if (output.target == "-")
+            print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
+        else
+            files.push_back({output.target, output.bytes});
+    value_or_end(write_files(files));
 }
 
 void check_output(const std::string& target) {

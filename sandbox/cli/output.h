@@ -3,18 +3,30 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewing {
 
 /// Writes to standard output and flushes. Throws Failure when that is impossible (a full disk).
 void print(std::string_view text);
 
-/// Writes to standard output for "-", else into the file, whole or not at all (file.h). Throws Failure.
-void write_output(const std::string& target, std::span<const std::uint8_t> bytes);
-void write_output(const std::string& target, std::string_view text);
+/// The results of one command, written together: what goes to standard output ("-"), then all files or none (file.h).
+class Outputs {
+public:
+    void add(const std::string& target, std::vector<std::uint8_t> bytes);
+    void add(const std::string& target, std::string_view text);
+    /// Throws Failure.
+    void write() const;
+
+private:
+    struct Output {
+        std::string target;
+        std::vector<std::uint8_t> bytes;
+    };
+    std::vector<Output> outputs_;
+};
 
 /// Throws Failure when it is clear beforehand that the file cannot be written: its folder is missing or read-only, or
 /// it is a folder itself. "-" is always fine.

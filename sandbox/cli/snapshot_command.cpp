@@ -202,7 +202,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
     if (limit && (!typed.output || is_plain_file(*typed.output))) limit->lift();
-    if (typed.output) write_output(*typed.output, encode_png(drawn.image));
+    Outputs outputs;
+    if (typed.output) outputs.add(*typed.output, encode_png(drawn.image));
     std::optional<CompareReport> compared;
     if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
     const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing
@@ -210,10 +211,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                                                              : ExitStatus::done;
     if (typed.json) {
         const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
-        write_output(
+        outputs.add(
             *typed.json,
             print_document(report_as_json(typed, wish, state.params, drawn, problems, compared, status)) + "\n");
     }
+    outputs.write();
     tell(typed, compared);
     return status;
 }

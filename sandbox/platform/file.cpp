@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <deque>
 #include <optional>
 #include <random>
 #include <string>
@@ -67,18 +68,47 @@ void keep_folder(const fs::path& folder) {
     ::close(opened);
 }
 
-/// Into a new file that then takes the target's name; 0 or the errno of what failed.
-int replace(const fs::path& target, std::span<const std::uint8_t> bytes) {
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    fs::path beside;
-    const int file = open_new(folder, beside);
-    if (file < 0) return errno;
-    struct stat old {};
-    if (::stat(target.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
-    int failure = write_all(file, bytes, true);
-    if (failure == 0 && ::rename(beside.c_str(), target.c_str()) != 0) failure = errno;
-    failure == 0 ? keep_folder(folder) : static_cast<void>(::unlink(beside.c_str()));
-    return failure;
+/// A file that is complete beside its target and waits for its name; gone if that never comes.
+class Prepared {
+public:
+    /// 0 or the errno of what failed.
+    int prepare(const fs::path& target, std::span<const std::uint8_t> bytes) {
+        target_ = target;
+        folder_ = target.has_parent_path() ? target.parent_path() : ".";
+        const int file = open_new(folder_, beside_);
+        if (file < 0) return errno;
+        is_there_ = true;
+        struct stat old {};
+        if (::stat(target.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
+        return write_all(file, bytes, true);
+    }
+
+    const fs::path& target() const { return target_; }
+
+    /// 0 or the errno of what failed.
+    int take_name() {
+        if (::rename(beside_.c_str(), target_.c_str()) != 0) return errno;
+        is_there_ = false;
+        keep_folder(folder_);
+        return 0;
+    }
+
+    Prepared() = default;
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+    ~Prepared() {
+        if (is_there_) ::unlink(beside_.c_str());
+    }
+
+private:
+    fs::path target_, folder_, beside_;
+    bool is_there_ = false;
+};
+
+/// A device or pipe; 0 or the errno of what failed.
+int write_into(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    return file < 0 ? errno : write_all(file, bytes, false);
 }
 
 Error cannot_write(const fs::path& path, int code) {
@@ -87,20 +117,28 @@ Error cannot_write(const fs::path& path, int code) {
 
 }  // namespace
 
-Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-    if (path.empty()) return Error{"an output needs a file name, and this one is empty"};
-    std::error_code ignored;
-    const fs::file_status there = fs::status(path, ignored);
-    if (fs::is_directory(there)) return Error{path.string() + ": cannot be written: it is a directory"};
-    int failure = 0;
-    if (fs::exists(there) && !fs::is_regular_file(there)) {
-        const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        failure = file < 0 ? errno : write_all(file, bytes, false);
-    } else {
-        const std::optional<fs::path> target = end_of_links(path);
-        failure = target ? replace(*target, bytes) : ELOOP;
+Status write_files(std::span<const FileBytes> files) {
+    std::deque<Prepared> prepared;
+    for (const FileBytes& file : files) {
+        if (file.path.empty()) return Error{"an output needs a file name, and this one is empty"};
+        std::error_code ignored;
+        const fs::file_status there = fs::status(file.path, ignored);
+        if (fs::is_directory(there)) return Error{file.path.string() + ": cannot be written: it is a directory"};
+        const bool is_replaced = !fs::exists(there) || fs::is_regular_file(there);
+        const std::optional<fs::path> target = end_of_links(file.path);
+        const int failure = !is_replaced ? write_into(file.path, file.bytes)
+                            : target     ? prepared.emplace_back().prepare(*target, file.bytes)
+                                         : ELOOP;
+        if (failure != 0) return cannot_write(file.path, failure);
     }
-    return failure == 0 ? Status(std::monostate{}) : Status(cannot_write(path, failure));
+    for (Prepared& file : prepared)
+        if (const int failure = file.take_name(); failure != 0) return cannot_write(file.target(), failure);
+    return std::monostate{};
+}
+
+Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    const FileBytes file{path, bytes};
+    return write_files({&file, 1});
 }
 
 Status check_readable(const fs::path& file) {

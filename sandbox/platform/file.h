@@ -16,6 +16,14 @@ namespace viewing {
 /// sentence of a failure names the path and the system's reason.
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
+struct FileBytes {
+    std::filesystem::path path;
+    std::span<const std::uint8_t> bytes;
+};
+
+/// All of them or none, as far as that can be told before: each is complete before the first one takes its name.
+Status write_files(std::span<const FileBytes> files);
+
 /// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
 /// it.
 Status check_readable(const std::filesystem::path& file);

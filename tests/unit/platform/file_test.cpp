@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <vector>
 
 #include "platform/text_file.h"
 
@@ -79,6 +80,22 @@ TEST_F(Files, MayHaveNamesAsLongAsTheFileSystemTakes) {
     EXPECT_EQ(read(longest), "new");
     EXPECT_FALSE(write(folder / std::string(256, 'x'), "new"));
     EXPECT_EQ(file_count(), 1U) << "nothing is left over";
+}
+
+TEST_F(Files, OfOneResultAreWrittenTogether) {
+    std::ofstream(folder / "old") << "old";
+    const std::vector<std::uint8_t> bytes{'n', 'e', 'w'};
+    const auto both = [&](const fs::path& second) {
+        const FileBytes files[] = {{folder / "old", bytes}, {second, bytes}};
+        return write_files(files);
+    };
+    for (const fs::path& impossible : {folder / "none" / "file", folder, fs::path("/dev/full"), fs::path()}) {
+        EXPECT_FALSE(both(impossible)) << impossible;
+        EXPECT_EQ(read(folder / "old"), "old") << impossible;
+        EXPECT_EQ(file_count(), 1U) << "nothing is left over";
+    }
+    ASSERT_TRUE(both(folder / "second"));
+    EXPECT_EQ(read(folder / "old") + read(folder / "second"), "newnew");
 }
 
 TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
