@@ -98,7 +98,7 @@ TEST(FailureSearch, SaysWhenNoViewFails) {
             EXPECT_FALSE(none.found);
             EXPECT_EQ(none.wrong_pixels, 0);
             EXPECT_EQ(none.views_tried, 2 * 96);
-            EXPECT_NE(none.sentence.find("192 views"), std::string::npos) << none.sentence;
+            EXPECT_NE(none.sentence.find("Views tried: 192"), std::string::npos) << none.sentence;
         }
     }
 }
