@@ -57,7 +57,9 @@ TEST_F(StepBarTest, WithoutRoomForItsWordsItShowsNumbersAlone) {
         });
         const RecordedItem text = ui.find("steps/text");
         EXPECT_LE(text.max.x, ui.find("steps/First").min.x + width);
-        if (wide > 0.0F) EXPECT_LT(text.max.x - text.min.x, wide);
+        if (wide > 0.0F) {
+            EXPECT_LT(text.max.x - text.min.x, wide);
+        }
         wide = text.max.x - text.min.x;
     }
 }

@@ -115,7 +115,9 @@ TEST(MovedEdges, AreAsDefinedInRandomPictures) {
                 const int found = levels[static_cast<std::size_t>(y * width + x)];
                 const bool differs = !has_like(0, x, y) || !has_like(1, x, y);
                 EXPECT_EQ(found > alike.worst, differs) << "seed " << seed << " trial " << trial;
-                if (differs) EXPECT_EQ(found, std::abs(level(0, x, y) - level(1, x, y)));
+                if (differs) {
+                    EXPECT_EQ(found, std::abs(level(0, x, y) - level(1, x, y)));
+                }
             }
     }
 }
