@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "text/numbers.h"
-#include "text/words.h"
 #include "widgets/inner.h"
 
 namespace widgets {
@@ -95,14 +94,6 @@ bool ClosePopupOnEscape() {
 }
 
 namespace {
-
-/// The text, or what of it fits with "…" behind.
-std::string Shortened(std::string text, float room) {
-    const inner::Face face = inner::FaceOf(nullptr);
-    if (face.Measure(text).x <= room) return text;
-    while (!text.empty() && face.Measure(text + "…").x > room) viewing::remove_last_character(text);
-    return text + "…";
-}
 
 constexpr float arrow_room = 18.0F;  ///< design pixels for a closed list's triangle
 

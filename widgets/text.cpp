@@ -2,9 +2,17 @@
 #include <algorithm>
 #include <string>
 
+#include "text/words.h"
 #include "widgets/inner.h"
 
 namespace widgets {
+
+std::string Shortened(std::string text, float width) {
+    const inner::Face face = inner::FaceOf(nullptr);
+    if (face.Measure(text).x <= width) return text;
+    while (!text.empty() && face.Measure(text + "…").x > width) viewing::remove_last_character(text);
+    return text + "…";
+}
 
 std::string BrokenAtBlanks(std::string_view text, float width) {
     std::string broken, line;

@@ -137,6 +137,8 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 /// The text with line breaks at blanks alone, so that each line is at most so many pixels wide where it can be, in the
 /// current font. ImGui would break within "0.5" too.
 std::string BrokenAtBlanks(std::string_view text, float width);
+/// The start of the text that fits into so many pixels in the current font, with "…" where something was left out.
+std::string Shortened(std::string text, float width);
 void Note(const char* text);                               ///< small and quiet, wraps
 void Trouble(const char* sentence);                        ///< one sentence in the trouble colour with a sign, wraps
 float TroubleHeight(const char* sentence, float width);    ///< of a Trouble in the current font, that has such a width

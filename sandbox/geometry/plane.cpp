@@ -58,6 +58,10 @@ glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point) {
     return plane * sign_of(glm::dot(plane, point));
 }
 
+glm::dvec3 line_of_sight(const glm::dvec4& eye, const glm::dvec3& point) {
+    return glm::normalize(point * eye.w - glm::dvec3(eye));
+}
+
 bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light) {
     return std::abs(glm::dot(unit_plane, light)) <= 1e-9 * std::max(1.0, glm::length(light));
 }
@@ -93,6 +97,15 @@ glm::dmat4 with_oblique_near_plane(glm::dmat4 clip_from_view, const glm::dvec4& 
 std::array<glm::dvec3, 4> PlanePatch::corners() const {
     const glm::dvec3 a = u * extent, b = v * extent;
     return {center - a - b, center + a - b, center + a + b, center - a + b};
+}
+
+double PlanePatch::reach() const {
+    return extent * (1.0 + 1e-9);
+}
+
+bool PlanePatch::holds(const glm::dvec3& point) const {
+    const glm::dvec3 offset = point - center;
+    return std::abs(glm::dot(offset, u)) <= reach() && std::abs(glm::dot(offset, v)) <= reach();
 }
 
 glm::dmat4 PlanePatch::world_from_patch() const {

@@ -25,6 +25,9 @@ double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 /// The plane with the sign that has a point, an eye or a light on its positive side; as it is where that lies in it.
 glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
 
+/// The unit direction in which an eye sees a point; one with w = 0 sees along parallel lines.
+glm::dvec3 line_of_sight(const glm::dvec4& eye, const glm::dvec3& point);
+
 /// Whether a light counts as lying in a unit plane: P·L is next to nothing against the light's own size.
 bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
@@ -51,6 +54,8 @@ struct PlanePatch {
     bool operator==(const PlanePatch&) const = default;
 
     std::array<glm::dvec3, 4> corners() const;  ///< counter-clockwise about u × v
+    double reach() const;                       ///< along u and v: the extent, and what lies on the edge is inside
+    bool holds(const glm::dvec3& point) const;  ///< of the plane
     glm::dmat4 world_from_patch() const;        ///< sends (x, 0, z) of the ±1 quad y = 0 to the patch, y to its normal
 };
 

@@ -78,11 +78,14 @@ double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double d
     return n * std::pow(f / n, d);
 }
 
+double code_width(const DepthPrecision& precision, double window_depth) {
+    return precision.is_float ? float_gap(window_depth) : 1.0 / precision.greatest_code();
+}
+
 double depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance) {
     const double stored_distance = std::max(distance, lens.near);
-    const double code = precision.is_float ? float_gap(window_depth(lens, mapping, stored_distance))
-                                           : 1.0 / (std::exp2(precision.bits) - 1.0);
-    return code / depth_slope(lens, mapping, stored_distance);
+    return code_width(precision, window_depth(lens, mapping, stored_distance)) /
+           depth_slope(lens, mapping, stored_distance);
 }
 
 double resolvable_depth_step(const Lens& lens, DepthMapping mapping, const DepthPrecision& precision, double distance) {

@@ -2,6 +2,7 @@
 // Eye distance is positive in front of the camera here: distance = −eye_z.
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace viewing {
@@ -34,7 +35,13 @@ double distance_of_window_depth(const Lens& lens, DepthMapping mapping, double d
 struct DepthPrecision {
     int bits = 24;
     bool is_float = false;
+
+    /// 2^bits − 1, which a window depth of 1 is stored as; of integer formats.
+    double greatest_code() const { return std::exp2(bits) - 1.0; }
 };
+
+/// The step from a stored window depth to the next code, as window depth.
+double code_width(const DepthPrecision& precision, double window_depth);
 
 /// The width in eye distance of one stored code at `distance` (facts: Δz ≈ z² (f−n) / (f n (2^b − 1))),
 /// for a float format the width of one unit in the last place there. Positive and finite:

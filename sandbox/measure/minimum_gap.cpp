@@ -34,7 +34,7 @@ Params plain(const Params& state) {
 /// The far end of a code, next to the distance. Of a float format every distance is as good.
 double far_end_of_a_code(const DepthCoding& coding, double distance) {
     if (coding.precision.is_float) return distance;
-    const double levels = std::exp2(coding.precision.bits) - 1.0;
+    const double levels = coding.precision.greatest_code();
     const double code = window_depth(coding.lens, coding.mapping, distance) * levels;
     // Depth is rounded to the nearest code, so a code ends halfway to the next one; a hundredth before that is sure.
     const double end = std::min(std::floor(code), levels - 1.0) + 0.5;

@@ -44,10 +44,6 @@ DepthPrecision precision_in(const gl::Target& target) {
     return {.bits = 24, .is_float = false};
 }
 
-double levels_of(const DepthPrecision& precision) {
-    return std::exp2(precision.bits) - 1.0;
-}
-
 }  // namespace
 
 Result<BufferReader> BufferReader::make(const gl::Capabilities& capabilities) {
@@ -83,8 +79,8 @@ std::vector<StoredPixel> BufferReader::stored(const View& view, DepthFormat form
         if (in_buffer.is_float) {
             pixels[i].window_depth = std::bit_cast<float>(depths_[at]);
         } else {
-            const double levels = levels_of(asked);
-            pixels[i].code = static_cast<std::uint32_t>(std::lround(depths_[at] / levels_of(in_buffer) * levels));
+            const double levels = asked.greatest_code();
+            pixels[i].code = static_cast<std::uint32_t>(std::lround(depths_[at] / in_buffer.greatest_code() * levels));
             pixels[i].window_depth = pixels[i].code / levels;
         }
     }
@@ -111,7 +107,8 @@ void BufferReader::read_depths(const View& view, const PixelRect& rect) {
             depth = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U |
                     static_cast<std::uint32_t>(bytes[2]) << 16U | static_cast<std::uint32_t>(bytes[3]) << 24U;
             if (!precision.is_float)
-                depth = static_cast<std::uint32_t>(std::lround(std::bit_cast<float>(depth) * levels_of(precision)));
+                depth =
+                    static_cast<std::uint32_t>(std::lround(std::bit_cast<float>(depth) * precision.greatest_code()));
         }
         return;
     }

@@ -33,8 +33,8 @@ void set_heat(const SurfaceProgram& program, const FramePlan& plan, const Pass& 
 
 void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
     const bool logarithmic = plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex();
-    const bool fewer = stores_fewer_bits(plan.depth_format);
-    program.depth_levels.set(fewer ? (1 << precision_of(plan.depth_format).bits) - 1 : 0);
+    const double levels = precision_of(plan.depth_format).greatest_code();
+    program.depth_levels.set(stores_fewer_bits(plan.depth_format) ? static_cast<int>(levels) : 0);
     program.logarithmic_range.set(glm::dvec2(logarithmic ? plan.lens.near : 0.0, plan.lens.far));
 }
 

@@ -30,8 +30,9 @@ void read_floats(std::span<const std::uint32_t> stored, std::span<float> same, s
     }
 }
 
-void read_codes(std::span<const std::uint32_t> stored, int bits, std::span<float> same, std::span<float> rest) {
-    const std::int32_t last = (1 << bits) - 1;
+void read_codes(std::span<const std::uint32_t> stored, const DepthPrecision& read_as, std::span<float> same,
+                std::span<float> rest) {
+    const auto last = static_cast<std::int32_t>(read_as.greatest_code());
     const float per_code = 1.0F / static_cast<float>(last);
     for (std::size_t i = 0; i < stored.size(); ++i) {
         const std::int32_t code = within(stored[i], last);
@@ -88,7 +89,7 @@ public:
         if (read_as_.is_float)
             read_floats(block, same, rest);
         else
-            read_codes(block, read_as_.bits, same, rest);
+            read_codes(block, read_as_, same, rest);
         if (is_linear_ && is_logarithmic_)
             exponential_.apply(shares, block.size());
         else if (is_linear_ && !lens_.orthographic)
@@ -134,7 +135,7 @@ private:
 
 std::uint32_t cleared_to(double depth, const DepthPrecision& read_as) {
     if (read_as.is_float) return std::bit_cast<std::uint32_t>(static_cast<float>(depth));
-    return static_cast<std::uint32_t>(std::lround(depth * ((1 << read_as.bits) - 1)));
+    return static_cast<std::uint32_t>(std::lround(depth * read_as.greatest_code()));
 }
 
 }  // namespace

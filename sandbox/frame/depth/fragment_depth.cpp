@@ -82,7 +82,7 @@ double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
 
 std::uint32_t code_of(double depth, const DepthPrecision& precision) {
     if (precision.is_float) return std::bit_cast<std::uint32_t>(static_cast<float>(depth));
-    return static_cast<std::uint32_t>(std::llround(depth * (std::exp2(precision.bits) - 1.0)));
+    return static_cast<std::uint32_t>(std::llround(depth * precision.greatest_code()));
 }
 
 }  // namespace viewing

@@ -10,7 +10,7 @@ namespace {
 /// code where those are wider.
 double closeness(const DepthPrecision& precision) {
     const double arithmetic = std::exp2(-20);
-    return precision.is_float ? arithmetic : arithmetic + 1.0 / (std::exp2(precision.bits) - 1.0);
+    return precision.is_float ? arithmetic : arithmetic + code_width(precision, 1.0);
 }
 
 bool is_close(const Fragment& fragment, const PixelReport& report) {

@@ -40,8 +40,9 @@ void say_oblique(Sayer& tell, const Params& params, const Derived& derived, cons
                  const FramePlan& frame) {
     constexpr double alike = 1.05;
     const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    if (!tests) return;
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
-    if (!tests || !depth) return;
+    if (!depth) return;
     tell.broken(depth->greatest > alike,
                 say("the mirror is the image's near plane, and depth is coarser for it: up to {factor} times, at z = "
                     "{z}",
@@ -159,10 +160,7 @@ int reflections_of(const std::vector<Mirror>& mirrors, const Mirror& first, glm:
             const double approach = glm::dot(glm::dvec3(mirror.towards_eye()), direction);
             const double way = -glm::dot(mirror.towards_eye(), glm::dvec4(at, 1.0)) / approach;
             if (&mirror == met || !(approach < 0.0) || !(way > 0.0) || way >= nearest) continue;
-            const PlanePatch& patch = mirror.plane.patch;
-            const glm::dvec3 on_patch = at + way * direction - patch.center;
-            if (std::abs(glm::dot(on_patch, patch.u)) > patch.extent) continue;
-            if (std::abs(glm::dot(on_patch, patch.v)) > patch.extent) continue;
+            if (!mirror.plane.patch.holds(at + way * direction)) continue;
             nearest = way;
             next = &mirror;
         }
@@ -181,8 +179,7 @@ int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_w
             const glm::dvec2 place = (glm::dvec2(cell % grid, cell / grid) + 0.5) * (2.0 / grid) - 1.0;
             const PlanePatch& patch = mirror.plane.patch;
             const glm::dvec3 at = patch.center + patch.extent * (place.x * patch.u + place.y * patch.v);
-            const glm::dvec3 direction = glm::normalize(at * eye_world.w - glm::dvec3(eye_world));
-            most = std::max(most, reflections_of(mirrors, mirror, at, direction));
+            most = std::max(most, reflections_of(mirrors, mirror, at, line_of_sight(eye_world, at)));
         }
     return most;
 }
@@ -190,13 +187,13 @@ int most_reflections(const std::vector<Mirror>& mirrors, const glm::dvec4& eye_w
 /// Mirrors that show each other.
 void say_bounces(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors,
                  int depth) {
-    if (mirrors.size() < 2) return;
+    if (mirrors.size() < 2 || !params.reflection.stencil) return;
     bool is_endless = false;
     for (std::size_t one = 0; one < mirrors.size(); ++one)
         for (std::size_t other = one + 1; other < mirrors.size(); ++other)
             is_endless = is_endless || are_endless(mirrors[one], mirrors[other]);
-    const int most = most_reflections(mirrors, derived.eye_world);
-    if (!params.reflection.stencil || (!is_endless && most <= depth)) return;
+    const int most = is_endless ? most_followed : most_reflections(mirrors, derived.eye_world);
+    if (!is_endless && most <= depth) return;
     if (depth < params.reflection.bounces)
         return tell(true, say("{depth} of {bounces} bounces are drawn: more would draw the scene too often, or be more "
                               "than the stencil can count",

@@ -53,23 +53,12 @@ bool is_clear_of(const Scene& scene, const glm::dvec4& form, double limit) {
     return !scene.bounds_world.empty() && smallest_in_bounds(scene.bounds_world, form) > limit;
 }
 
-/// How far from its centre a patch ends: what lies on its edge is inside.
-double reach_of(const PlanePatch& patch) {
-    return patch.extent * (1.0 + 1e-9);
-}
-
-bool is_inside(const PlanePatch& patch, const glm::dvec3& point) {
-    const glm::dvec3 offset = point - patch.center;
-    const double reach = reach_of(patch);
-    return std::abs(glm::dot(offset, patch.u)) <= reach && std::abs(glm::dot(offset, patch.v)) <= reach;
-}
-
 /// Where a map sends a point with w > 0 inside a patch, these four forms are at least 0: the ways to its edges, times
 /// w.
 std::vector<BoxForm> ways_to_edges(const glm::dmat4& plane_from_world, const PlanePatch& patch,
                                    const glm::dmat4& world_from_model) {
     const glm::dmat4 rows = glm::transpose(plane_from_world);
-    const double reach = reach_of(patch);
+    const double reach = patch.reach();
     std::vector<BoxForm> ways;
     for (const glm::dvec3& axis : {patch.u, patch.v}) {
         const glm::dvec4 along = axis.x * rows[0] + axis.y * rows[1] + axis.z * rows[2];
@@ -89,8 +78,7 @@ bool lands(const Scene& scene, const glm::dmat4& plane_from_world, const glm::dv
            bool inside) {
     const auto is_there = [&](const glm::dvec4& point) {
         const glm::dvec4 sent = plane_from_world * point;
-        return sent.w > 0.0 && glm::dot(side, point) >= -standing &&
-               is_inside(patch, glm::dvec3(sent) / sent.w) == inside;
+        return sent.w > 0.0 && glm::dot(side, point) >= -standing && patch.holds(glm::dvec3(sent) / sent.w) == inside;
     };
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const SceneObject& object) {
         const BoxForm w(glm::transpose(plane_from_world)[3], object.world_from_model);

@@ -17,14 +17,12 @@ public:
     glm::dvec4 clip(const glm::dvec3& at_world) const { return clip_from_world_ * glm::dvec4(at_world, 1.0); }
 
     /// World units along the direction.
-    double code_width(const glm::dvec3& at_world, const glm::dvec3& direction) const {
+    double width_of_code(const glm::dvec3& at_world, const glm::dvec3& direction) const {
         const glm::dvec4 here = clip(at_world), change = clip_from_world_ * glm::dvec4(direction, 0.0);
         const double share = zero_to_one_ ? 1.0 : 0.5;
         const double slope = share * (change.z * here.w - here.z * change.w) / (here.w * here.w);
         const double depth = zero_to_one_ ? here.z / here.w : 0.5 * here.z / here.w + 0.5;
-        const double code = precision_.is_float ? std::exp2(std::floor(std::log2(std::clamp(depth, 1e-38, 1.0))) - 23.0)
-                                                : 1.0 / (std::exp2(precision_.bits) - 1.0);
-        return code / std::abs(slope);
+        return code_width(precision_, depth) / std::abs(slope);
     }
 
 private:
@@ -41,9 +39,7 @@ bool is_in_view(const glm::dvec4& clip, bool zero_to_one) {
 /// Whether the line of sight to a point passes through the patch on its way.
 bool is_seen_in(const PlanePatch& patch, const glm::dvec3& at_world, const glm::dvec3& direction) {
     const double way = glm::dot(patch.normal, patch.center - at_world) / glm::dot(patch.normal, direction);
-    const glm::dvec3 on_patch = at_world + way * direction - patch.center;
-    return way < 0.0 && std::abs(glm::dot(on_patch, patch.u)) <= patch.extent &&
-           std::abs(glm::dot(on_patch, patch.v)) <= patch.extent;
+    return way < 0.0 && patch.holds(at_world + way * direction);
 }
 
 }  // namespace
@@ -76,9 +72,9 @@ std::optional<ObliqueDepth> oblique_depth(const Params& params, const Derived& d
         const glm::dmat4 image_from_model = image_from_scene * object.world_from_model;
         for (; next < before + count; next += stride) {
             const glm::dvec3 at(image_from_model * glm::dvec4(object.mesh->positions[next - before], 1.0));
-            const glm::dvec3 direction = glm::normalize(at * derived.eye_world.w - glm::dvec3(derived.eye_world));
+            const glm::dvec3 direction = line_of_sight(derived.eye_world, at);
             if (!is_in_view(oblique.clip(at), zero_to_one) || !is_seen_in(mirror.patch, at, direction)) continue;
-            const double ratio = oblique.code_width(at, direction) / plain.code_width(at, direction);
+            const double ratio = oblique.width_of_code(at, direction) / plain.width_of_code(at, direction);
             if (!std::isfinite(ratio)) continue;
             if (!found) found = ObliqueDepth{ratio, 0.0, 0.0};
             found->least = std::min(found->least, ratio);

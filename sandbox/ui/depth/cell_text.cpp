@@ -49,7 +49,7 @@ CodeRange written_codes(const CellBlock& block, double cleared) {
 CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room) {
     const int most_decimals = std::max(room - 2, least_decimals);
     if (!precision.is_float && precision.bits <= widest_code_bits) {
-        const std::int64_t greatest = (1 << precision.bits) - 1;
+        const auto greatest = static_cast<std::int64_t>(precision.greatest_code());
         CellTexts codes;
         for (const BufferCell& cell : block.cells) codes.texts.push_back(std::to_string(cell.stored));
         codes.note = say("stored code, 0 … {greatest}", "greatest"_a = grouped_number(greatest));

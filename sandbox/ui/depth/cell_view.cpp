@@ -91,7 +91,7 @@ void caption(const Rect& grid, float height, const std::string& title, const std
     const float room = grid.width() - px(8.0F);
     const std::string full = note.empty() ? title : say("{title}: {note}", "title"_a = title, "note"_a = note);
     const bool fits = note.empty() || ImGui::CalcTextSize(full.c_str()).x <= room;
-    ImGui::TextUnformatted(shortened(fits ? full : note, room).c_str());
+    ImGui::TextUnformatted(widgets::Shortened(fits ? full : note, room).c_str());
     widgets::Record(full.c_str());
     ImGui::PopFont();
 }
@@ -187,7 +187,8 @@ void draw_sentence(const std::string& sentence, const Rect& rect) {
     const bool fits = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y <= rect.height() + 1.0F;
     const bool is_one_line = rect.height() < 1.9F * line;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(fits ? sentence.c_str() : shortened(sentence, is_one_line ? width : 1.8F * width).c_str());
+    ImGui::TextUnformatted(fits ? sentence.c_str()
+                                : widgets::Shortened(sentence, is_one_line ? width : 1.8F * width).c_str());
     ImGui::PopTextWrapPos();
     widgets::Record(sentence.c_str());
     ImGui::PopFont();

@@ -87,7 +87,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     pin_state(view, right, right - here - (on_this_line ? wanted : 0.0F) - px(16.0F));
     if (on_this_line) return;
     ImGui::PushFont(fonts.text);
-    const std::string shown = shortened(surface, right - left);
+    const std::string shown = widgets::Shortened(surface, right - left);
     ImGui::PopFont();
     headline_text(shown, fonts.text, palette().text);
 }

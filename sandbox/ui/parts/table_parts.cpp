@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "text/words.h"
-
 namespace viewing {
 
 float width_of(const std::string& text, ImFont* font) {
@@ -19,14 +17,8 @@ void text_at_right(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-std::string shortened(std::string text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) remove_last_character(text);
-    return text + "…";
-}
-
 void shortened_text(const std::string& text, float width) {
-    const std::string shown = shortened(text, width);
+    const std::string shown = widgets::Shortened(text, width);
     ImGui::TextUnformatted(shown.c_str());
     if (shown == text) return;
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text);

@@ -29,9 +29,7 @@ float width_of(const std::string& text, ImFont* font);
 /// At the right end of its cell, or from the left where it does not fit.
 void text_at_right(const std::string& text);
 
-/// The start of a text that fits into so many pixels, with "…" where something was left out.
-std::string shortened(std::string text, float width);
-/// The same, drawn; where something was left out, a tooltip has the whole.
+/// Draws widgets::Shortened; where something was left out, a tooltip has the whole.
 void shortened_text(const std::string& text, float width);
 
 }  // namespace viewing
