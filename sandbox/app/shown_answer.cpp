@@ -18,6 +18,12 @@ Status ShownAnswer::update(Renderer& renderer, const Params& params, const Deriv
     worker_.ask(*question, session.scene(), session.scene_version());
     worker_.wait(!is_interactive ? -1.0 : is_behind_ ? 0.0 : a_moment_s);
     const std::shared_ptr<const HiddenAnswer> answer = worker_.answer(session.scene_version());
+    if (worker_.has_failed(*question, session.scene_version())) {
+        answer_.reset();
+        is_behind_ = false;
+        if (const std::optional<std::string> why = worker_.take_failure()) return Error{*why};
+        return std::monostate{};
+    }
     is_behind_ = !answer || answer->question != *question;
     if (!answer) answer_.reset();  // it was of another scene
     // GL's part of a difference depends on the depth buffer too, and is made for the camera that is asked for.

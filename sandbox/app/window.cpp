@@ -5,6 +5,7 @@
 #include <backends/imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <ctime>
 #include <memory>
@@ -14,6 +15,8 @@
 #include "app/lost_display.h"
 #include "app/studio.h"
 #include "image/png.h"
+#include "platform/background.h"
+#include "ui/parts/input_queue.h"
 
 #define GLFW_INCLUDE_NONE  // GL comes from the loader above
 #include <GLFW/glfw3.h>
@@ -71,60 +74,118 @@ constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_F12, Key::f12},
                                  {GLFW_KEY_ESCAPE, Key::escape}};
 
-/// Events of the window collected until the next frame. Letters are taken by what the keyboard's layout prints.
-struct Events {
-    FrameInput input;
-    std::vector<int> pressed_keys;  ///< all that went down, as GLFW numbers them
-    bool any = true;
+std::optional<Key> key_of(int glfw_key) {
+    for (const KeyName& name : key_names)
+        if (name.glfw == glfw_key) return name.key;
+    return std::nullopt;
+}
 
+KeyKind kind_of(int glfw_key) {
+    if (glfw_key < GLFW_KEY_ESCAPE || (glfw_key >= GLFW_KEY_KP_0 && glfw_key <= GLFW_KEY_KP_ADD))
+        return KeyKind::prints;
+    if (glfw_key >= GLFW_KEY_LEFT_SHIFT && glfw_key <= GLFW_KEY_RIGHT_SUPER) return KeyKind::modifier;
+    if (glfw_key >= GLFW_KEY_BACKSPACE && glfw_key <= GLFW_KEY_END) return KeyKind::edits;
+    return KeyKind::leaves;
+}
+
+/// Set by what has ended beside the window.
+std::atomic<bool> work_has_ended{false};
+
+/// Work that ends beside the window wakes it while an object of this class lives.
+struct WakeUp {
+    WakeUp() {
+        wake_when_work_ends([] {
+            work_has_ended = true;
+            glfwPostEmptyEvent();
+        });
+    }
+    ~WakeUp() { wake_when_work_ends(nullptr); }
+    WakeUp(const WakeUp&) = delete;
+    WakeUp& operator=(const WakeUp&) = delete;
+};
+
+/// What the window hears, in order. Letters are taken by what the keyboard's layout prints.
+class Events {
+public:
+    InputQueue queue;
+    bool any = true;  ///< something happened since this was set back
+
+    explicit Events(GLFWwindow* window) {
+        glfwSetWindowUserPointer(window, this);
+        glfwSetKeyCallback(window, on_key);
+        glfwSetDropCallback(window, [](GLFWwindow* one, int count, const char** files) {
+            push(one, FilesDropped{std::vector<std::filesystem::path>(files, files + count)});
+        });
+        glfwSetWindowFocusCallback(window,
+                                   [](GLFWwindow* one, int focused) { push(one, FocusChanged{focused == GLFW_TRUE}); });
+        glfwSetCursorPosCallback(window, [](GLFWwindow* one, double x, double y) {
+            push(one, PointerMoved{glm::vec2(static_cast<float>(x), static_cast<float>(y))});
+        });
+        glfwSetCursorEnterCallback(window, on_enter);
+        glfwSetMouseButtonCallback(window, [](GLFWwindow* one, int button, int action, int) {
+            push(one, ButtonChanged{static_cast<std::size_t>(button), action == GLFW_PRESS});
+        });
+        glfwSetScrollCallback(window, [](GLFWwindow* one, double x, double y) {
+            push(one, WheelTurned{{static_cast<float>(x), static_cast<float>(y)}});
+        });
+        glfwSetCharCallback(window,
+                            [](GLFWwindow* one, unsigned code_point) { push(one, CharacterTyped{code_point}); });
+        glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { of(one).any = true; });
+        glfwSetWindowRefreshCallback(window, [](GLFWwindow* one) { of(one).any = true; });
+    }
+    Events(const Events&) = delete;
+    Events& operator=(const Events&) = delete;
+
+    /// Takes what has come, and waits for something where nothing has: at most so long; negative: for ever.
+    void take(double wait_s) {
+        heard_since_s_ = polled_s_;
+        glfwPollEvents();
+        any |= work_has_ended.exchange(false);
+        if (!any && wait_s != 0.0) {
+            heard_since_s_.reset();  // from here on nothing is heard late
+            if (wait_s > 0.0)
+                glfwWaitEventsTimeout(wait_s);
+            else
+                glfwWaitEvents();
+            any |= work_has_ended.exchange(false);
+        }
+        polled_s_ = glfwGetTime();
+    }
+
+private:
     static Events& of(GLFWwindow* window) { return *static_cast<Events*>(glfwGetWindowUserPointer(window)); }
 
-    static std::optional<Key> key_of(int glfw_key, int scancode) {
-        if (const char* printed = glfwGetKeyName(glfw_key, scancode);
-            printed && printed[0] >= 'a' && printed[0] <= 'z' && !printed[1])
-            glfw_key = GLFW_KEY_A + (printed[0] - 'a');
-        for (const KeyName& name : key_names)
-            if (name.glfw == glfw_key) return name.key;
-        return std::nullopt;
+    static void push(GLFWwindow* window, InputEvent event) {
+        Events& events = of(window);
+        events.any = true;
+        const double now_s = glfwGetTime();
+        events.queue.push(std::move(event), {events.heard_since_s_.value_or(now_s), now_s});
     }
 
     static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int modifiers) {
-        Events& events = of(window);
-        events.any = true;
-        if (action == GLFW_PRESS) events.pressed_keys.push_back(glfw_key);
-        const std::optional<Key> key = key_of(glfw_key, scancode);
-        if (!key || action == GLFW_REPEAT) return;
-        events.input.down[static_cast<std::size_t>(*key)] = action == GLFW_PRESS;
-        if (action == GLFW_PRESS)
-            events.input.pressed.push_back(
-                {*key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0});
+        if (action == GLFW_REPEAT || glfw_key < 0) return;
+        int printed_key = glfw_key;
+        if (const char* printed = glfwGetKeyName(glfw_key, scancode);
+            printed && printed[0] >= 'a' && printed[0] <= 'z' && !printed[1])
+            printed_key = GLFW_KEY_A + (printed[0] - 'a');
+        push(window, KeyChanged{.code = static_cast<std::size_t>(glfw_key),
+                                .kind = kind_of(glfw_key),
+                                .key = key_of(printed_key),
+                                .down = action == GLFW_PRESS,
+                                .ctrl = (modifiers & GLFW_MOD_CONTROL) != 0,
+                                .shift = (modifiers & GLFW_MOD_SHIFT) != 0});
     }
 
-    static void on_drop(GLFWwindow* window, int count, const char** files) {
-        Events& events = of(window);
-        events.any = true;
-        events.input.dropped_files.assign(files, files + count);
+    /// A drag that leads out of the window goes on there.
+    static void on_enter(GLFWwindow* window, int entered) {
+        for (int button = GLFW_MOUSE_BUTTON_1; button <= GLFW_MOUSE_BUTTON_LAST; ++button)
+            if (glfwGetMouseButton(window, button) == GLFW_PRESS) return;
+        if (!entered) push(window, PointerMoved{});
     }
 
-    static void on_focus(GLFWwindow* window, int focused) {
-        Events& events = of(window);
-        events.any = true;
-        if (!focused) events.input.down.fill(false);  // releases are not reported to a window without focus
-    }
+    double polled_s_ = glfwGetTime();
+    std::optional<double> heard_since_s_;  ///< what is heard now happened since then; nothing: now
 };
-
-void listen(GLFWwindow* window, Events& events) {
-    glfwSetWindowUserPointer(window, &events);
-    glfwSetKeyCallback(window, Events::on_key);
-    glfwSetDropCallback(window, Events::on_drop);
-    glfwSetWindowFocusCallback(window, Events::on_focus);
-    glfwSetCursorPosCallback(window, [](GLFWwindow* one, double, double) { Events::of(one).any = true; });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow* one, int, int, int) { Events::of(one).any = true; });
-    glfwSetScrollCallback(window, [](GLFWwindow* one, double, double) { Events::of(one).any = true; });
-    glfwSetCharCallback(window, [](GLFWwindow* one, unsigned) { Events::of(one).any = true; });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { Events::of(one).any = true; });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* one) { Events::of(one).any = true; });
-}
 
 /// What GLFW says about its last failure.
 std::string glfw_reason(const char* otherwise) {
@@ -211,44 +272,13 @@ void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
     glfwSwapBuffers(window);
 }
 
-/// ImGui 1.86 sees only keys that are down when a frame begins. Those that are up again already are down for this one
-/// frame while an object of this class lives.
-class ShortTaps {
-public:
-    explicit ShortTaps(const std::vector<int>& pressed_keys) {
-        for (const int key : pressed_keys)
-            if (key >= 0 && key < IM_ARRAYSIZE(io_.KeysDown) && !io_.KeysDown[key]) taps_.push_back(key);
-        set(true);
-    }
-    ~ShortTaps() { set(false); }
-    ShortTaps(const ShortTaps&) = delete;
-    ShortTaps& operator=(const ShortTaps&) = delete;
-
-private:
-    void set(bool down) {
-        for (const int key : taps_) io_.KeysDown[key] = down;
-        io_.KeyCtrl = io_.KeysDown[GLFW_KEY_LEFT_CONTROL] || io_.KeysDown[GLFW_KEY_RIGHT_CONTROL];
-        io_.KeyShift = io_.KeysDown[GLFW_KEY_LEFT_SHIFT] || io_.KeysDown[GLFW_KEY_RIGHT_SHIFT];
-    }
-
-    ImGuiIO& io_ = ImGui::GetIO();
-    std::vector<int> taps_;
-};
-
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events) {
     FullScreen full_screen;
-    double last_frame_s = glfwGetTime();
     int frames_due = 0;
     while (!glfwWindowShouldClose(window)) {
-        const double wait_s = frames_due > 0 ? 0.0 : studio.redraw_in_s();
-        if (wait_s == 0.0)
-            glfwPollEvents();
-        else if (wait_s > 0.0)
-            glfwWaitEventsTimeout(wait_s);
-        else
-            glfwWaitEvents();
+        events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
 
-        // ImGui has no queue of input: a press and its release take a frame each, and a click one more to act.
+        // A click shows after a frame that lays out what it opened, and one more that fits it.
         constexpr int frames_after_an_event = 3;
         frames_due = std::exchange(events.any, false) ? frames_after_an_event : std::max(frames_due - 1, 0);
 
@@ -260,24 +290,15 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         }
         float device_scale = 1.0F;
         glfwGetWindowContentScale(window, &device_scale, nullptr);
-        ImGui_ImplGlfw_NewFrame();
+        ImGui_ImplGlfw_NewFrame();  // the pointer's shape
         int window_width = 0;
         glfwGetWindowSize(window, &window_width, nullptr);
         const float pixels_per_unit =
             window_width > 0 ? static_cast<float>(size_px.x) / static_cast<float>(window_width) : 1.0F;
-        ImGuiIO& io = ImGui::GetIO();
-        if (pixels_per_unit != 1.0F && io.MousePos.x > -1e5F)
-            io.MousePos = {io.MousePos.x * pixels_per_unit, io.MousePos.y * pixels_per_unit};
-        io.DisplayFramebufferScale = {1.0F, 1.0F};
-
-        const double now_s = glfwGetTime();
-        events.input.dt_s = std::max(now_s - last_frame_s, 1e-4);
-        last_frame_s = now_s;
-        const ShortTaps taps(events.pressed_keys);
-        const Requests requests = studio.frame({size_px, device_scale, true, events.input});
-        events.pressed_keys.clear();
-        events.input.pressed.clear();
-        events.input.dropped_files.clear();
+        const InputFrame& frame = events.queue.next_frame(glfwGetTime());
+        feed_imgui(frame, pixels_per_unit);
+        ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
+        const Requests requests = studio.frame({size_px, device_scale, true, frame.input});
         if (requests.snapshot) {
             write_snapshot(renderer, studio);
             events.any = true;
@@ -293,15 +314,13 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
 
 }  // namespace
 
-Status run_window(const LoadedState& state, int lost_display_status) {
+Status run_window(Session session, int lost_display_status) {
     const Glfw glfw;
     if (!glfw.started) {
         return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
                      "); viewing-sandbox snapshot needs none"};
     }
     end_when_display_is_lost(lost_display_status);
-    Result<Session> session = Session::make(state);
-    if (!session) return Error{session.error()};
     Result<Window> made = make_window();
     if (!made) return Error{made.error()};
     GLFWwindow* window = made->get();
@@ -310,10 +329,10 @@ Status run_window(const LoadedState& state, int lost_display_status) {
 
     Result<Renderer> renderer = Renderer::make();
     if (!renderer) return Error{renderer.error()};
-    Studio studio(*renderer, std::move(*session));
-    Events events;
-    listen(window, events);
-    ImGui_ImplGlfw_InitForOpenGL(window, true);  // chains to the callbacks above
+    Studio studio(*renderer, std::move(session));
+    const WakeUp wake_up;
+    Events events(window);
+    ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
     glfwShowWindow(window);
     run_loop(window, *renderer, studio, events);
     ImGui_ImplGlfw_Shutdown();

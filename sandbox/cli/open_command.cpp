@@ -13,10 +13,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
 
     const LoadedState state = state_arguments.load();
-    // What is wrong with the scene is said before there is a window; while this one lives, the window shares its
-    // meshes.
-    const Scene scene = scene_of(state);
-    value_or_end(run_window(state, static_cast<int>(ExitStatus::no_context)), ExitStatus::no_context);
+    // What is wrong with the scene is said before there is a window, unless it takes long to find out.
+    constexpr double patience_s = 0.5;
+    Session session = value_or_end(Session::begin(state, patience_s));
+    value_or_end(run_window(std::move(session), static_cast<int>(ExitStatus::no_context)), ExitStatus::no_context);
     return ExitStatus::done;
 }
 

@@ -37,7 +37,7 @@ private:
     std::optional<Question> asked_;
     Derived derived_;  ///< of the question
     std::shared_ptr<FightingReport> report_;
-    BackgroundTask<Result<FightingCounts>> task_;
+    BackgroundTask<FightingCounts> task_;
     std::optional<MinimumGapSearch> search_;
 };
 

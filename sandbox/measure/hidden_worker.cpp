@@ -24,7 +24,7 @@ void HiddenWorker::ask(const HiddenQuestion& question, const Scene& scene, int s
     const bool works_on_it = current_ && !is_dropped_ && *current_ == question && current_version_ == scene_version;
     const bool is_answered = !current_ && answer_ && answer_->question == question && answer_version_ == scene_version;
     const bool waits = waiting_ && waiting_->question == question && waiting_->scene_version == scene_version;
-    if (works_on_it || is_answered || waits) return;
+    if (works_on_it || is_answered || waits || (!current_ && has_failed(question, scene_version))) return;
     if (current_ && (current_version_ != scene_version || !is_same_work(*current_, question))) drop_current();
     waiting_ = Job{question, scene, scene_version};
     take_over();
@@ -45,6 +45,16 @@ std::shared_ptr<const HiddenAnswer> HiddenWorker::answer(int scene_version) {
     return answer_version_ == scene_version ? answer_ : nullptr;
 }
 
+bool HiddenWorker::has_failed(const HiddenQuestion& question, int scene_version) {
+    take_over();
+    return failed_ && *failed_ == question && failed_version_ == scene_version;
+}
+
+std::optional<std::string> HiddenWorker::take_failure() {
+    take_over();
+    return std::exchange(failure_, std::nullopt);
+}
+
 std::optional<float> HiddenWorker::fraction() {
     take_over();
     if (!current_) return std::nullopt;
@@ -60,6 +70,8 @@ void HiddenWorker::cancel() {
 void HiddenWorker::forget() {
     waiting_.reset();
     answer_.reset();
+    failed_.reset();
+    failure_.reset();
     drop_current();
 }
 
@@ -70,12 +82,17 @@ void HiddenWorker::drop_current() {
 }
 
 void HiddenWorker::take_over() {
-    if (task_.is_done()) {
-        current_.reset();
-        Answer made = *task_.take();
-        if (!is_dropped_) {
-            answer_ = std::move(made);
+    if (std::optional<Result<Answer>> made = task_.take()) {
+        const std::optional<HiddenQuestion> question = std::exchange(current_, std::nullopt);
+        if (!*made) solver_.reset();  // who knows how far it came
+        if (!is_dropped_ && *made) {
+            answer_ = **std::move(made);
             answer_version_ = current_version_;
+            failed_.reset();
+        } else if (!is_dropped_) {
+            failed_ = question;
+            failed_version_ = current_version_;
+            failure_ = made->error();
         }
     }
     if (!current_ && waiting_) start(*std::exchange(waiting_, std::nullopt));

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "frame/hidden/hidden_views.h"
 #include "platform/background.h"
@@ -13,8 +14,9 @@ namespace viewing {
 /// Used from one thread. Whatever is asked of it, it first takes over what has been finished meanwhile.
 class HiddenWorker {
 public:
-    /// Starts on the question, unless it is the one that is answered, worked on or was cancelled. A question that
-    /// differs only in where the camera is lets the one before come to its end, so that a moving camera gets answers.
+    /// Starts on the question, unless it is the one that is answered, worked on, was cancelled or failed. A question
+    /// that differs only in where the camera is lets the one before come to its end, so that a moving camera gets
+    /// answers.
     void ask(const HiddenQuestion& question, const Scene& scene, int scene_version);
 
     /// Waits until nothing is worked on, at most so long; negative: as long as it takes.
@@ -22,6 +24,12 @@ public:
 
     /// The newest answer for this scene; null while there is none. The same pointer until there is another.
     std::shared_ptr<const HiddenAnswer> answer(int scene_version);
+
+    /// Whether the latest work was on this question and failed: there will be no answer.
+    bool has_failed(const HiddenQuestion& question, int scene_version);
+
+    /// Why the latest work failed, once.
+    std::optional<std::string> take_failure();
 
     /// 0 … 1 while it works.
     std::optional<float> fraction();
@@ -53,7 +61,10 @@ private:
     bool is_dropped_ = false;  ///< the current one's answer is not wanted
     Answer answer_;
     int answer_version_ = -1;
-    std::shared_ptr<Solver> solver_;  ///< while something is worked on, only for that
+    std::optional<HiddenQuestion> failed_;
+    int failed_version_ = -1;
+    std::optional<std::string> failure_;  ///< until it is taken
+    std::shared_ptr<Solver> solver_;      ///< while something is worked on, only for that
     BackgroundTask<Answer> task_;
 };
 

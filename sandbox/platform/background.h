@@ -1,18 +1,27 @@
-// Work beside the window: started, watched, cancelled; its result is taken when it is there. The one place that makes
-// threads: where there are none (a browser), background.cpp alone is another file, which does the work in start().
+// Work beside the window: started, watched, cancelled; its result is taken when it is there, or one sentence about why
+// there is none. The one place that makes threads: where there are none (a browser), background.cpp alone is another
+// file, which does the work in start().
 #pragma once
 
-#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "platform/progress.h"
+#include "text/result.h"
 
 namespace viewing {
+
+/// From now on `wake` is called whenever work has ended, in its thread: for a window that sleeps until something
+/// happens. Null: nobody is waked.
+void wake_when_work_ends(void (*wake)());
+
+/// What a person is told instead of a result, where `std::current_exception` is what ended the work.
+Error failure_of_work();
 
 /// One call of a function beside the caller's. BackgroundTask is what others use.
 class BackgroundCall {
@@ -36,36 +45,39 @@ private:
 template <typename T>
 class BackgroundTask {
 public:
-    using Work = std::function<T(WorkProgress&)>;
+    using Work = std::function<Result<T>(WorkProgress&)>;
 
     /// What was running is cancelled, waited for, and its result dropped.
     void start(Work work) {
         job_ = std::make_unique<Job>();
-        job_->call = std::make_unique<BackgroundCall>([job = job_.get(), run = std::move(work)] {
-            try {
-                job->result.emplace(run(job->progress));
-            } catch (...) {
-                job->error = std::current_exception();
-            }
-        });
+        try {
+            job_->call = std::make_unique<BackgroundCall>([job = job_.get(), run = std::move(work)] {
+                try {
+                    job->result.emplace(run(job->progress));
+                } catch (...) {
+                    job->result.emplace(failure_of_work());
+                }
+            });
+        } catch (...) {  // no thread for it
+            job_->result.emplace(failure_of_work());
+        }
     }
 
     bool is_running() const { return job_ != nullptr; }  ///< until its result is taken
-    bool is_done() const { return job_ && job_->call->is_done(); }
+    bool is_done() const { return job_ && (!job_->call || job_->call->is_done()); }
     float fraction() const { return job_ ? job_->progress.fraction.load() : 0.0F; }
     void cancel() {
         if (job_) job_->progress.cancelled = true;
     }
     /// At most so long; negative: as long as it takes.
     void wait(double seconds) const {
-        if (job_) job_->call->wait(seconds);
+        if (job_ && job_->call) job_->call->wait(seconds);
     }
 
-    /// The result, once, when there is one; a cancelled task gives what it had. What the work threw is thrown here.
-    std::optional<T> take() {
+    /// The result, once, when there is one; a cancelled task gives what it had. What the work threw is an error.
+    std::optional<Result<T>> take() {
         if (!is_done()) return std::nullopt;
         const std::unique_ptr<Job> job = std::move(job_);
-        if (job->error) std::rethrow_exception(job->error);
         return std::move(job->result);
     }
 
@@ -73,9 +85,8 @@ private:
     struct Job {
         ~Job() { progress.cancelled = true; }
         WorkProgress progress;
-        std::optional<T> result;
-        std::exception_ptr error;
-        std::unique_ptr<BackgroundCall> call;  ///< last: its end is waited for before the others go
+        std::optional<Result<T>> result;
+        std::unique_ptr<BackgroundCall> call;  ///< last: its end is waited for before the others go; null: no thread
     };
     std::unique_ptr<Job> job_;
 };

@@ -21,7 +21,15 @@ constexpr double a_moment_s = 0.02;
 struct Session::LoadJob {
     SceneSource source;
     std::filesystem::path base;
-    BackgroundTask<Result<Scene>> task;
+    BackgroundTask<Scene> task;
+
+    LoadJob(SceneSource wanted, std::filesystem::path folder, const CoplanarParams& coplanar,
+            std::string origin = "scene")
+        : source(std::move(wanted)), base(std::move(folder)) {
+        task.start([source = source, base = base, coplanar, origin = std::move(origin)](WorkProgress& progress) {
+            return load_scene(source, base, coplanar, &progress, origin);
+        });
+    }
 };
 
 Session::Session(const LoadedState& state, Scene scene)
@@ -44,6 +52,23 @@ Result<Session> Session::make(const LoadedState& state) {
     return Session(state, std::move(*scene));
 }
 
+Result<Session> Session::begin(const LoadedState& state, double patience_s) {
+    auto job = std::make_unique<LoadJob>(state.params.scene, state.base, state.params.coplanar, state.scene_origin);
+    job->task.wait(patience_s);
+    if (std::optional<Result<Scene>> loaded = job->task.take()) {
+        if (!*loaded) return Error{loaded->error()};
+        return Session(state, **std::move(loaded));
+    }
+    const Params opening;
+    Result<Scene> scene = load_scene(opening.scene, {}, opening.coplanar);
+    if (!scene) return Error{scene.error()};
+    Session session(state, *std::move(scene));
+    session.loaded_source_ = opening.scene;
+    session.loaded_base_.clear();
+    session.job_ = std::move(job);
+    return session;
+}
+
 void Session::update_scene() {
     const bool wanted = awaits_scene();
     if (job_ && (!wanted || job_->source != params.scene || job_->base != base_)) job_.reset();
@@ -52,14 +77,7 @@ void Session::update_scene() {
         remake_scene();
         return;
     }
-    if (!job_) {
-        job_ = std::make_unique<LoadJob>();
-        job_->source = params.scene;
-        job_->base = base_;
-        job_->task.start([source = params.scene, base = base_, coplanar = params.coplanar](WorkProgress& progress) {
-            return load_scene(source, base, coplanar, &progress);
-        });
-    }
+    if (!job_) job_ = std::make_unique<LoadJob>(params.scene, base_, params.coplanar);
     job_->task.wait(a_moment_s);
     std::optional<Result<Scene>> loaded = job_->task.take();
     if (!loaded) return;

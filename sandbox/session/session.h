@@ -24,6 +24,9 @@ class Session {
 public:
     /// Loads the scene at once; the error says why it cannot be.
     static Result<Session> make(const LoadedState& state);
+    /// The same for a window, which does not wait long: a scene that takes more than `patience_s` is awaited, and until
+    /// it comes the opening one is there.
+    static Result<Session> begin(const LoadedState& state, double patience_s);
     /// With a scene that is already loaded.
     Session(const LoadedState& state, Scene scene);
     Session(Session&&) noexcept;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "state/json.h"
@@ -115,6 +116,32 @@ TEST(HiddenWorker, AnotherMethodDoesNotWaitForASlowOne) {
     ASSERT_TRUE(worker.answer(1));
     EXPECT_EQ(worker.answer(1)->question, other);
     EXPECT_TRUE(worker.answer(1)->problem().empty()) << worker.answer(1)->problem();
+}
+
+TEST(HiddenWorker, WorkThatFailsIsToldOnceAndNotBegunAgain) {
+    const Scene scene = scene_of("cyclic-overlap");
+    const HiddenQuestion small = question_for(params_with({"visibility.method=software_depth_buffer"}), scene);
+    HiddenQuestion huge = small;
+    huge.camera.size_px = glm::ivec2(std::numeric_limits<int>::max());  // no memory holds its picture
+    HiddenWorker worker;
+    worker.ask(huge, scene, 1);
+    worker.wait(-1.0);
+    EXPECT_FALSE(worker.answer(1));
+    EXPECT_TRUE(worker.has_failed(huge, 1));
+    EXPECT_FALSE(worker.has_failed(huge, 2)) << "another scene may do";
+    const std::optional<std::string> why = worker.take_failure();
+    ASSERT_TRUE(why);
+    EXPECT_NE(why->find("given up"), std::string::npos) << *why;
+    EXPECT_FALSE(worker.take_failure());
+    worker.ask(huge, scene, 1);
+    EXPECT_FALSE(worker.fraction()) << "begun again";
+
+    worker.ask(small, scene, 1);
+    worker.wait(-1.0);
+    EXPECT_FALSE(worker.has_failed(huge, 1));
+    ASSERT_TRUE(worker.answer(1));
+    HiddenSurfaceSolver solver(scene);
+    EXPECT_EQ(worker.answer(1)->camera->image.ids, answer_hidden_question(solver, small).camera->image.ids);
 }
 
 TEST(HiddenWorker, EndsWhileItWorks) {

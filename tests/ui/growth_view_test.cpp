@@ -76,6 +76,26 @@ TEST_F(GrowthView, MeasuringIsWatchedAndCancelled) {
     EXPECT_LT(rows().back().polygons, 100'000);
 }
 
+TEST_F(GrowthView, TheFrameAfterItsEndShowsTheResult) {
+    hidden().growth.scene = static_cast<int>(GrowthScene::own_polygons);
+    ui.frames(2);
+    ui.click("lower/Measure");
+    hidden().growth.measuring.wait(-1.0);
+    ui.frame();
+    EXPECT_FALSE(ui.has("lower/progress")) << "a window that sleeps from here on would show it for good";
+    EXPECT_TRUE(ui.find("lower/Save CSV").enabled);
+}
+
+TEST_F(GrowthView, WhatFailsIsASentence) {
+    hidden().growth.log = std::make_shared<BackgroundLog<GrowthRow>>();
+    hidden().growth.measuring.start([](WorkProgress&) -> std::vector<GrowthRow> { throw std::bad_alloc(); });
+    hidden().growth.measuring.wait(-1.0);
+    ui.frame();
+    EXPECT_TRUE(desk.session.message.is_error);
+    EXPECT_FALSE(hidden().is_busy());
+    EXPECT_TRUE(ui.has("lower/Measure"));
+}
+
 TEST_F(GrowthView, TheRowsAreWrittenToANameThatNoFileHas) {
     const TemporaryFolder folder;
     measure_current_scene();

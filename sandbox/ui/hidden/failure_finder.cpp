@@ -45,8 +45,11 @@ void take_failure(FailureFinder& finder, Session& session) {
     if (!finder.search.is_running()) return;
     const bool is_still_asked = asked_now(session) == finder.asked;
     if (!is_still_asked) finder.search.cancel();
-    const std::optional<FailureView> found = finder.search.take();
-    if (!found || found->cancelled || !is_still_asked) return;
+    const std::optional<Result<FailureView>> taken = finder.search.take();
+    if (!taken || !is_still_asked) return;
+    if (!*taken) return session.report(Error{taken->error()});
+    const FailureView* const found = &**taken;
+    if (found->cancelled) return;
     session.message = {found->sentence, false};
     if (!found->found) return;
     CameraParams& camera = session.params.camera;

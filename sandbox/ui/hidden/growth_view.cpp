@@ -206,12 +206,14 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
 
 }  // namespace
 
-void take_growth_rows(GrowthViewState& state) {
+void take_growth_rows(GrowthViewState& state, Session& session) {
     if (!state.log) return;
     // Asked first: what is in the log afterwards is all that the result has.
-    const bool is_finished = state.measuring.take().has_value();
+    const std::optional<Result<std::vector<GrowthRow>>> finished = state.measuring.take();
     state.rows[static_cast<std::size_t>(state.scene)] = state.log->entries();
-    if (is_finished) state.log.reset();
+    if (!finished) return;
+    state.log.reset();
+    if (!*finished) session.report(Error{finished->error()});
 }
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect) {

@@ -33,7 +33,8 @@ struct GrowthViewState {
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect);
 
-/// The rows that have been measured so far become `rows`; once a frame, whichever view is shown.
-void take_growth_rows(GrowthViewState& state);
+/// The rows that have been measured so far become `rows`; once a frame, whichever view is shown. What went wrong
+/// becomes the session's message.
+void take_growth_rows(GrowthViewState& state, Session& session);
 
 }  // namespace viewing

@@ -23,17 +23,17 @@ struct HiddenState {
     }
 };
 
-/// Once a frame, before anything is drawn.
-inline void begin_hidden_frame(HiddenState& state, const Session& session, const HiddenStatus& hidden) {
+/// Once a frame, before anything is drawn: what has ended beside the window takes effect.
+inline void begin_hidden_frame(HiddenState& state, Session& session, const HiddenStatus& hidden) {
+    take_failure(state.panel.failure, session);
+    take_growth_rows(state.growth, session);
     stop_at_other_step(state.panel, session);
     keep_selection(state.links, hidden);
 }
 
-/// Once a frame, at its end: what was found and what was pointed at takes effect.
-inline void end_hidden_frame(HiddenState& state, Session& session) {
+/// Once a frame, at its end: what was pointed at takes effect.
+inline void end_hidden_frame(HiddenState& state) {
     widgets::StopUnlessShown(state.panel.player);
-    take_failure(state.panel.failure, session);
-    take_growth_rows(state.growth);
     take_links(state.links);
 }
 

@@ -23,6 +23,8 @@ enum class Key {
     down,  // turning
     shift,
     ctrl,
+    alt,
+    super,
     m,
     c,
     v,

@@ -172,7 +172,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
-    end_hidden_frame(views.hidden, session);
+    end_hidden_frame(views.hidden);
     requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
     requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);

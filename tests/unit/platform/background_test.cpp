@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <stdexcept>
 #include <thread>
 
@@ -26,7 +28,7 @@ TEST(Background, GivesItsResultOnce) {
     task.wait(-1.0);
     EXPECT_TRUE(task.is_done());
     EXPECT_TRUE(task.is_running()) << "until its result is taken";
-    EXPECT_EQ(task.take(), "made");
+    EXPECT_EQ(**task.take(), "made");
     EXPECT_FALSE(task.is_running());
     EXPECT_FALSE(task.take());
 }
@@ -35,7 +37,7 @@ TEST(Background, WorksBesideItsCaller) {
     BackgroundTask<std::thread::id> task;
     task.start([](WorkProgress&) { return std::this_thread::get_id(); });
     task.wait(-1.0);
-    EXPECT_NE(task.take(), std::this_thread::get_id());
+    EXPECT_NE(**task.take(), std::this_thread::get_id());
 }
 
 TEST(Background, IsWatchedAndCancelled) {
@@ -48,7 +50,7 @@ TEST(Background, IsWatchedAndCancelled) {
     EXPECT_FALSE(task.take());
     task.cancel();
     task.wait(-1.0);
-    EXPECT_EQ(task.take(), 7) << "what it had";
+    EXPECT_EQ(**task.take(), 7) << "what it had";
 }
 
 TEST(Background, AnotherStartReplacesWhatRuns) {
@@ -56,7 +58,7 @@ TEST(Background, AnotherStartReplacesWhatRuns) {
     task.start(until_cancelled);
     task.start([](WorkProgress& progress) { return progress.cancelled ? -1 : 8; });
     task.wait(-1.0);
-    EXPECT_EQ(task.take(), 8);
+    EXPECT_EQ(**task.take(), 8);
 }
 
 TEST(Background, IsCancelledAndWaitedForAtItsEnd) {
@@ -72,20 +74,48 @@ TEST(Background, IsCancelledAndWaitedForAtItsEnd) {
     EXPECT_TRUE(ended);
 }
 
-TEST(Background, WhatWasThrownIsThrownToWhoeverTakesTheResult) {
+TEST(Background, WhatWasThrownIsASentence) {
     BackgroundTask<int> task;
-    task.start([](WorkProgress&) -> int { throw std::runtime_error("out of paper"); });
+    const auto sentence_of = [&task](const std::function<int()>& work) {
+        task.start([work](WorkProgress&) { return work(); });
+        task.wait(-1.0);
+        const std::optional<Result<int>> result = task.take();
+        EXPECT_FALSE(task.is_running());
+        return result && !*result ? result->error() : "no error";
+    };
+    EXPECT_EQ(sentence_of([]() -> int { throw std::runtime_error("out of paper"); }),
+              "this work is given up: out of paper");
+    EXPECT_EQ(sentence_of([]() -> int { throw std::bad_alloc(); }),
+              "the memory does not suffice for this work: it is given up");
+    EXPECT_EQ(sentence_of([]() -> int { throw 7; }), "this work is given up, nobody knows why");
+    task.start([](WorkProgress&) -> Result<int> { return Error{"an error stays as it is"}; });
     task.wait(-1.0);
-    try {
-        task.take();
-        FAIL() << "nothing was thrown";
-    } catch (const std::runtime_error& thrown) {
-        EXPECT_STREQ(thrown.what(), "out of paper");
-    }
-    EXPECT_FALSE(task.is_running());
+    EXPECT_EQ(task.take()->error(), "an error stays as it is");
     task.start([](WorkProgress&) { return 1; });
     task.wait(-1.0);
-    EXPECT_EQ(task.take(), 1);
+    EXPECT_EQ(**task.take(), 1);
+}
+
+BackgroundTask<int>* watched = nullptr;
+std::atomic<int> wakes_after_the_end{0};
+
+TEST(Background, ItsEndWakesWhoeverSleeps) {
+    BackgroundTask<int> task;
+    watched = &task;
+    wake_when_work_ends([] { wakes_after_the_end += watched->is_done() ? 1 : 100; });
+    std::atomic<bool> may_begin{false};
+    task.start([&may_begin](WorkProgress&) {
+        while (!may_begin) std::this_thread::yield();
+        return 1;
+    });
+    may_begin = true;
+    while (wakes_after_the_end == 0) std::this_thread::yield();
+    wake_when_work_ends(nullptr);
+    EXPECT_EQ(wakes_after_the_end, 1) << "whoever is waked finds the result";
+    task.start([](WorkProgress&) -> int { throw std::bad_alloc(); });
+    task.wait(-1.0);
+    task = {};
+    EXPECT_EQ(wakes_after_the_end, 1) << "nobody is waked any more";
 }
 
 TEST(Background, ALogKeepsTheOrderOfItsEntries) {
