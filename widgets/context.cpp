@@ -114,8 +114,9 @@ bool IsEntryLit(Links own, Links links) {
 
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     constexpr float delay_s = 0.5F;
+    const ImGuiIO& io = ImGui::GetIO();
     Editing& editing = CurrentContext().editing;
-    if (!hovered || ImGui::IsAnyMouseDown()) return false;
+    if (!hovered) return false;
     const int frame = ImGui::GetFrameCount();
     const ImVec4 item(min.x, min.y, max.x, max.y);
     const bool same_item = editing.tooltip_of.x == item.x && editing.tooltip_of.y == item.y &&
@@ -124,10 +125,16 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     if (!same_item || editing.tooltip_frame < frame - 1) {
         editing.tooltip_of = item;
         editing.tooltip_time_s = 0.0F;
+        editing.tooltip_muted = false;
     } else if (editing.tooltip_frame < frame) {
-        editing.tooltip_time_s += ImGui::GetIO().DeltaTime;
+        const bool moves = io.MouseDelta.x != 0.0F || io.MouseDelta.y != 0.0F;
+        const bool is_shown = editing.tooltip_time_s >= delay_s;
+        editing.tooltip_time_s = moves && !is_shown ? 0.0F : editing.tooltip_time_s + io.DeltaTime;
     }
     editing.tooltip_frame = frame;
+    const bool typing = io.WantTextInput && ImGui::IsAnyItemActive();
+    editing.tooltip_muted |= ImGui::IsAnyMouseDown() || typing;
+    if (editing.tooltip_muted) return false;
     if (editing.tooltip_time_s >= delay_s) {
         // ImGui hides a new window in its first frame: the tooltip needs further ones to appear.
         constexpr int frames_to_appear = 3;

@@ -143,6 +143,24 @@ void EndChoice() {
     ImGui::PopID();
 }
 
+bool ClosedList(const char* label, const char* preview, float width) {
+    const ImVec2 min = ImGui::GetCursorScreenPos();
+    const ImVec2 max(min.x + width, min.y + ImGui::GetFrameHeight());
+    const bool clicked = ImGui::InvisibleButton(label, {width, max.y - min.y});
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    inner::DrawField(draw, min, max, ImGui::IsItemHovered(), ImGui::IsItemActive(), false, Role::none);
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const float room = width - padding * 2.0F - inner::Px(arrow_room);
+    if (inner::FaceOf(nullptr).Measure(preview).x > room)
+        DrawLongPreview(draw, min, max.y - min.y, tr(preview), room);
+    else
+        DrawTextIn(draw, ImVec2(min.x + padding, min.y), max.y - min.y, CurrentContext().palette.text, preview);
+    inner::DrawTriangle(draw, ImVec2(max.x - inner::Px(13), (min.y + max.y) * 0.5F), inner::Px(4), true,
+                        inner::Shown(CurrentContext().palette.quiet));
+    inner::RecordRect(label, min, max, preview);
+    return clicked;
+}
+
 float ChoiceWidth(std::span<const char* const> names) {
     float width = 0.0F;
     for (const char* name : names) width = std::max(width, inner::FaceOf(nullptr).Measure(name).x);

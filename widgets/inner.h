@@ -101,9 +101,9 @@ bool IsEntryLit(Links own, Links links);
 /// Whether the pointer has rested long enough on the item with this rectangle. In a frame only the first item that asks
 /// gets a yes: a part explains itself before the group around it.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
-/// The tooltip window with its usual look; End after.
+/// The tooltip window with its usual look; End after. `told`: what the recorder keeps of it.
 void BeginTooltipWindow();
-void EndTooltipWindow();
+void EndTooltipWindow(std::string_view told = {});
 
 using viewing::NumberChars;
 using viewing::Tiny;

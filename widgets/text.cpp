@@ -14,17 +14,33 @@ std::string Shortened(std::string text, float width) {
     return text + "…";
 }
 
-std::string BrokenAtBlanks(std::string_view text, float width) {
+namespace {
+
+/// `width_of` measures a line.
+template <typename Measure>
+std::string Broken(std::string_view text, float width, const Measure& width_of) {
     std::string broken, line;
     while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(' '));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
         const std::string longer = line.empty() ? std::string(word) : line + ' ' + std::string(word);
-        const bool fits = line.empty() || ImGui::CalcTextSize(longer.c_str()).x <= width;
+        const bool fits = line.empty() || width_of(longer) <= width;
         if (!fits) broken += line + '\n';
         line = fits ? longer : std::string(word);
     }
     return broken + line;
+}
+
+}  // namespace
+
+std::string BrokenAtBlanks(std::string_view text, float width) {
+    return Broken(text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
+}
+
+std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& font) {
+    return Broken(text, width, [&font](const std::string& line) {
+        return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, line.c_str()).x;
+    });
 }
 
 namespace {
@@ -118,15 +134,11 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
     TooltipFormulas(formula, roles);
     if (*gl_call) TooltipLine(gl_call, context.palette.accent, context.fonts.number);
     if (*path) TooltipLine(path, context.palette.quiet, context.fonts.small_number);
-    if (context.record) {
-        const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-        std::string all = title;
-        for (const char* line : {body, formula, gl_call, path}) {
-            if (*line) all.append("\n").append(line);
-        }
-        inner::RecordRect("tooltip", min, ImVec2(min.x + size.x, min.y + size.y), all);
+    std::string all = title;
+    for (const char* line : {body, formula, gl_call, path}) {
+        if (*line) all.append("\n").append(line);
     }
-    inner::EndTooltipWindow();
+    inner::EndTooltipWindow(all);
 }
 
 namespace inner {
@@ -183,18 +195,47 @@ Labelled::~Labelled() {
     ImGui::EndGroup();
 }
 
+namespace {
+
+/// Where a tooltip of this size stands beside what it is about: beside the column, so that neither the item nor the
+/// next ones are covered; in what is too wide for a column, below the item or above it.
+ImVec2 TooltipPlace(const ImVec4& item, ImVec2 size) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 column_min = ImGui::GetWindowPos();
+    const float column_max = column_min.x + ImGui::GetWindowWidth(), gap = Px(8);
+    const bool is_column = column_max - column_min.x <= 0.45F * screen.x;
+    const bool fits_right = column_max + gap + size.x <= screen.x, fits_left = column_min.x - gap - size.x >= 0.0F;
+    if (is_column && (fits_right || fits_left))
+        return {fits_right ? column_max + gap : column_min.x - gap - size.x,
+                std::max(std::min(item.y, screen.y - size.y), 0.0F)};
+    const bool fits_below = item.w + gap + size.y <= screen.y;
+    return {std::max(std::min(item.x, screen.x - size.x), 0.0F),
+            fits_below ? item.w + gap : std::max(item.y - gap - size.y, 0.0F)};
+}
+
+}  // namespace
+
 void BeginTooltipWindow() {
+    const Editing& editing = CurrentContext().editing;
+    ImGui::SetNextWindowPos(TooltipPlace(editing.tooltip_of, editing.tooltip_size));
     // What a disabled item pushed must not make its explanation pale.
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(Px(11), Px(9)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(Px(6), Px(5)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, Px(6));
     ImGui::BeginTooltip();
+    ImGui::BeginGroup();
     ImGui::PushTextWrapPos(Px(340) * CurrentContext().palette.type_scale);
 }
 
-void EndTooltipWindow() {
+void EndTooltipWindow(std::string_view told) {
     ImGui::PopTextWrapPos();
+    ImGui::EndGroup();
+    // Of what is in it: the window itself takes its size a frame later.
+    const ImVec2 content = ImGui::GetItemRectSize(), padding = ImGui::GetStyle().WindowPadding;
+    CurrentContext().editing.tooltip_size = {content.x + 2.0F * padding.x, content.y + 2.0F * padding.y};
+    const ImVec2 min = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    RecordRect("tooltip", min, ImVec2(min.x + size.x, min.y + size.y), told);
     ImGui::EndTooltip();
     ImGui::PopStyleVar(4);
 }

@@ -47,6 +47,7 @@ struct Fonts {
     ImFont* note = nullptr;          ///< proportional 11
     ImFont* number = nullptr;        ///< monospaced 14
     ImFont* small_number = nullptr;  ///< monospaced 11
+    ImFont* caption = nullptr;       ///< proportional 17: sentences to be read from the back row
 };
 
 /// Where a widget with a label was drawn, for tests that click by name.
@@ -82,6 +83,8 @@ struct Editing {
     ImVec4 tooltip_of{-1.0F, -1.0F, -1.0F, -1.0F};  ///< rectangle of the item that the pointer rests on
     int tooltip_frame = 0;
     float tooltip_time_s = 0.0F;
+    bool tooltip_muted = false;  ///< the item was clicked: until the pointer has left it
+    ImVec2 tooltip_size;         ///< of the one shown
     int tooltip_frames_due = 0;  ///< frames since it may show
     float redraw_in_s = -1.0F;
 };
@@ -137,6 +140,8 @@ std::optional<double> ParseNumber(std::string_view text, std::string_view unit =
 /// The text with line breaks at blanks alone, so that each line is at most so many pixels wide where it can be, in the
 /// current font. ImGui would break within "0.5" too.
 std::string BrokenAtBlanks(std::string_view text, float width);
+/// The same in a font of its own size, also outside a frame.
+std::string BrokenAtBlanks(std::string_view text, float width, const ImFont& font);
 /// The start of the text that fits into so many pixels in the current font, with "…" where something was left out.
 std::string Shortened(std::string text, float width);
 void Note(const char* text);                               ///< small and quiet, wraps
@@ -157,9 +162,11 @@ struct LetterRole {
 ImVec2 Formula(ImDrawList* draw, ImVec2 position, const char* formula, std::span<const LetterRole> roles, ImU32 base,
                ImFont* font = nullptr);
 
-/// A tooltip for the last item after the usual delay: `title` in semibold, then lines; empty ones are skipped, and so
-/// is a tooltip without any. `formula` may be several with "; " between; `path`, what a script calls the thing, stands
-/// small and quiet below. Works on disabled items. Inside a group the item's own tooltip comes before the group's.
+/// A tooltip for the last item after the usual delay, beside the column that the item is in, or below the item where a
+/// column is as wide as the window; it goes with a click and while text is typed. `title` in semibold, then lines;
+/// empty ones are skipped, and so is a tooltip without any. `formula` may be several with "; " between; `path`, what a
+/// script calls the thing, stands small and quiet below. Works on disabled items. Inside a group the item's own tooltip
+/// comes before the group's.
 void Tooltip(const char* title, const char* body, const char* formula = "", const char* gl_call = "",
              std::span<const LetterRole> roles = {}, const char* path = "");
 
@@ -208,6 +215,9 @@ bool Segments(const char* label, int& index, std::span<const char* const> names,
 /// in two lines if need be, and shortened where that is not enough.
 bool BeginChoice(const char* label, const char* preview, float width = 0.0F);
 void EndChoice();
+
+/// What looks like a closed Choice: says whether it was clicked; what opens then is the caller's.
+bool ClosedList(const char* label, const char* preview, float width);
 
 /// Closes the popup that is being drawn when Escape is pressed; call right after its Begin. Says whether it did. A
 /// number that is being typed and a list that is open inside it come first. Choices and colours close by themselves.

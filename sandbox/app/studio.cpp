@@ -25,7 +25,8 @@ Studio::Studio(Renderer& renderer, Session opened)
       renderer_(renderer),
       renderer_name_(renderer_name()),
       pictures_(renderer),
-      inspection_(renderer) {
+      inspection_(renderer),
+      preset_pictures_(renderer) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // no file is touched that was not named
@@ -98,6 +99,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     Pictures pictures = pictures_.textures();
     pictures.hidden = {shown_.hidden, answer_.fraction(), surroundings.shows_time};
     pictures.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
+    pictures.preset = preset_pictures_.of(workbench.wanted_preset_picture());
     const StatusLine told = status(surroundings.shows_time);
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     ImGui_ImplOpenGL3_NewFrame();
@@ -121,8 +123,12 @@ double Studio::next_redraw_in_s() const {
     const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
                       is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
-                       inspection_.wants_frames();
-    return busy ? 0.0 : works ? 0.05 : static_cast<double>(widgets::RedrawIn(workbench.widgets));
+                       inspection_.wants_frames() || preset_pictures_.is_busy();
+    if (busy || works) return busy ? 0.0 : 0.05;
+    const auto widgets_in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
+    const double message_in_s = Workbench::message_ends_in_s(session.message);
+    if (widgets_in_s < 0.0 || message_in_s < 0.0) return std::max(widgets_in_s, message_in_s);
+    return std::min(widgets_in_s, message_in_s);
 }
 
 Requests Studio::frame(const Surroundings& surroundings) {
@@ -139,7 +145,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     moment_ = moves_ ? advanced(moment_, session.params, surroundings.input.dt_s) : has_begun ? moment_ : Moment{};
     shown_.params = animated(session.params, moment_);
 
-    update(workbench.layout(io.DisplaySize, shown_.params), surroundings);
+    update(workbench.layout(io.DisplaySize, session), surroundings);
     if (!views_are_behind_) session.report(inspection_.read(shown_, session, workbench.views));
     const Requests requests = draw_interface(surroundings);
 

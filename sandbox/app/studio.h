@@ -6,6 +6,7 @@
 
 #include "app/inspection.h"
 #include "app/looks.h"
+#include "app/preset_pictures.h"
 #include "app/shown_answer.h"
 #include "app/view_pictures.h"
 #include "frame/animation.h"
@@ -60,6 +61,7 @@ private:
     ShownAnswer answer_;
     ViewPictures pictures_;
     Inspection inspection_;
+    PresetPictures preset_pictures_;
     gl::ColorTarget window_;
 
     // What the pictures were drawn for: nothing is drawn again while it is the same.

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cmath>
 #include <ctime>
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "app/studio.h"
 #include "image/png.h"
 #include "platform/background.h"
+#include "text/catalogue.h"
 #include "ui/parts/input_queue.h"
 
 #define GLFW_INCLUDE_NONE  // GL comes from the loader above
@@ -67,6 +69,15 @@ constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_O, Key::o},
                                  {GLFW_KEY_B, Key::b},
                                  {GLFW_KEY_N, Key::n},
+                                 {GLFW_KEY_P, Key::p},
+                                 {GLFW_KEY_EQUAL, Key::plus},
+                                 {GLFW_KEY_KP_ADD, Key::plus},
+                                 {GLFW_KEY_MINUS, Key::minus},
+                                 {GLFW_KEY_KP_SUBTRACT, Key::minus},
+                                 {GLFW_KEY_0, Key::zero},
+                                 {GLFW_KEY_KP_0, Key::zero},
+                                 {GLFW_KEY_PAGE_UP, Key::page_up},
+                                 {GLFW_KEY_PAGE_DOWN, Key::page_down},
                                  {GLFW_KEY_F1, Key::f1},
                                  {GLFW_KEY_F2, Key::f2},
                                  {GLFW_KEY_F3, Key::f3},
@@ -165,9 +176,11 @@ private:
     static void on_key(GLFWwindow* window, int glfw_key, int scancode, int action, int modifiers) {
         if (action == GLFW_REPEAT || glfw_key < 0) return;
         int printed_key = glfw_key;
-        if (const char* printed = glfwGetKeyName(glfw_key, scancode);
-            printed && printed[0] >= 'a' && printed[0] <= 'z' && !printed[1])
-            printed_key = GLFW_KEY_A + (printed[0] - 'a');
+        if (const char* printed = glfwGetKeyName(glfw_key, scancode); printed && printed[0] != '\0' && !printed[1]) {
+            if (printed[0] >= 'a' && printed[0] <= 'z') printed_key = GLFW_KEY_A + (printed[0] - 'a');
+            if (printed[0] == '+') printed_key = GLFW_KEY_KP_ADD;
+            if (printed[0] == '-') printed_key = GLFW_KEY_KP_SUBTRACT;
+        }
         push(window, KeyChanged{.code = static_cast<std::size_t>(glfw_key),
                                 .kind = kind_of(glfw_key),
                                 .key = key_of(printed_key),
@@ -194,6 +207,25 @@ std::string glfw_reason(const char* otherwise) {
     std::string text = reason ? reason : otherwise;
     text.erase(text.find_last_not_of(' ') + 1);  // an empty DISPLAY leaves one behind
     return text;
+}
+
+std::vector<WindowPlace> screens() {
+    std::vector<WindowPlace> screens;
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        WindowPlace& screen = screens.emplace_back();
+        glfwGetMonitorWorkarea(monitors[i], &screen.position.x, &screen.position.y, &screen.size.x, &screen.size.y);
+    }
+    return screens;
+}
+
+/// Where it was the last time, if that is still on a screen.
+void restore_place(GLFWwindow* window, const std::optional<WindowPlace>& place) {
+    if (!place || !is_reachable(*place, screens())) return;
+    glfwSetWindowSize(window, place->size.x, place->size.y);
+    glfwSetWindowPos(window, place->position.x, place->position.y);
+    if (place->maximised) glfwMaximizeWindow(window);
 }
 
 Result<Window> make_window() {
@@ -237,6 +269,18 @@ public:
         glfwSetWindowMonitor(window, monitor, 0, 0, mode.width, mode.height, mode.refreshRate);
     }
 
+    /// The window's place without it. `before`: of a window that is maximised now.
+    WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const {
+        WindowPlace place{{x_, y_}, {width_, height_}, false};
+        if (glfwGetWindowMonitor(window)) return place;
+        glfwGetWindowPos(window, &place.position.x, &place.position.y);
+        glfwGetWindowSize(window, &place.size.x, &place.size.y);
+        if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) != GLFW_TRUE) return place;
+        place = before.value_or(place);
+        place.maximised = true;
+        return place;
+    }
+
 private:
     int x_ = 0, y_ = 0, width_ = 1280, height_ = 720;
 };
@@ -249,10 +293,12 @@ std::string snapshot_name() {
 }
 
 void write_snapshot(const Renderer& renderer, Studio& studio) {
-    const std::string name = snapshot_name();
-    const Status written = write_png(name, renderer.read(studio.camera_view()));
+    std::error_code ignored;
+    const std::filesystem::path file = std::filesystem::absolute(snapshot_name(), ignored);
+    const Status written = write_png(file, renderer.read(studio.camera_view()));
     studio.session.message =
-        written ? Message{"snapshot of the camera view written to " + name, false} : Message{written.error(), true};
+        written ? Message{say("snapshot of the camera view written to {file}", "file"_a = file.string()), false}
+                : Message{written.error(), true};
 }
 
 /// A part of the window as it was just drawn.
@@ -261,8 +307,8 @@ void write_view_picture(Studio& studio, const ViewPicture& wanted) {
     const Image part = cropped(studio.read(), static_cast<int>(rect.min.x), static_cast<int>(rect.min.y),
                                static_cast<int>(rect.max.x), static_cast<int>(rect.max.y));
     const Status written = write_png(wanted.file, part);
-    studio.session.message =
-        written ? Message{"picture written to " + wanted.file.string(), false} : Message{written.error(), true};
+    studio.session.message = written ? Message{say("picture written to {file}", "file"_a = wanted.file.string()), false}
+                                     : Message{written.error(), true};
 }
 
 void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
@@ -272,7 +318,7 @@ void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
     glfwSwapBuffers(window);
 }
 
-void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events) {
+void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory) {
     FullScreen full_screen;
     int frames_due = 0;
     while (!glfwWindowShouldClose(window)) {
@@ -307,14 +353,21 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             write_view_picture(studio, *requests.view_picture);
             events.any = true;
         }
+        Remembered looks = memory.remembered();
+        if (requests.chosen_theme) looks.theme = requests.chosen_theme;
+        if (requests.chosen_scale) looks.scale = requests.chosen_scale;
+        studio.session.report(memory.remember(looks));
         if (requests.toggle_full_screen) full_screen.toggle(window);
         present(window, studio, size_px);
     }
+    Remembered last = memory.remembered();
+    last.window = full_screen.place(window, last.window);
+    if (const Status written = memory.remember(last); !written) std::cerr << written.error() << '\n';
 }
 
 }  // namespace
 
-Status run_window(Session session, int lost_display_status) {
+Status run_window(Session session, WindowMemory& memory, int lost_display_status) {
     const Glfw glfw;
     if (!glfw.started) {
         return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
@@ -324,6 +377,7 @@ Status run_window(Session session, int lost_display_status) {
     Result<Window> made = make_window();
     if (!made) return Error{made.error()};
     GLFWwindow* window = made->get();
+    restore_place(window, memory.remembered().window);
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
 
@@ -334,7 +388,8 @@ Status run_window(Session session, int lost_display_status) {
     Events events(window);
     ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
     glfwShowWindow(window);
-    run_loop(window, *renderer, studio, events);
+    if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
+    run_loop(window, *renderer, studio, events, memory);
     ImGui_ImplGlfw_Shutdown();
     return std::monostate{};
 }

@@ -10,20 +10,28 @@ namespace {
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
+    bool is_fresh = false;
+    options.group("Window");
+    options.flag("--fresh", is_fresh,
+                 "Forgets the theme, the scale and the window's size and place of the last time, which are remembered "
+                 "in $XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config where that is not set)");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    const LoadedState state = state_arguments.load();
+    LoadedState state = state_arguments.load();
+    WindowMemory memory(remembered_file(), is_fresh);
+    memory.dress(state.params);
     // What is wrong with the scene is said before there is a window, unless it takes long to find out.
     constexpr double patience_s = 0.5;
     Session session = value_or_end(Session::begin(state, patience_s));
-    value_or_end(run_window(std::move(session), static_cast<int>(ExitStatus::no_context)), ExitStatus::no_context);
+    value_or_end(run_window(std::move(session), memory, static_cast<int>(ExitStatus::no_context)),
+                 ExitStatus::no_context);
     return ExitStatus::done;
 }
 
 }  // namespace
 
 constinit const Command open_command{"open",
-                                     "[STATE] [--set PATH=VALUE]…",
+                                     "[STATE] [--set PATH=VALUE]… [--fresh]",
                                      "the window: panel, views, matrices (what happens without a command)",
                                      "Opens the window with a state. The word open may be left out.",
                                      "\n"

@@ -59,6 +59,7 @@ LoadedState StateArguments::load() const {
         std::error_code error;
         loaded.params.scene = fs::absolute(mesh_.value_or(state_), error).string();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
+        loaded.preset.reset();  // its sentence tells of other objects
     }
     if (std::any_of(settings_.begin(), settings_.end(), sets_scene)) {
         rebase_to_working_directory(loaded);

@@ -1,30 +1,44 @@
-// Undo and redo: whole Params values, one step between two rests.
+// Undo and redo: whole values, one step between two rests.
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
-
-#include "state/params.h"
 
 namespace viewing {
 
+template <typename Value>
 class History {
 public:
-    explicit History(Params initial) : current_(std::move(initial)) {}
+    explicit History(Value initial) : current_(std::move(initial)) {}
 
     /// Called whenever nothing is held or moving: a value that differs from the last rest becomes one step.
     /// Redo is forgotten only then. Returns whether a step was made.
-    bool rest(const Params& params);
+    bool rest(const Value& value) {
+        if (value == current_) return false;
+        if (past_.size() == max_steps) past_.erase(past_.begin());
+        past_.push_back(std::exchange(current_, value));
+        future_.clear();
+        return true;
+    }
 
-    std::optional<Params> undo();
-    std::optional<Params> redo();
+    std::optional<Value> undo() { return step(past_, future_); }
+    std::optional<Value> redo() { return step(future_, past_); }
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }
 
 private:
     static constexpr std::size_t max_steps = 500;
-    Params current_;
-    std::vector<Params> past_, future_;
+
+    std::optional<Value> step(std::vector<Value>& from, std::vector<Value>& to) {
+        if (from.empty()) return std::nullopt;
+        to.push_back(std::exchange(current_, std::move(from.back())));
+        from.pop_back();
+        return current_;
+    }
+
+    Value current_;
+    std::vector<Value> past_, future_;
 };
 
 }  // namespace viewing

@@ -38,7 +38,8 @@ Session::Session(const LoadedState& state, Scene scene)
       scene_(std::move(scene)),
       loaded_source_(state.params.scene),
       loaded_base_(state.base),
-      history_(state.params),
+      preset_(state.preset),
+      history_(Step{state.params, state.preset}),
       at_rest_(state.params),
       before_(state.params) {}
 
@@ -103,7 +104,10 @@ void Session::remake_scene() {
 }
 
 void Session::keep_scene() {
-    if (before_replacing_) params = *before_replacing_;
+    if (before_replacing_) {
+        params = before_replacing_->params;
+        preset_ = before_replacing_->preset;
+    }
     params.scene = loaded_source_;
     base_ = loaded_base_;
     before_replacing_.reset();
@@ -171,7 +175,7 @@ void Session::scale_speed(double factor) {
 }
 
 void Session::rest() {
-    if (awaits_scene() || !history_.rest(params)) return;
+    if (awaits_scene() || !history_.rest({params, preset_})) return;
     before_ = at_rest_;
     at_rest_ = params;
 }
@@ -179,23 +183,38 @@ void Session::rest() {
 void Session::undo() {
     if (awaits_scene() && params != at_rest_) return keep_scene();  // no step yet
     rest();
-    if (std::optional<Params> earlier = history_.undo()) {
-        before_ = params;
-        params = at_rest_ = *earlier;
-        motion_ = {};
-    }
+    if (const std::optional<Step> earlier = history_.undo()) take_over(*earlier);
 }
 
 void Session::redo() {
     rest();
-    if (std::optional<Params> later = history_.redo()) {
-        before_ = params;
-        params = at_rest_ = *later;
-        motion_ = {};
-    }
+    if (const std::optional<Step> later = history_.redo()) take_over(*later);
+}
+
+void Session::take_over(const Step& step) {
+    before_ = params;
+    params = at_rest_ = step.params;
+    preset_ = step.preset;
+    motion_ = {};
+}
+
+bool Session::departs_from_preset() const {
+    if (!preset_) return false;
+    Params as_it_was = preset_->params;
+    as_it_was.ui = params.ui;
+    return as_it_was != params;
+}
+
+void Session::return_to_preset() {
+    if (!preset_) return;
+    const UiParams ui = params.ui;
+    params = preset_->params;
+    params.ui = ui;
+    motion_ = {};
 }
 
 void Session::reset() {
+    if (const Result<LoadedState> opening = load_state("")) preset_ = opening->preset;
     const UiParams ui = params.ui;
     params = Params{};
     params.ui = ui;
@@ -204,8 +223,9 @@ void Session::reset() {
 }
 
 void Session::replace(const LoadedState& state) {
-    if (!before_replacing_) before_replacing_ = params;
+    if (!before_replacing_) before_replacing_ = Step{params, preset_};
     params = state.params;
+    preset_ = state.preset;
     base_ = state.base;
     motion_ = {};
 }

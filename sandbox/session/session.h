@@ -18,6 +18,7 @@ namespace viewing {
 struct Message {
     std::string text;
     bool is_error = false;
+    double shown_s = 0.0;  ///< good news goes by itself after a while
 };
 
 class Session {
@@ -71,6 +72,13 @@ public:
     /// The parameters before the latest edit: what is tinted as changed is measured against them.
     const Params& before_latest_edit() const { return params == at_rest_ ? before_ : at_rest_; }
 
+    /// The preset that was opened last, none where it was a file or the clipboard; undo and redo bring it along.
+    const OpenPreset* preset() const { return preset_.get(); }
+    /// Whether anything is no longer as that preset has it; theme and scale are the person's.
+    bool departs_from_preset() const;
+    /// Everything as the preset has it, as one step; nothing without one.
+    void return_to_preset();
+
     void reset();
     /// Takes over a state as one step.
     void replace(const LoadedState& state);
@@ -83,6 +91,16 @@ public:
 private:
     struct LoadJob;
 
+    /// What one step of the history brings back.
+    struct Step {
+        Params params;
+        std::shared_ptr<const OpenPreset> preset;
+        bool operator==(const Step& other) const {
+            const auto name = [](const Step& step) { return step.preset ? step.preset->name : std::string(); };
+            return params == other.params && name(*this) == name(other);
+        }
+    };
+
     /// Turns the camera to the orbit's target when that is out of view: orbiting something unseen helps nobody.
     void aim_at_target();
     bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
@@ -90,6 +108,7 @@ private:
     void remake_scene();
     /// The scene that is awaited does not come: back to what was before it was named.
     void keep_scene();
+    void take_over(const Step& step);
 
     std::filesystem::path base_;
     Scene scene_;
@@ -97,12 +116,13 @@ private:
     std::filesystem::path loaded_base_;
     int scene_version_ = 0;
     std::unique_ptr<LoadJob> job_;
-    std::optional<Params> before_replacing_;  ///< while the scene of a whole new state is awaited
+    std::optional<Step> before_replacing_;  ///< while the scene of a whole new state is awaited
 
     Motion motion_;
     MovingFreedoms moving_;
     MotionTuning tuning_;
-    History history_;
+    std::shared_ptr<const OpenPreset> preset_;
+    History<Step> history_;
     Params at_rest_, before_;
 };
 

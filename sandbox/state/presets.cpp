@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <tuple>
 
 #include "platform/text_file.h"
 #include "state/document.h"
@@ -49,9 +48,26 @@ std::vector<NamedFile> files_in(const char* folder) {
             files.push_back(named_file(entry->path()));
         }
     }
-    const auto key = [](const NamedFile& file) { return std::tuple(file.name != opening, file.name); };
-    std::sort(files.begin(), files.end(), [&](const NamedFile& a, const NamedFile& b) { return key(a) < key(b); });
+    std::sort(files.begin(), files.end(), [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
     return files;
+}
+
+/// The names of the presets in the order in which the lecture comes to them; empty where the list cannot be read.
+std::vector<std::string> lecture_order() {
+    const Result<std::string> text = read_text_file(assets_directory() / "lecture.json");
+    const Result<Json> document =
+        text ? guarded([&] { return parse_document(*text, ""); }) : Result<Json>(Error{text.error()});
+    std::vector<std::string> names;
+    if (!document || !document->is_object() || !document->contains("presets")) return names;
+    for (const Json& name : (*document)["presets"])
+        if (name.is_string()) names.push_back(name.get<std::string>());
+    return names;
+}
+
+LoadedState preset_state(const std::string& name, const Params& params, const fs::path& base) {
+    LoadedState state{params, base, name + ".json: scene"};
+    state.preset = std::make_shared<const OpenPreset>(OpenPreset{name, params});
+    return state;
 }
 
 Result<LoadedState> parsed(const Result<std::string>& text, const std::string& source, const fs::path& base) {
@@ -83,7 +99,14 @@ std::string names_hint(std::string_view word, std::span<const NamedFile> files) 
 }
 
 std::vector<NamedFile> presets() {
-    return files_in("presets");
+    std::vector<NamedFile> files = files_in("presets");
+    const std::vector<std::string> order = lecture_order();
+    const auto place = [&order](const NamedFile& file) {
+        return std::find(order.begin(), order.end(), file.name) - order.begin();
+    };
+    std::stable_sort(files.begin(), files.end(),
+                     [&](const NamedFile& a, const NamedFile& b) { return place(a) < place(b); });
+    return files;
 }
 
 std::vector<NamedFile> scenes() {
@@ -92,7 +115,7 @@ std::vector<NamedFile> scenes() {
 
 Result<LoadedState> load_state(const std::string& argument) {
     if (argument.empty()) {
-        return LoadedState{Params{}, assets_directory() / "presets"};
+        return preset_state(opening, Params{}, assets_directory() / "presets");
     }
     if (argument == "-") {
         return parsed(read_text(std::cin, "standard input"), "standard input", "");
@@ -102,7 +125,9 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {
         const fs::path preset = assets / "presets" / (argument + ".json");
         if (std::error_code error; fs::exists(preset, error)) {
-            return parsed(read_text_file(preset), argument + ".json", preset.parent_path());
+            const Result<LoadedState> state = parsed(read_text_file(preset), argument + ".json", preset.parent_path());
+            if (!state) return Error{state.error()};
+            return preset_state(argument, state->params, state->base);
         }
     }
     if (std::error_code error; is_name && !fs::exists(path, error)) {

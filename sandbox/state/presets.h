@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,17 +24,26 @@ struct NamedFile {
     std::filesystem::path path;
 };
 
-/// The presets and the scenes of the assets directory, sorted by name ("opening" first).
+/// The presets of the assets directory in the order of the lecture, as lecture.json beside them lists it ("opening"
+/// first); what it does not list follows by name.
 std::vector<NamedFile> presets();
+/// Its scenes, sorted by name.
 std::vector<NamedFile> scenes();
 
 /// What follows "neither a file nor a preset": where the names are listed, and the nearest one to a misspelt word.
 std::string names_hint(std::string_view word, std::span<const NamedFile> files);
 
+/// The preset that a state was opened from, and its parameters as its file has them.
+struct OpenPreset {
+    std::string name;
+    Params params;
+};
+
 struct LoadedState {
     Params params;
     std::filesystem::path base;          ///< what the scene's relative paths are relative to
     std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
+    std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a file of one's own
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening

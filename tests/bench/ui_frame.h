@@ -51,7 +51,7 @@ public:
     /// All that derive and plan are asked for when everything is drawn anew: the camera's view twice (now and before
     /// the latest edit), the observer's, and the depth view's.
     void derive_and_plan() {
-        const Layout layout = workbench_.layout(ImGui::GetIO().DisplaySize, session_.params);
+        const Layout layout = workbench_.layout(ImGui::GetIO().DisplaySize, session_);
         const Params& params = session_.params;
         const Scene& scene = session_.scene();
         const Viewport camera{glm::max(layout.camera.size_px(), glm::ivec2(1)), true};

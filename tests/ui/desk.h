@@ -77,7 +77,7 @@ public:
     widgets::test::Harness ui{workbench.widgets, [this] { draw(); }};
 
     Params& params() { return session.params; }
-    Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session.params); }
+    Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session); }
     const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
 
     /// Fonts and style for the theme and scale of the state, as the studio does between frames.

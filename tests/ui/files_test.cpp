@@ -54,11 +54,12 @@ protected:
         const RecordedItem* item = ui.try_find("file/trouble");
         return item ? item->text : "";
     }
-    /// Takes an entry of an open list, scrolled to where needed.
-    void choose_scrolled(const std::string& combo, const std::string& label) {
-        desk.click(combo);
+    /// Takes an entry of the open list of scenes, scrolled to where needed.
+    void choose_scene(const std::string& name) {
+        const std::string label = "top/" + name;
+        desk.click("top/scene");
         ui.frames(2);
-        const RecordedItem first = ui.find("top/" + (combo == "top/preset" ? presets() : scenes()).front().name);
+        const RecordedItem first = ui.find("top/" + scenes().front().name);
         const float lowest = first.min.y + 12.0F * (first.max.y - first.min.y);
         for (float last = 0.0F; ui.find(label).max.y > lowest && ui.find(label).max.y != last;) {
             last = ui.find(label).max.y;
@@ -69,6 +70,15 @@ protected:
             ui.frame();
         }
         ui.click(label);
+        desk.settle();
+    }
+    /// Types its name into the list's search field and takes it there.
+    void choose_preset(const std::string& name) {
+        desk.click("top/preset");
+        ui.frames(2);
+        ui.type(name.c_str());
+        ui.frames(2);
+        ui.click("top/" + name);
         desk.settle();
     }
 
@@ -123,7 +133,7 @@ TEST_F(FilesTest, EveryPresetOpensFromTheList) {
     params.ui.theme = Theme::light;
     for (const NamedFile& preset : presets()) {
         SCOPED_TRACE(preset.name);
-        choose_scrolled("top/preset", "top/" + preset.name);
+        choose_preset(preset.name);
         EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
         const Params expected = load_state(preset.name)->params;
         Params shown = params;
@@ -136,7 +146,7 @@ TEST_F(FilesTest, EverySceneOpensFromTheList) {
     for (const NamedFile& scene : scenes()) {
         SCOPED_TRACE(scene.name);
         const Params before = params;
-        choose_scrolled("top/scene", "top/" + scene.name);
+        choose_scene(scene.name);
         EXPECT_EQ(params.scene, SceneSource(scene.name));
         EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
         EXPECT_FALSE(desk.session.scene().objects.empty());
@@ -172,6 +182,19 @@ TEST_F(FilesTest, SavesAndOpensThroughTheDialogs) {
     ui.double_click("file/mine.json");
     desk.settle();
     EXPECT_EQ(params, saved);
+}
+
+TEST_F(FilesTest, EnterAnswersWhetherAFileIsReplaced) {
+    write("mine.json", "old");
+    desk.press_with(Key::ctrl, Key::s);
+    ui.type("mine.json");
+    ui.key(ImGuiKey_Enter);
+    EXPECT_NE(trouble().find("save once more"), std::string::npos);
+    EXPECT_EQ(read(folder_ / "mine.json"), "old");
+    ui.key(ImGuiKey_Enter);
+    ui.frames(2);
+    EXPECT_FALSE(ui.has("file/name"));
+    EXPECT_EQ(*parse_state(read(folder_ / "mine.json"), "mine.json"), params);
 }
 
 TEST_F(FilesTest, ADialogSaysWhatIsWrongAndStaysOpen) {

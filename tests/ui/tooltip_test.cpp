@@ -32,6 +32,86 @@ TEST(Tooltips, TitleIsTheLabelThatIsShownAndThePathStandsBelow) {
     }
 }
 
+const RecordedItem* shown_tooltip(const Desk& desk) {
+    const auto found =
+        std::ranges::find_if(desk.recorded(), [](const RecordedItem& item) { return item.label.ends_with("tooltip"); });
+    return found == desk.recorded().end() ? nullptr : &*found;
+}
+
+/// Neither what is operated nor what is operated next is covered: in a column, nothing of it.
+TEST(Tooltips, StandBesideTheirColumn) {
+    Desk desk({1600, 900});
+    for (const char* label :
+         {"camera/navigation/Orbit", "projection/z-near", "depth/Depth test", "matrices/S/r0c0", "matrices/V/r2c3"}) {
+        const std::string text = tooltip_of(desk, label);
+        const RecordedItem* tooltip = shown_tooltip(desk);
+        ASSERT_TRUE(tooltip) << label << ": " << text;
+        const Rect column = *desk.area_of(desk.ui.find(label));
+        EXPECT_TRUE(tooltip->min.x >= column.max.x || tooltip->max.x <= column.min.x) << label;
+        EXPECT_GE(tooltip->min.x, 0.0F) << label;
+        EXPECT_LE(tooltip->max.x, 1600.0F) << label;
+        EXPECT_LE(tooltip->max.y, 900.0F) << label;
+    }
+    // A bar is no column: below the item.
+    tooltip_of(desk, "top/next preset");
+    const RecordedItem* below = shown_tooltip(desk);
+    ASSERT_TRUE(below);
+    EXPECT_GE(below->min.y, desk.ui.find("top/next preset").max.y);
+    desk.ui.frames(2);
+}
+
+TEST(Tooltips, WaitForAPointerAtRestAndGoWithAClickUntilItLeaves) {
+    Desk desk({1600, 900});
+    desk.ui.hover("depth/Depth test");
+    desk.ui.frames(20);
+    EXPECT_FALSE(shown_tooltip(desk)) << "after a third of a second";
+    for (int i = 0; i < 60; ++i) desk.ui.hover("depth/Depth test", 0.3F + 0.005F * static_cast<float>(i));
+    EXPECT_FALSE(shown_tooltip(desk)) << "while the pointer moves";
+    desk.ui.frames(40);
+    EXPECT_TRUE(shown_tooltip(desk));
+    desk.ui.press();
+    desk.ui.release();
+    desk.ui.frames(60);
+    EXPECT_FALSE(shown_tooltip(desk)) << "it was clicked";
+    desk.ui.hover("depth/Cull face");
+    desk.ui.hover("depth/Depth test");
+    desk.ui.frames(60);
+    EXPECT_TRUE(shown_tooltip(desk));
+}
+
+TEST(Tooltips, AreAwayWhileTextIsTyped) {
+    Desk desk({1600, 900});
+    desk.ui.double_click("projection/z-near");
+    ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+    desk.ui.hover("projection/z-far");
+    desk.ui.frames(60);
+    EXPECT_FALSE(shown_tooltip(desk));
+    desk.ui.key(ImGuiKey_Enter);
+    desk.ui.hover("projection/z-near");
+    desk.ui.frames(60);
+    EXPECT_TRUE(shown_tooltip(desk));
+}
+
+/// Whatever is greyed, in states that grey much.
+TEST(Tooltips, WhatIsGreyedSaysWhy) {
+    int greyed = 0;
+    for (const char* state : {"opening", "painter-cycle", "depth-cells"}) {
+        Desk desk({1600, 1500}, state);
+        desk.ui.frames(4);
+        std::vector<RecordedItem> items;
+        for (const RecordedItem& item : desk.recorded())
+            if (!item.enabled && item.window != "panel") items.push_back(item);
+        for (const RecordedItem& item : items) {
+            desk.ui.move_to({-1, -1});
+            desk.ui.move_to({(item.min.x + item.max.x) * 0.5F, (item.min.y + item.max.y) * 0.5F});
+            desk.ui.frames(40);
+            EXPECT_TRUE(shown_tooltip(desk)) << state << ": " << item.window << ": " << item.label;
+            ++greyed;
+        }
+    }
+    EXPECT_GT(greyed, 4);
+}
+
 TEST(Tooltips, SegmentsAndThePlanesButtonsHaveOne) {
     Desk desk;
     for (const char* item : {"projection/type/Perspective", "projection/type/Orthographic", "light/position/point",

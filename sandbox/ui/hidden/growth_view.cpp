@@ -92,6 +92,7 @@ void measuring(GrowthViewState& state, const Session& session, Flow& flow) {
     ImGui::BeginDisabled(is_running);
     widgets::Choice("##scene", state.scene, scenes, 0, choice_width);
     ImGui::EndDisabled();
+    if (is_running) widgets::Tooltip("Polygons", "They stay what they are until the measuring has ended.");
     widgets::Tooltip("Polygons",
                      "Small ones hardly touch one another. Large ones nearly all run through one another, so that what "
                      "cuts polygons has much to cut. Of the current scene more and more polygons are taken.");

@@ -11,6 +11,14 @@ Rect rounded(float left, float top, float right, float bottom) {
             {std::round(std::max(left, right)), std::round(std::max(top, bottom))}};
 }
 
+/// The lower end of the camera's picture becomes the caption's.
+void cut_caption(Layout& layout, float height, float gap) {
+    if (height <= 0.0F) return;
+    layout.caption = layout.camera;
+    layout.caption.min.y = layout.camera.max.y - std::ceil(height);
+    layout.camera.max.y = layout.caption.min.y - std::round(gap);
+}
+
 void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     if (!arrangement.halves) return;
     layout.beside = layout.camera;
@@ -59,6 +67,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     switch (arrangement.maximised) {
         case ViewName::camera:
             layout.camera = whole;
+            cut_caption(layout, arrangement.caption_px, px(3.0F));
             divide_camera(layout, arrangement, gap);
             return layout;
         case ViewName::lower_left:
@@ -74,6 +83,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
     const float split_y = bottom - lower;
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
+    cut_caption(layout, arrangement.caption_px, px(3.0F));
     divide_camera(layout, arrangement, gap);
     const float split_x = left + (right - left) * arrangement.lower_split;
     layout.lower_left = rounded(left, split_y, split_x - gap * 0.5F, bottom);

@@ -33,6 +33,7 @@ struct Arrangement {
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
     float lower_split = 0.5F;  ///< share of the left one's width
+    float caption_px = 0.0F;   ///< what the caption needs below the camera's picture, in pixels
 };
 
 struct Layout {
@@ -40,6 +41,8 @@ struct Layout {
     Rect panel, matrices;                  ///< empty when folded
     Rect camera, lower_left, lower_right;  ///< pictures, without their header lines; empty when hidden
     Rect beside;                           ///< a second picture right of the camera's, which then has the other half
+    Rect caption;                          ///< below the camera's picture and the one beside it; empty without one
+    bool caption_is_folded = false;        ///< it is the preset's title alone
     float header_height = 0.0F;            ///< above each picture
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
 };

@@ -90,6 +90,10 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     overlay.label(light, "l", palette().light);
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
     const char* brief = tr("the world moves by V = C⁻¹");
+    if (session.params.slips.camera_as_view) {
+        whole = tr("C is sent in the place of V = C⁻¹: the camera stays, and the world moves by C");
+        brief = tr("the world moves by C, not by V");
+    }
     overlay.keep_labels_off(sentence_over_picture(overlay.draw(), rect, palette().camera, whole, brief));
 }
 

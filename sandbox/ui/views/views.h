@@ -20,6 +20,12 @@
 
 namespace viewing {
 
+/// A small picture of a preset; null while it is not there.
+struct PresetPicture {
+    std::string name;  ///< of the preset
+    ImTextureID texture = nullptr;
+};
+
 /// Finished pictures to show, null while there is none, and what was found for them.
 struct Pictures {
     ImTextureID camera = nullptr, beside = nullptr;
@@ -28,6 +34,7 @@ struct Pictures {
     MirrorWaysShown mirror_ways;
     HiddenStatus hidden;
     DepthData depth;
+    PresetPicture preset;
 };
 
 /// What the mouse is doing in the views; kept between frames.

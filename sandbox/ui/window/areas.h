@@ -9,6 +9,9 @@ namespace viewing {
 /// A window without chrome that fills a rectangle.
 bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
 
+/// Puts the whole state into the clipboard.
+void copy(Session& session);
+
 /// Takes the state that the clipboard holds; says why when it holds none.
 void paste(Session& session);
 

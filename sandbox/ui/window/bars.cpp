@@ -20,38 +20,14 @@ std::string scene_title(const SceneSource& source, const std::vector<NamedFile>&
     return std::filesystem::path(*name).filename().string();
 }
 
-/// A combo over named files; returns the one that was chosen.
-/// Groups in the order of the lecture, and what belongs to none of them before.
-std::vector<const NamedFile*> by_group(const std::vector<NamedFile>& files) {
-    static constexpr std::string_view groups[] = {"Camera", "Hidden surfaces", "Depth buffer",     "Depth fighting",
-                                                  "Shadow", "Mirror",          "Planes and lights"};
-    const auto place = [](const NamedFile* file) {
-        return file->group.empty() ? -1
-                                   : std::find(std::begin(groups), std::end(groups), file->group) - std::begin(groups);
-    };
-    std::vector<const NamedFile*> sorted;
-    for (const NamedFile& file : files) sorted.push_back(&file);
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](const NamedFile* a, const NamedFile* b) { return place(a) < place(b); });
-    return sorted;
-}
-
-const NamedFile* choose(const char* id, const char* shown, const std::vector<NamedFile>& files, float width) {
+/// A combo over the scenes; returns the one that was chosen.
+const NamedFile* choose_scene(const char* shown, const std::vector<NamedFile>& scenes, float width) {
     const NamedFile* chosen = nullptr;
-    if (!widgets::BeginChoice(id, shown, width)) return nullptr;
-    std::string group;
-    for (const NamedFile* file_in_group : by_group(files)) {
-        const NamedFile& file = *file_in_group;
-        if (!file.group.empty() && file.group != group) {
-            group = file.group;
-            ImGui::Dummy({0.0F, px(3.0F)});
-            ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-            ImGui::TextDisabled("%s", tr(group.c_str()));
-            ImGui::PopFont();
-        }
-        if (ImGui::Selectable(widgets::LabelText(file.title.c_str()).c_str(), file.title == shown)) chosen = &file;
-        widgets::Record(file.name.c_str());
-        widgets::Tooltip(file.title.c_str(), file.about.c_str());
+    if (!widgets::BeginChoice("##scene", shown, width)) return nullptr;
+    for (const NamedFile& scene : scenes) {
+        if (ImGui::Selectable(widgets::LabelText(scene.title.c_str()).c_str(), scene.title == shown)) chosen = &scene;
+        widgets::Record(scene.name.c_str());
+        widgets::Tooltip(scene.title.c_str(), scene.about.c_str());
     }
     widgets::EndChoice();
     return chosen;
@@ -61,6 +37,21 @@ const NamedFile* choose(const char* id, const char* shown, const std::vector<Nam
 float button_room(const char* label) {
     const ImGuiStyle& style = ImGui::GetStyle();
     return ImGui::CalcTextSize(tr(label)).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+}
+
+constexpr float step_padding = 5.0F;  ///< design pixels beside the sign of a step button
+
+/// To a neighbour in the list of presets; null: there is none, and `why` says so.
+bool step_button(const char* label, const NamedFile* preset, const char* why) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {px(step_padding), ImGui::GetStyle().FramePadding.y});
+    const bool clicked = widgets::Button(label, preset != nullptr, why);
+    ImGui::PopStyleVar();
+    if (preset) widgets::Tooltip(preset->title.c_str(), preset->about.c_str());
+    return clicked;
+}
+
+float step_buttons_room() {
+    return 2.0F * (ImGui::CalcTextSize("◂").x + 2.0F * px(step_padding) + px(2.0F));
 }
 
 /// A button with a popup that hangs from it, inside the window whatever its width, and closes on Escape.
@@ -87,6 +78,11 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
     return ImGui::Begin(name, nullptr, fixed_window | extra);
 }
 
+void copy(Session& session) {
+    ImGui::SetClipboardText(session.text().c_str());
+    session.message = {tr("the whole state is in the clipboard"), false};
+}
+
 void paste(Session& session) {
     const char* text = ImGui::GetClipboardText();
     session.report(session.paste(text ? text : ""));
@@ -102,14 +98,11 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     bool open = false, save = false;
     open = item(marked("Open…"), "Ctrl+O");
     save = item(marked("Save…"), "Ctrl+S");
-    if (item(marked("Copy state"), "Ctrl+C")) ImGui::SetClipboardText(session.text().c_str());
+    if (item(marked("Copy state"), "Ctrl+C")) copy(session);
     if (item(marked("Paste state"), "Ctrl+V")) paste(session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
-    if (item(marked("Reset all"), "")) {
-        session.reset();
-        preset_ = nullptr;
-    }
+    if (item(marked("Reset all"), "")) session.reset();
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
     if (save) file_dialog_.show(FileDialog::Purpose::save);
@@ -121,14 +114,16 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     if (!begin_menu(marked("Look"), "look menu", marked("Themes, scale, and what is folded away"), least)) return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
-    control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"});
+    if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
+        requests.chosen_theme = params.ui.theme;
     // The whole window changes with the scale, this slider too: it takes effect when it is let go.
     Params scaled = params;
     if (pending_scale_) scaled.ui.scale = *pending_scale_;
     if (control(scaled, "ui.scale",
                 {.slider = true, .width = 160.0F, .label = marked("scale"), .min = 0.5, .max = 3.0}))
         pending_scale_ = scaled.ui.scale;
-    if (pending_scale_ && !ImGui::IsAnyItemActive()) params.ui.scale = *std::exchange(pending_scale_, std::nullopt);
+    if (pending_scale_ && !ImGui::IsAnyItemActive())
+        requests.chosen_scale = params.ui.scale = *std::exchange(pending_scale_, std::nullopt);
     bool multisampled = params.view.samples == 4;
     if (widgets::Toggle("Multisampling 4×", multisampled, true)) params.view.samples = multisampled ? 4 : 0;
     explain(field("view.samples"));
@@ -141,7 +136,24 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     ImGui::EndPopup();
 }
 
-void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& requests) {
+void Workbench::draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture) {
+    const NamedFile* open = open_preset(session);
+    const std::string title = open ? tr(open->title.c_str()) : tr("choose…");
+    const std::string shown = session.departs_from_preset() ? say("{preset} (changed)", "preset"_a = title) : title;
+    const NamedFile* chosen = preset_picker_.draw(presets_, open, shown, width, picture);
+    if (has_steps) {
+        const NamedFile *before = preset_at(session, -1), *after = preset_at(session, 1);
+        ImGui::SameLine(0.0F, px(2.0F));
+        if (step_button("◂###previous preset", before,
+                        open ? marked("this is the first preset") : marked("no preset is open")))
+            chosen = before;
+        ImGui::SameLine(0.0F, px(2.0F));
+        if (step_button("▸###next preset", after, marked("this is the last preset"))) chosen = after;
+    }
+    if (chosen) session.report(session.open(chosen->name));
+}
+
+void Workbench::draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests) {
     const widgets::Group group("top");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
@@ -152,8 +164,10 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
     for (const char* label : {"Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
     // In a narrow bar long buttons take their room from the lists.
     const float scene_width = px(narrow ? 150.0F : 170.0F), preset_width = px(narrow ? 110.0F : 220.0F);
-    const float room = layout.top_bar.width() - px(20.0F) - buttons;
-    const float share = narrow ? std::clamp(room / (scene_width + px(6.0F) + preset_width), 0.1F, 1.0F) : 1.0F;
+    const float room = layout.top_bar.width() - px(20.0F) - buttons, lists = scene_width + px(6.0F) + preset_width;
+    const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // else there are Page up and Page down
+    const float share =
+        narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
     if (!narrow) {
         ImGui::AlignTextToFramePadding();
         ImGui::PushFont(widgets.fonts.heading);
@@ -164,7 +178,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
         ImGui::SameLine();
     }
     const std::string shown = scene_title(session.params.scene, scenes_);
-    if (const NamedFile* scene = choose("##scene", shown.c_str(), scenes_, share * scene_width))
+    if (const NamedFile* scene = choose_scene(shown.c_str(), scenes_, share * scene_width))
         session.params.scene = scene->name;
     explain(field("scene"));
     ImGui::SameLine(0.0F, px(narrow ? 6.0F : 18.0F));
@@ -172,19 +186,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, Requests& r
         ImGui::TextUnformatted(tr("Preset"));
         ImGui::SameLine();
     }
-    const bool is_preset = preset_ && preset_params_ == session.params;
-    const std::string preset_shown = !preset_    ? tr("choose…")
-                                     : is_preset ? preset_->title
-                                                 : say("{preset} (changed)", "preset"_a = tr(preset_->title.c_str()));
-    if (const NamedFile* preset = choose("##preset", preset_shown.c_str(), presets_, share * preset_width)) {
-        const Status opened = session.open(preset->name);
-        session.report(opened);
-        if (opened) {
-            session.message = {tr(preset->about.c_str()), false};
-            preset_ = preset;
-            preset_params_ = session.params;
-        }
-    }
+    draw_presets(session, share * preset_width, has_steps, picture);
 
     // The buttons stand at the right end.
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(),

@@ -89,8 +89,9 @@ bool FileDialog::confirm(Session& session) {
 void FileDialog::draw(Session& session) {
     const widgets::Group group("file");
     if (requested_) ImGui::OpenPopup("file");
-    if (!begin_dialog("file", {px(580.0F), px(440.0F)})) return;
-    const bool just_opened = std::exchange(requested_, false);
+    is_open_ = begin_dialog("file", {px(580.0F), px(440.0F)});
+    if (!is_open_) return;
+    takes_keyboard_ |= std::exchange(requested_, false);
 
     title(purpose_ == Purpose::open ? marked("Open a state (.json) or a mesh (.obj)") : marked("Save the state"));
     widgets::Note(folder_.string().c_str());
@@ -113,7 +114,7 @@ void FileDialog::draw(Session& session) {
     }
     ImGui::EndChild();
     ImGui::SetNextItemWidth(-1.0F);
-    if (just_opened) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(takes_keyboard_, false)) ImGui::SetKeyboardFocusHere();
     chosen |=
         ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
@@ -122,7 +123,12 @@ void FileDialog::draw(Session& session) {
                               "choose or type a name first");
     ImGui::SameLine();
     const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    if ((chosen && confirm(session)) || cancelled) ImGui::CloseCurrentPopup();
+    const bool is_done = chosen && confirm(session);
+    takes_keyboard_ = chosen && !is_done;  // Enter took it from the field, and the next one is the answer
+    if (is_done || cancelled) {
+        is_open_ = false;
+        ImGui::CloseCurrentPopup();
+    }
     ImGui::EndPopup();
 }
 
@@ -142,18 +148,22 @@ void draw_help(bool& open) {
         {marked("right drag"), marked("shift the orbit's target")},
         {marked("wheel"), marked("speed · orbit: distance")},
         {marked("click"), marked("follow the nearest vertex")},
-        {"marked(", ")"},
+        {"", ""},
         {marked("drag a number"), marked("change it; Shift ×10, Alt ÷100")},
         {marked("double-click it"), marked("type; right-click resets")},
         {"Ctrl+Z  Ctrl+Shift+Z", marked("undo, redo")},
         {"Ctrl+C  Ctrl+V", marked("copy, paste the whole state")},
         {"Ctrl+O  Ctrl+S", marked("open, save")},
-        {"marked(", ")"},
+        {"", ""},
         {"F1", marked("these keys")},
         {"F2  F3", marked("fold the controls, the matrices")},
         {"M", marked("maximise the view under the pointer")},
         {"N", marked("next navigation mode")},
         {"B", marked("handles and labels on, off")},
+        {"C", marked("fold the preset's sentence, unfold it")},
+        {"Ctrl+P", marked("the presets; type to search")},
+        {marked("Page up  Page down"), marked("the preset before, the next one")},
+        {"Ctrl+plus  Ctrl+minus  Ctrl+0", marked("larger, smaller, as at first")},
         {"F11", marked("full screen")},
         {"F12", marked("snapshot of the camera view")},
     };

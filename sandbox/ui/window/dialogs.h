@@ -16,6 +16,7 @@ public:
     void show(Purpose purpose);
     /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
     void draw(Session& session);
+    bool is_open() const { return requested_ || is_open_; }
 
 private:
     void list_folder();
@@ -26,7 +27,8 @@ private:
         bool is_folder = false;
     };
     Purpose purpose_ = Purpose::open;
-    bool requested_ = false;
+    bool requested_ = false, is_open_ = false;
+    bool takes_keyboard_ = false;  ///< the name's field does, in the next frame
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
     std::string name_;

@@ -46,6 +46,7 @@ widgets::Fonts load_fonts(float scale) {
     fonts.note = font("Inter-Regular.otf", 13.0F * scale);
     fonts.number = font("JetBrainsMono-Regular.ttf", 16.0F * scale);
     fonts.small_number = font("JetBrainsMono-Regular.ttf", 13.0F * scale);
+    fonts.caption = font("Inter-Regular.otf", 19.0F * scale);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
 }

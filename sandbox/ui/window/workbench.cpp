@@ -30,27 +30,76 @@ MotionInput motion_of(const FrameInput& input) {
 
 Workbench::Workbench() : presets_(presets()), scenes_(scenes()) {}
 
+Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
+    const BesideParams& beside = session.params.view.beside;
+    Arrangement now = arrangement;
+    now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
+    const Layout bare = lay_out(window_px, widgets.scale, now);
+    const NamedFile* preset = open_preset(session);
+    if (!preset || bare.camera.empty() || arrangement.bare) return bare;
+    const Rect& last = now.halves ? bare.beside : bare.camera;
+    const Caption caption =
+        caption_of(*preset, widgets, {last.max.x - bare.camera.min.x, bare.camera.height()}, caption_fold_);
+    now.caption_px = caption.height_px;
+    Layout layout = lay_out(window_px, widgets.scale, now);
+    layout.caption_is_folded = caption.is_folded;
+    return layout;
+}
+
+const NamedFile* Workbench::open_preset(const Session& session) const {
+    return preset_at(session, 0);
+}
+
+const NamedFile* Workbench::preset_at(const Session& session, int places) const {
+    const OpenPreset* open = session.preset();
+    const auto at = std::find_if(presets_.begin(), presets_.end(),
+                                 [&](const NamedFile& preset) { return open && preset.name == open->name; });
+    // Without an open one the first is next.
+    const std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
+    return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
+}
+
+double Workbench::message_ends_in_s(const Message& message) {
+    constexpr double lasts_s = 8.0;
+    return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
+}
+
+void Workbench::choose_scale(Session& session, double scale, Requests& requests) {
+    session.params.ui.scale = std::clamp(std::round(scale * 10.0) / 10.0, 0.5, 3.0);
+    requests.chosen_scale = session.params.ui.scale;
+}
+
+void Workbench::handle_shortcut(const KeyPress& press, Session& session, Requests& requests) {
+    const auto& [key, ctrl, shift] = press;
+    if (key == Key::z) shift ? session.redo() : session.undo();
+    if (key == Key::y) session.redo();
+    if (key == Key::c) copy(session);
+    if (key == Key::v) paste(session);
+    if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
+    if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
+    if (key == Key::p) preset_picker_.open();
+    if (key == Key::plus) choose_scale(session, session.params.ui.scale + 0.1, requests);
+    if (key == Key::minus) choose_scale(session, session.params.ui.scale - 0.1, requests);
+    if (key == Key::zero) choose_scale(session, 1.0, requests);
+}
+
 void Workbench::handle_keys(Session& session, const FrameInput& input, Requests& requests) {
     // WantTextInput alone still says yes in the frame after the typing has ended.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool busy = typing || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    for (const auto& [key, ctrl, shift] : input.pressed) {
+    const bool in_dialog = help_open_ || file_dialog_.is_open();
+    const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    for (const KeyPress& press : input.pressed) {
+        const Key key = press.key;
         if (key == Key::f1) help_open_ = !help_open_;
         if (key == Key::f2) arrangement.panel_folded = !arrangement.panel_folded;
         if (key == Key::f3) arrangement.matrices_folded = !arrangement.matrices_folded;
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
-        if (busy) continue;  // a text field or a dialog has the keyboard
-        if (ctrl && key == Key::z) shift ? session.redo() : session.undo();
-        if (ctrl && key == Key::y) session.redo();
-        if (ctrl && key == Key::c) {
-            ImGui::SetClipboardText(session.text().c_str());
-            session.message = {tr("the whole state is in the clipboard"), false};
-        }
-        if (ctrl && key == Key::v) paste(session);
-        if (ctrl && key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
-        if (ctrl && key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
-        if (ctrl) continue;
+        // A text field or a dialog has the keyboard; with nothing typed there is nothing else to be undone.
+        const bool can_undo = preset_picker_.has_empty_search() && (key == Key::z || key == Key::y);
+        if ((typing && !can_undo) || in_dialog) continue;
+        if (press.ctrl) handle_shortcut(press, session, requests);
+        if (press.ctrl || in_list) continue;
         if (key == Key::m)
             arrangement.maximised = arrangement.maximised != ViewName::none ? ViewName::none
                                     : views.hovered != ViewName::none       ? views.hovered
@@ -59,6 +108,10 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, Requests&
             session.params.camera.navigation =
                 static_cast<Navigation>((static_cast<int>(session.params.camera.navigation) + 1) % 3);
         if (key == Key::b) views.handles = !views.handles;
+        if (key == Key::c) caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
+        if (key == Key::page_down || key == Key::page_up)
+            if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
+                session.report(session.open(preset->name));
         if (key == Key::escape) {
             if (arrangement.maximised != ViewName::none)
                 arrangement.maximised = ViewName::none;
@@ -97,6 +150,8 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
     draw_camera_view(views, session, derived, problems, layout.camera, pictures, input, motion);
     draw_beside_view(views, session, derived, layout, pictures);
+    if (const NamedFile* preset = open_preset(session))
+        draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures);
     if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
@@ -104,7 +159,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
 }
 
 void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
-    ImGui::SetCursorScreenPos({layout.lower_left.min.x, layout.camera.max.y});
+    ImGui::SetCursorScreenPos({layout.lower_left.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
     const float length = layout.lower_right.max.x - layout.lower_left.min.x;
     widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
     if (!layout.panel.empty()) {
@@ -159,14 +214,16 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
                          const FrameInput& input) {
     widgets::NewFrame(widgets);
     Requests requests;
+    session.message.shown_s += input.dt_s;
+    if (message_ends_in_s(session.message) == 0.0) session.message = {};
     handle_keys(session, input, requests);
-    const Layout now = layout(ImGui::GetIO().DisplaySize, session.params);
+    const Layout now = layout(ImGui::GetIO().DisplaySize, session);
 
     const bool keys_move =
         !ImGui::GetIO().WantTextInput && !input.is_down(Key::ctrl) && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     MotionInput motion = keys_move ? motion_of(input) : MotionInput{};
     begin_hidden_frame(views.hidden, session, pictures.hidden);
-    if (!now.top_bar.empty()) draw_top_bar(session, now, requests);
+    if (!now.top_bar.empty()) draw_top_bar(session, now, pictures.preset, requests);
     draw_columns(session, derived, before, problems, pictures.hidden, now);
     draw_views(session, derived, plan, problems, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);

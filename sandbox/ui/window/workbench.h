@@ -10,7 +10,9 @@
 #include "state/presets.h"
 #include "ui/matrices/matrices.h"
 #include "ui/views/views.h"
+#include "ui/window/caption.h"
 #include "ui/window/dialogs.h"
+#include "ui/window/preset_picker.h"
 
 namespace viewing {
 
@@ -28,6 +30,8 @@ struct Requests {
     bool restart_hidden = false;  ///< their work on the current question, which was cancelled
     bool cancel_hidden = false;   ///< what the hidden-surface methods are working on
     std::optional<ViewPicture> view_picture;
+    std::optional<Theme> chosen_theme;   ///< by hand: what is remembered for the next time
+    std::optional<double> chosen_scale;  ///< the same
 };
 
 class Workbench {
@@ -39,12 +43,13 @@ public:
     ViewState views;
     widgets::Context widgets;
 
-    /// Where everything is for these parameters.
-    Layout layout(ImVec2 window_px, const Params& params) const {
-        Arrangement now = arrangement;
-        now.halves = params.view.beside.shows != Beside::nothing && params.view.beside.layout == BesideLayout::halves;
-        return lay_out(window_px, widgets.scale, now);
-    }
+    /// Where everything is for this session, in the fonts that the widgets have now.
+    Layout layout(ImVec2 window_px, const Session& session) const;
+
+    /// The preset whose small picture is wanted in Pictures; "" for none.
+    const std::string& wanted_preset_picture() const { return preset_picker_.wanted_picture(); }
+    /// In how many seconds the good news in the status bar go; negative: there are none.
+    static double message_ends_in_s(const Message& message);
 
     /// Draws one ImGui frame's windows (between NewFrame and Render), edits the session and moves its camera.
     /// `problems` are those of the plan.
@@ -54,7 +59,13 @@ public:
 
 private:
     void handle_keys(Session& session, const FrameInput& input, Requests& requests);
-    void draw_top_bar(Session& session, const Layout& layout, Requests& requests);
+    void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
+    void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
+    void draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture);
+    const NamedFile* open_preset(const Session& session) const;
+    /// The preset so many places after the open one in the order of the lecture; none beyond its ends.
+    const NamedFile* preset_at(const Session& session, int places) const;
+    void choose_scale(Session& session, double scale, Requests& requests);
     void draw_file_menu(Session& session, Requests& requests);
     void draw_look_menu(Session& session, Requests& requests);
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
@@ -69,8 +80,8 @@ private:
 
     std::vector<NamedFile> presets_, scenes_;
     FileDialog file_dialog_;
-    const NamedFile* preset_ = nullptr;  ///< opened last, and the parameters as it left them
-    Params preset_params_;
+    PresetPicker preset_picker_;
+    CaptionFold caption_fold_;
     std::optional<double> pending_scale_;
     bool help_open_ = false;
     MatrixChoice matrix_choice_;

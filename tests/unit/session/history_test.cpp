@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "state/params.h"
+
 namespace viewing {
 namespace {
 

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <thread>
 
+#include "platform/text_file.h"
 #include "scratch_folder.h"
 #include "state/fields.h"
 #include "state/json.h"
@@ -217,7 +218,6 @@ TEST(Presets, AllLoadWithTheirScenes) {
     EXPECT_EQ(all.front().name, "opening");
     EXPECT_EQ(all.front().group, "");
     std::size_t grouped = 0;
-    EXPECT_TRUE(std::ranges::is_sorted(all.begin() + 1, all.end(), {}, &NamedFile::name));
     for (const NamedFile& preset : all) {
         SCOPED_TRACE(preset.name);
         EXPECT_NE(preset.title, preset.name);
@@ -233,6 +233,51 @@ TEST(Presets, AllLoadWithTheirScenes) {
         EXPECT_EQ(clamped, state->params);
     }
     EXPECT_GT(grouped, all.size() - 10);
+}
+
+TEST(Presets, StandInTheOrderOfTheLectureTopicByTopic) {
+    const std::vector<NamedFile> all = presets();
+    std::vector<std::string> topics;
+    for (const NamedFile& preset : all)
+        if (topics.empty() || preset.group != topics.back()) topics.push_back(preset.group);
+    EXPECT_EQ(topics, (std::vector<std::string>{"", "Camera", "Hidden surfaces", "Depth buffer", "Depth fighting",
+                                                "Shadow", "Mirror", "Planes and lights"}));
+    // lecture.json has each of them once and nothing else: what it leaves out would stand behind the last topic.
+    const std::string order = *read_text_file(assets_directory() / "lecture.json");
+    std::size_t at = 0;
+    for (const NamedFile& preset : all) {
+        const std::size_t next = order.find('"' + preset.name + '"');
+        ASSERT_NE(next, std::string::npos) << preset.name << " has no place in lecture.json";
+        EXPECT_GT(next, at) << preset.name;
+        at = next;
+    }
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(order, ',')) + 1, all.size());
+}
+
+TEST(Presets, AStateKnowsThePresetThatItCameFrom) {
+    const Result<LoadedState> walk = load_state("walk"), opening = load_state("");
+    ASSERT_TRUE(walk && walk->preset);
+    EXPECT_EQ(walk->preset->name, "walk");
+    EXPECT_EQ(walk->preset->params, walk->params);
+    ASSERT_TRUE(opening && opening->preset);
+    EXPECT_EQ(opening->preset->name, "opening");
+    const Result<LoadedState> file = load_state((assets_directory() / "presets" / "walk.json").string());
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(file->preset) << "a file of one's own has no sentence to show";
+}
+
+/// The first slides: where the camera is and what is done to the world are one relation.
+TEST(Presets, MovingTheWorldByMinusTenIsMovingTheCameraByTen) {
+    const Params camera = load_state("camera-plus-ten")->params, world = load_state("world-minus-ten")->params;
+    const glm::dvec3 step(0.0, 0.0, 10.0);
+    EXPECT_EQ(camera.camera.position - world.camera.position, step);
+    EXPECT_EQ(glm::dvec3(camera.lights.front().position - world.lights.front().position), step);
+    const auto& here = std::get<SceneDescription>(camera.scene).objects;
+    const auto& there = std::get<SceneDescription>(world.scene).objects;
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t i = 0; i < here.size(); ++i)
+        EXPECT_LT(glm::distance(here[i].position - there[i].position, step), 1e-12) << here[i].name;
+    EXPECT_EQ(camera.planes.front().equation + glm::dvec4(0.0, 0.0, 0.0, 10.0), world.planes.front().equation);
 }
 
 TEST(Presets, TheOnesOfTheLectureAreThere) {

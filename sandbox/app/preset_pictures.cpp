@@ -1,0 +1,63 @@
+#include "app/preset_pictures.h"
+
+#include <utility>
+
+#include "measure/hidden_answers.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 size_px{384, 216};
+
+}  // namespace
+
+Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, bool clip_control) {
+    const Result<LoadedState> state = load_state(name);
+    if (!state) return Error{state.error()};
+    Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+    if (!scene) return Error{scene.error()};
+    Prepared prepared{name, state->params, *std::move(scene), {}, nullptr};
+    prepared.derived = derive(prepared.params, prepared.scene, {size_px, clip_control});
+    if (const auto question = hidden_question(prepared.params, prepared.derived, size_px)) {
+        HiddenSurfaceSolver solver(prepared.scene);
+        prepared.answer = std::make_shared<HiddenAnswer>(answer_hidden_question(solver, *question));
+    }
+    return prepared;
+}
+
+Status PresetPictures::draw(Prepared& prepared) {
+    HiddenPictures found;
+    if (prepared.answer) {
+        if (Status done =
+                complete_difference(renderer_, prepared.params, prepared.derived, prepared.scene, *prepared.answer);
+            !done)
+            return done;
+        found = prepared.answer->pictures;
+    }
+    const FramePlan frame = plan(prepared.params, prepared.derived, found);
+    if (Status drawn = renderer_.draw(frame, prepared.scene, size_px, view_); !drawn) return drawn;
+    gl::ColorTarget& kept = pictures_[prepared.name] = gl::ColorTarget(size_px);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, view_.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, kept.framebuffer());
+    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return std::monostate{};
+}
+
+PresetPicture PresetPictures::of(const std::string& name) {
+    if (std::optional<Result<Prepared>> prepared = preparing_.take()) {
+        // What cannot be drawn stays without a picture: opening it says why.
+        if (!*prepared || !draw(**prepared)) pictures_[wanted_] = {};
+    }
+    if (name.empty()) return {};
+    const auto kept = pictures_.find(name);
+    if (kept != pictures_.end())
+        return {name, reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(kept->second.texture()))};
+    if (!preparing_.is_running()) {
+        wanted_ = name;
+        const bool clip_control = renderer_.capabilities().clip_control;
+        preparing_.start([name, clip_control](WorkProgress&) { return prepare(name, clip_control); });
+    }
+    return {name, nullptr};
+}
+
+}  // namespace viewing

@@ -1,0 +1,33 @@
+// Theme, scale and the window's place as they come back the next time. Read state/remembered.h for the file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "state/remembered.h"
+
+namespace viewing {
+
+class WindowMemory {
+public:
+    /// Reads what the last time left; `is_fresh`: forgets it instead. What cannot be read is a sentence, and nothing
+    /// is remembered then.
+    WindowMemory(std::filesystem::path file, bool is_fresh);
+
+    /// Of the last time, "" where all went well.
+    const std::string& trouble() const { return trouble_; }
+    const Remembered& remembered() const { return remembered_; }
+
+    /// A state that says nothing of its looks has the remembered ones.
+    void dress(Params& params) const;
+
+    /// Writes what has changed; the error is one sentence.
+    Status remember(const Remembered& now);
+
+private:
+    std::filesystem::path file_;
+    Remembered remembered_;
+    std::string trouble_;
+};
+
+}  // namespace viewing

@@ -1,0 +1,111 @@
+#include "state/remembered.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include "platform/file.h"
+#include "platform/text_file.h"
+#include "state/document.h"
+#include "state/fields.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_units = 100'000;  ///< of a position or a size: more is no screen
+
+std::optional<double> number_in(const Json& value, double min, double max) {
+    if (!value.is_number()) return std::nullopt;
+    const auto number = value.get<double>();
+    return number >= min && number <= max ? std::optional(number) : std::nullopt;
+}
+
+glm::ivec2 pair_in(const Json& object, const char* key, int min, const Where& where) {
+    const Json pair = object.contains(key) ? object[key] : Json();
+    const bool is_pair = pair.is_array() && pair.size() == 2;
+    const auto x = is_pair ? number_in(pair[0], min, most_units) : std::nullopt;
+    const auto y = is_pair ? number_in(pair[1], min, most_units) : std::nullopt;
+    if (!x || !y) where.key(key).refuse("must be two numbers of a screen, got " + describe(pair));
+    return {static_cast<int>(std::lround(*x)), static_cast<int>(std::lround(*y))};
+}
+
+Remembered remembered_in(const Json& document, const Where& where) {
+    if (!document.is_object()) where.refuse("must be an object, got " + describe(document));
+    Remembered remembered;
+    if (document.contains("theme")) {
+        const Json& value = document["theme"];
+        const std::span<const char* const> names = names_of<Theme>();
+        const auto at = std::find_if(names.begin(), names.end(), [&](const char* name) { return value == name; });
+        if (at == names.end())
+            where.key("theme").refuse("must be one of " + joined(names) + ", got " + describe(value));
+        remembered.theme = static_cast<Theme>(at - names.begin());
+    }
+    if (document.contains("scale")) {
+        const Range range = component_range(field("ui.scale"), 0);
+        remembered.scale = number_in(document["scale"], range.min, range.max);
+        if (!remembered.scale) where.key("scale").refuse("must be a scale, got " + describe(document["scale"]));
+    }
+    if (document.contains("window")) {
+        const Json& window = document["window"];
+        const Where inside = where.key("window");
+        if (!window.is_object()) inside.refuse("must be an object, got " + describe(window));
+        remembered.window = WindowPlace{pair_in(window, "position", -most_units, inside),
+                                        pair_in(window, "size", 1, inside), window.value("maximised", Json()) == true};
+    }
+    return remembered;
+}
+
+}  // namespace
+
+fs::path remembered_file() {
+    const auto folder_in = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        const fs::path folder = value ? value : "";
+        return folder.is_absolute() ? folder : fs::path();
+    };
+    fs::path folder = folder_in("XDG_CONFIG_HOME");
+    if (folder.empty())
+        if (const fs::path home = folder_in("HOME"); !home.empty()) folder = home / ".config";
+    return folder.empty() ? folder : folder / "viewing-sandbox" / "window.json";
+}
+
+Result<Remembered> read_remembered(const fs::path& file) {
+    std::error_code error;
+    if (file.empty() || fs::symlink_status(file, error).type() == fs::file_type::not_found) return Remembered{};
+    const Result<std::string> text = read_text_file(file);
+    if (!text) return Error{text.error()};
+    const Where where{file.string() + ": ", ""};
+    return guarded([&] { return remembered_in(parse_document(*text, where.prefix), where); });
+}
+
+Status write_remembered(const fs::path& file, const Remembered& remembered) {
+    if (file.empty()) return std::monostate{};
+    Json document = Json::object();
+    if (remembered.theme) document["theme"] = names_of<Theme>()[static_cast<std::size_t>(*remembered.theme)];
+    if (remembered.scale) document["scale"] = *remembered.scale;
+    if (const auto& window = remembered.window)
+        document["window"] = {{"position", {window->position.x, window->position.y}},
+                              {"size", {window->size.x, window->size.y}},
+                              {"maximised", window->maximised}};
+    const std::string text = print_document(document) + "\n";
+    std::error_code failed;
+    fs::create_directories(file.parent_path(), failed);
+    if (failed) return Error{file.parent_path().string() + ": " + failed.message()};
+    return write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}
+
+bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens) {
+    constexpr int least = 100;
+    return std::any_of(screens.begin(), screens.end(), [&](const WindowPlace& screen) {
+        const glm::ivec2 min = glm::max(window.position, screen.position);
+        const int right = std::min(window.position.x + window.size.x, screen.position.x + screen.size.x);
+        return right - min.x >= least && window.position.y >= screen.position.y &&
+               window.position.y + least <= screen.position.y + screen.size.y;
+    });
+}
+
+}  // namespace viewing

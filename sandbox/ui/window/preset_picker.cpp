@@ -1,0 +1,169 @@
+#include "ui/window/preset_picker.h"
+
+#include <imgui.h>
+//
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "text/catalogue.h"
+#include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
+
+namespace viewing {
+namespace {
+
+std::string in_small_letters(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool is_pressed(ImGuiKey key) {
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
+
+std::ptrdiff_t place_of(const std::vector<const NamedFile*>& found, const std::string& name) {
+    return std::find_if(found.begin(), found.end(), [&](const NamedFile* one) { return one->name == name; }) -
+           found.begin();
+}
+
+/// What the marked preset shows and says.
+void draw_beside(const NamedFile* preset, const PresetPicture& picture) {
+    if (!preset) return;
+    const float width = ImGui::GetContentRegionAvail().x, height = std::round(width * 9.0F / 16.0F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const Rect rect{at, {at.x + width, at.y + height}};
+    ImGui::GetWindowDrawList()->AddRectFilled(rect.min, rect.max, palette().view_ground, px(3.0F));
+    if (picture.name == preset->name) draw_picture(rect, picture.texture);
+    ImGui::Dummy({width, height});
+    widgets::Record("picture");
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    ImGui::TextUnformatted(tr(preset->title.c_str()));
+    ImGui::PopFont();
+    ImGui::TextUnformatted(tr(preset->about.c_str()));
+    widgets::Record("about");
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    ImGui::TextUnformatted(preset->name.c_str());
+    ImGui::PopFont();
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+bool is_found(const NamedFile& preset, std::string_view search) {
+    std::string all = preset.name;
+    for (const std::string* text : {&preset.title, &preset.about, &preset.group})
+        all.append("\n").append(*text).append("\n").append(tr(text->c_str()));
+    all = in_small_letters(std::move(all));
+    while (!search.empty()) {
+        const std::string_view word = search.substr(0, search.find(' '));
+        search.remove_prefix(std::min(search.size(), word.size() + 1));
+        if (all.find(in_small_letters(std::string(word))) == std::string::npos) return false;
+    }
+    return true;
+}
+
+bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0F);
+    const bool entered =
+        ImGui::InputTextWithHint("##search", tr("search"), &search_, ImGuiInputTextFlags_EnterReturnsTrue);
+    widgets::Record("search");
+    const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
+    const auto count = static_cast<std::ptrdiff_t>(found.size());
+    if (step != 0 && count > 0)
+        marked_ =
+            found[static_cast<std::size_t>(std::clamp(place_of(found, marked_) + step, std::ptrdiff_t{0}, count - 1))]
+                ->name;
+    return entered;
+}
+
+const NamedFile* PresetPicker::draw_list(const std::vector<const NamedFile*>& found, const NamedFile* current,
+                                         bool scroll) {
+    const NamedFile* chosen = nullptr;
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    std::string group;
+    for (const NamedFile* preset : found) {
+        if (!preset->group.empty() && preset->group != group) {
+            group = preset->group;
+            ImGui::Dummy({0.0F, px(3.0F)});
+            ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+            ImGui::TextDisabled("%s", tr(group.c_str()));
+            ImGui::PopFont();
+        }
+        if (preset == current) {
+            const ImVec2 at = ImGui::GetCursorScreenPos();
+            ImGui::GetWindowDrawList()->AddText(at, palette().accent, "✓");
+        }
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(18.0F));
+        const std::string row = widgets::LabelText((preset->title + "##" + preset->name).c_str());
+        if (ImGui::Selectable(row.c_str(), preset->name == marked_)) chosen = preset;
+        widgets::Record(preset->name.c_str());
+        if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) marked_ = preset->name;
+        if (scroll && preset->name == marked_) ImGui::SetScrollHereY(0.5F);
+    }
+    if (found.empty()) widgets::Note(marked("No preset has all of these words."));
+    return chosen;
+}
+
+const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const NamedFile* current,
+                                    const std::string& shown, float width, const PresetPicture& picture) {
+    is_open_ = false;
+    wanted_picture_.clear();
+    const bool clicked = widgets::ClosedList("##preset", shown.c_str(), width);
+    widgets::Tooltip("Presets",
+                     "Whole states, in the order of the lecture (Ctrl+P). Page down and Page up go on to "
+                     "the next and back.");
+    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + px(2.0F));
+    const bool opens = clicked || std::exchange(requested_, false);
+    if (opens) {
+        search_.clear();
+        marked_ = current ? current->name : presets.empty() ? "" : presets.front().name;
+        ImGui::OpenPopup("presets");
+    }
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(px(720.0F), window.x - px(16.0F)),
+                      std::min(px(560.0F), window.y - corner.y - px(10.0F)));
+    ImGui::SetNextWindowPos({std::min(corner.x, window.x - size.x - px(8.0F)), corner.y});
+    ImGui::SetNextWindowSizeConstraints(size, size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(10.0F)});
+    const bool is_open = ImGui::BeginPopup("presets", ImGuiWindowFlags_NoMove);
+    ImGui::PopStyleVar();
+    if (!is_open) return nullptr;
+    is_open_ = true;
+
+    std::vector<const NamedFile*> found;
+    for (const NamedFile& preset : presets)
+        if (is_found(preset, search_)) found.push_back(&preset);
+    const std::string marked_before = marked_;
+    const float list_width = std::floor(size.x * 0.46F);
+    ImGui::BeginChild("left", {list_width, 0.0F});
+    const bool entered = draw_search(found);
+    if (!found.empty() && place_of(found, marked_) == static_cast<std::ptrdiff_t>(found.size()))
+        marked_ = found.front()->name;
+    const bool scroll = opens || marked_ != marked_before || ImGui::IsWindowAppearing();
+    ImGui::BeginChild("list", {0.0F, 0.0F});
+    const NamedFile* chosen = draw_list(found, current, scroll);
+    ImGui::EndChild();
+    ImGui::EndChild();
+
+    const std::ptrdiff_t place = place_of(found, marked_);
+    const NamedFile* marked = found.empty() ? nullptr : found[static_cast<std::size_t>(place)];
+    if (entered) chosen = marked;
+    if (marked) wanted_picture_ = marked->name;
+    ImGui::SameLine(0.0F, px(12.0F));
+    ImGui::BeginChild("beside");
+    draw_beside(marked, picture);
+    ImGui::EndChild();
+    if (chosen || is_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+    return chosen;
+}
+
+}  // namespace viewing

@@ -1,0 +1,260 @@
+// What the window says of the open preset: its caption, what the list is called, the way back, the list with its
+// search, and the next one.
+#include <filesystem>
+
+#include "desk.h"
+#include "text/catalogue.h"
+#include "ui/window/preset_picker.h"
+
+namespace viewing::test {
+namespace {
+
+class PresetsTest : public ::testing::Test {
+protected:
+    Desk desk{{1600, 900}, "walk"};
+    widgets::test::Harness& ui = desk.ui;
+    Params& params = desk.session.params;
+
+    std::string shown() const { return ui.text_of("top/preset"); }
+    void down(int times, ImGuiKey key = ImGuiKey_DownArrow) {
+        for (int i = 0; i < times; ++i) ui.key(key);
+    }
+};
+
+TEST_F(PresetsTest, TheCaptionStandsBelowThePictureAndNotOverIt) {
+    const Layout layout = desk.layout();
+    ASSERT_FALSE(layout.caption.empty());
+    EXPECT_GE(layout.caption.min.y, layout.camera.max.y);
+    EXPECT_LE(layout.caption.max.y, layout.lower_left.min.y - layout.header_height);
+    EXPECT_FALSE(layout.caption_is_folded);
+    EXPECT_TRUE(ui.has("caption/text"));
+    EXPECT_FALSE(ui.has("caption/as it was"));
+}
+
+/// From the last row of a hall of 200 one reads what is at least a fiftieth of the picture's height.
+TEST_F(PresetsTest, TheCaptionIsReadFromTheBackRow) {
+    params.ui.theme = Theme::projector;
+    desk.apply_looks();
+    ui.frames(3);
+    EXPECT_GE(desk.workbench.widgets.fonts.caption->FontSize, 900.0F / 50.0F);
+    EXPECT_FALSE(desk.layout().caption_is_folded);
+}
+
+TEST_F(PresetsTest, ChangedAsSoonAsAnythingDepartsAndAsItWasBringsItBack) {
+    const Params as_opened = params;
+    EXPECT_EQ(shown(), "Walking with the head bowed");
+    const float top = desk.layout().camera.max.y;
+    desk.click("depth/Cull face");
+    EXPECT_TRUE(desk.session.departs_from_preset());
+    EXPECT_EQ(shown(), "Walking with the head bowed (changed)");
+    EXPECT_EQ(desk.layout().camera.max.y, top) << "the mark has its room already";
+    ui.click("caption/as it was");
+    EXPECT_EQ(params, as_opened);
+    EXPECT_EQ(shown(), "Walking with the head bowed");
+    EXPECT_FALSE(ui.has("caption/as it was"));
+    desk.undo();
+    EXPECT_TRUE(params.cull.enabled);
+    EXPECT_TRUE(desk.session.departs_from_preset());
+}
+
+TEST_F(PresetsTest, ThemeAndScaleAreThePersonsAndChangeNoPreset) {
+    params.ui = {Theme::light, 1.2};
+    ui.frames(2);
+    EXPECT_FALSE(desk.session.departs_from_preset());
+    params.cull.enabled = true;
+    ui.frames(2);
+    ui.click("caption/as it was");
+    EXPECT_EQ(params.ui.theme, Theme::light);
+    EXPECT_EQ(params.ui.scale, 1.2);
+    EXPECT_FALSE(params.cull.enabled);
+}
+
+TEST_F(PresetsTest, MendingMarksTheSentenceAsChanged) {
+    Desk broken({1600, 900}, "shadow-anti");
+    ASSERT_FALSE(broken.session.departs_from_preset());
+    broken.ui.click("view/mend");
+    broken.ui.frames(2);
+    EXPECT_TRUE(broken.ui.has("caption/as it was"));
+}
+
+TEST_F(PresetsTest, UndoAndRedoBringThePresetAlong) {
+    desk.click("depth/Cull face");
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(desk.session.preset()->name, "walk-slows");
+    desk.undo();
+    desk.settle();
+    EXPECT_EQ(shown(), "Walking with the head bowed (changed)");
+    desk.redo();
+    desk.settle();
+    EXPECT_EQ(shown(), "Walking slows");
+}
+
+TEST_F(PresetsTest, WhatIsNoPresetHasNoSentence) {
+    desk.clipboard = "{}";
+    desk.press_with(Key::ctrl, Key::v);
+    desk.settle();
+    EXPECT_EQ(desk.session.preset(), nullptr);
+    EXPECT_TRUE(desk.layout().caption.empty());
+    EXPECT_EQ(shown(), "choose…");
+    EXPECT_FALSE(ui.find("top/previous preset").enabled);
+    ui.click("top/next preset");
+    desk.settle();
+    EXPECT_EQ(desk.session.preset()->name, "opening");
+}
+
+TEST_F(PresetsTest, TheCaptionFoldsWithAKeyAndAClick) {
+    const float picture = desk.layout().camera.height();
+    desk.press(Key::c);
+    EXPECT_TRUE(desk.layout().caption_is_folded);
+    EXPECT_GE(desk.layout().camera.height(), picture);
+    ui.click("caption/text");
+    EXPECT_FALSE(desk.layout().caption_is_folded);
+    desk.press(Key::c);
+    EXPECT_TRUE(desk.layout().caption_is_folded);
+}
+
+TEST(Caption, TakesAtMostAThirdOfThePictureUnlessAskedFor) {
+    for (const char* preset : {"fighting-offset", "opening", "mirror-oblique-depth"})
+        for (const ImVec2 size : {ImVec2(800, 600), ImVec2(1280, 720), ImVec2(1600, 900)}) {
+            const Desk desk(size, preset);
+            const Layout layout = desk.layout();
+            EXPECT_LE(layout.caption.height(), 0.5F * layout.camera.height()) << preset << " " << size.x;
+        }
+    Desk small({800, 600}, "fighting-offset");
+    EXPECT_TRUE(small.layout().caption_is_folded);
+    small.press(Key::c);
+    EXPECT_FALSE(small.layout().caption_is_folded);
+}
+
+TEST_F(PresetsTest, NextAndPreviousGoThroughAllOfThem) {
+    const std::vector<NamedFile> all = presets();
+    while (ui.find("top/previous preset").enabled) {
+        ui.click("top/previous preset");
+        desk.settle();
+    }
+    EXPECT_EQ(desk.session.preset()->name, all.front().name);
+    desk.press(Key::page_up);
+    EXPECT_EQ(desk.session.preset()->name, all.front().name) << "there is none before the first";
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        desk.press(Key::page_down);
+        desk.settle();
+        ASSERT_EQ(desk.session.preset()->name, all[i].name);
+    }
+    EXPECT_FALSE(ui.find("top/next preset").enabled);
+}
+
+// ---- the list ----------------------------------------------------------------------------------------------------
+
+TEST_F(PresetsTest, TheListOpensAtTheCurrentOne) {
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    const RecordedItem row = ui.find("top/walk"), search = ui.find("top/search");
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "walk");
+    EXPECT_GT(row.min.y, search.max.y);
+    EXPECT_LT(row.max.y, 900.0F);
+}
+
+TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpens) {
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    ui.type("polygon OFFSET");
+    ui.frames(2);
+    EXPECT_FALSE(ui.has("top/walk"));
+    ASSERT_TRUE(ui.has("top/fighting-offset"));
+    ASSERT_TRUE(ui.has("top/fighting-offset-too-much"));
+    const std::string first = desk.workbench.wanted_preset_picture();
+    down(1);
+    EXPECT_NE(desk.workbench.wanted_preset_picture(), first);
+    down(1, ImGuiKey_UpArrow);
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), first);
+    ui.key(ImGuiKey_Enter);
+    desk.settle();
+    EXPECT_EQ(desk.session.preset()->name, first);
+    EXPECT_FALSE(ui.has("top/search"));
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "");
+}
+
+TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {
+    const Params before = params;
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    ui.type("mirror");
+    down(2);
+    desk.press(Key::escape);
+    ui.frames(2);
+    EXPECT_FALSE(ui.has("top/search"));
+    EXPECT_EQ(params, before);
+    EXPECT_EQ(desk.session.preset()->name, "walk");
+}
+
+TEST_F(PresetsTest, NothingFoundIsSaidAndEnterDoesNothing) {
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    ui.type("qqq");
+    ui.frames(2);
+    EXPECT_TRUE(ui.has("top/note"));
+    ui.key(ImGuiKey_Enter);
+    EXPECT_EQ(desk.session.preset()->name, "walk");
+}
+
+TEST_F(PresetsTest, CtrlZCountsWhileAListIsOpen) {
+    for (const char* list : {"top/scene", "top/preset"}) {
+        SCOPED_TRACE(list);
+        params.cull.enabled = true;
+        ui.frames(2);
+        desk.click(list);
+        ui.frames(2);
+        desk.undo();
+        EXPECT_FALSE(params.cull.enabled);
+        desk.press(Key::escape);
+    }
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    params.cull.enabled = true;
+    ui.type("mirror");
+    desk.undo();
+    EXPECT_TRUE(params.cull.enabled) << "what is typed is undone by its field";
+}
+
+TEST(PresetSearch, FindsWordsOfTitleSentenceNameAndTopicInAnyOrder) {
+    const NamedFile preset{"shadow-anti", "Anti-shadow", "Behind the light.", "Shadow", "", {}};
+    for (const char* search : {"", "anti", "ANTI light", "light behind", "shadow", " anti  "})
+        EXPECT_TRUE(is_found(preset, search)) << search;
+    for (const char* search : {"mirror", "anti mirror"}) EXPECT_FALSE(is_found(preset, search)) << search;
+}
+
+// ---- what else the window says and remembers ------------------------------------------------------------------------
+
+TEST_F(PresetsTest, GoodNewsEndByThemselvesAndBadOnesStay) {
+    desk.press_with(Key::ctrl, Key::c);
+    EXPECT_FALSE(desk.session.message.text.empty());
+    EXPECT_GT(Workbench::message_ends_in_s(desk.session.message), 0.0);
+    ui.frame(5.0F);
+    EXPECT_FALSE(desk.session.message.text.empty());
+    ui.frame(5.0F);
+    EXPECT_TRUE(desk.session.message.text.empty());
+    desk.session.message = {"broken", true};
+    EXPECT_LT(Workbench::message_ends_in_s(desk.session.message), 0.0);
+    ui.frame(50.0F);
+    EXPECT_EQ(desk.session.message.text, "broken");
+}
+
+TEST_F(PresetsTest, CtrlPlusMinusAndZeroScaleTheWindow) {
+    desk.hold(Key::ctrl);
+    desk.hold(Key::plus);
+    EXPECT_EQ(params.ui.scale, 1.1);
+    EXPECT_EQ(desk.requests.chosen_scale, 1.1);
+    desk.let_go(Key::plus);
+    desk.press(Key::minus);
+    desk.press(Key::minus);
+    EXPECT_EQ(params.ui.scale, 0.9);
+    for (int i = 0; i < 20; ++i) desk.press(Key::minus);
+    EXPECT_EQ(params.ui.scale, 0.5);
+    desk.press(Key::zero);
+    EXPECT_EQ(params.ui.scale, 1.0);
+    desk.let_go(Key::ctrl);
+}
+
+}  // namespace
+}  // namespace viewing::test
