@@ -175,6 +175,15 @@ TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpens) {
     EXPECT_EQ(desk.workbench.wanted_preset_picture(), "");
 }
 
+TEST_F(PresetsTest, TitlesCountBeforeSentences) {
+    desk.press_with(Key::ctrl, Key::p);
+    ui.frames(3);
+    ui.type("mirror");
+    ui.frames(2);
+    EXPECT_TRUE(ui.has("top/opening")) << "its sentence says mirrors";
+    EXPECT_EQ(desk.workbench.wanted_preset_picture(), "mirror-derivation");
+}
+
 TEST_F(PresetsTest, EscapeClosesTheListAndChangesNothing) {
     const Params before = params;
     desk.press_with(Key::ctrl, Key::p);

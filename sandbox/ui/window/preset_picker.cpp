@@ -30,6 +30,21 @@ std::ptrdiff_t place_of(const std::vector<const NamedFile*>& found, const std::s
            found.begin();
 }
 
+std::vector<const NamedFile*> found_by(std::span<const NamedFile> presets, const std::string& search) {
+    std::vector<const NamedFile*> found;
+    for (const NamedFile& preset : presets)
+        if (is_found(preset, search)) found.push_back(&preset);
+    return found;
+}
+
+/// The first whose title alone has the words, else the first; `found` is not empty.
+const NamedFile& best_of(const std::vector<const NamedFile*>& found, const std::string& search) {
+    const auto best = std::find_if(found.begin(), found.end(), [&](const NamedFile* preset) {
+        return is_found({"", preset->title, "", "", "", {}}, search);
+    });
+    return best == found.end() ? *found.front() : **best;
+}
+
 /// What the marked preset shows and says.
 void draw_beside(const NamedFile* preset, const PresetPicture& picture) {
     if (!preset) return;
@@ -138,15 +153,14 @@ const NamedFile* PresetPicker::draw(std::span<const NamedFile> presets, const Na
     if (!is_open) return nullptr;
     is_open_ = true;
 
-    std::vector<const NamedFile*> found;
-    for (const NamedFile& preset : presets)
-        if (is_found(preset, search_)) found.push_back(&preset);
-    const std::string marked_before = marked_;
+    std::vector<const NamedFile*> found = found_by(presets, search_);
+    const std::string marked_before = marked_, search_before = search_;
     const float list_width = std::floor(size.x * 0.46F);
     ImGui::BeginChild("left", {list_width, 0.0F});
     const bool entered = draw_search(found);
-    if (!found.empty() && place_of(found, marked_) == static_cast<std::ptrdiff_t>(found.size()))
-        marked_ = found.front()->name;
+    if (search_ != search_before) found = found_by(presets, search_);
+    const bool is_lost = place_of(found, marked_) == static_cast<std::ptrdiff_t>(found.size());
+    if (!found.empty() && (is_lost || search_ != search_before)) marked_ = best_of(found, search_).name;
     const bool scroll = opens || marked_ != marked_before || ImGui::IsWindowAppearing();
     ImGui::BeginChild("list", {0.0F, 0.0F});
     const NamedFile* chosen = draw_list(found, current, scroll);
