@@ -175,6 +175,18 @@ TEST_F(PresetsTest, TypingFiltersArrowsMoveAndEnterOpens) {
     EXPECT_EQ(desk.workbench.wanted_preset_picture(), "");
 }
 
+TEST(PresetList, ATitleThatIsTooLongForItsRowTakesTwoLines) {
+    Desk desk({800, 600}, "mirror-other-projection");
+    desk.params().ui.theme = Theme::projector;
+    desk.apply_looks();
+    desk.press_with(Key::ctrl, Key::p);
+    desk.ui.frames(3);
+    const RecordedItem list = desk.ui.find("top/search"), row = desk.ui.find("top/mirror-other-projection"),
+                       brief = desk.ui.find("top/mirror-from-behind");
+    EXPECT_GT(row.max.y - row.min.y, 1.5F * (brief.max.y - brief.min.y));
+    EXPECT_LE(row.max.x, list.max.x + 1.0F);
+}
+
 TEST_F(PresetsTest, TitlesCountBeforeSentences) {
     desk.press_with(Key::ctrl, Key::p);
     ui.frames(3);

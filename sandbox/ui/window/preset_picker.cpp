@@ -117,7 +117,7 @@ const NamedFile* PresetPicker::draw_list(const std::vector<const NamedFile*>& fo
             ImGui::GetWindowDrawList()->AddText(at, palette().accent, "✓");
         }
         ImGui::SetCursorPosX(ImGui::GetCursorPosX() + px(18.0F));
-        const std::string row = widgets::LabelText((preset->title + "##" + preset->name).c_str());
+        const std::string row = widgets::BrokenLabelText((preset->title + "##" + preset->name).c_str(), px(2.0F));
         if (ImGui::Selectable(row.c_str(), preset->name == marked_)) chosen = preset;
         widgets::Record(preset->name.c_str());
         if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) marked_ = preset->name;
