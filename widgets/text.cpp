@@ -197,35 +197,49 @@ Labelled::~Labelled() {
 
 namespace {
 
+constexpr float tooltip_gap = 8.0F, tooltip_padding = 11.0F;  ///< design pixels
+constexpr float column_share = 0.5F;                          ///< of the window's width: what is wider is no column
+
+/// Pixels beside the window that is being drawn, on the side where there are more; 0 where it is no column.
+float RoomBesideColumn() {
+    const float screen = ImGui::GetIO().DisplaySize.x, left = ImGui::GetWindowPos().x;
+    if (ImGui::GetWindowWidth() > column_share * screen) return 0.0F;
+    return std::max(left, screen - left - ImGui::GetWindowWidth()) - 2.0F * Px(tooltip_gap);
+}
+
 /// Where a tooltip of this size stands beside what it is about: beside the column, so that neither the item nor the
 /// next ones are covered; in what is too wide for a column, below the item or above it.
 ImVec2 TooltipPlace(const ImVec4& item, ImVec2 size) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const ImVec2 column_min = ImGui::GetWindowPos();
-    const float column_max = column_min.x + ImGui::GetWindowWidth(), gap = Px(8);
-    const bool is_column = column_max - column_min.x <= 0.45F * screen.x;
-    const bool fits_right = column_max + gap + size.x <= screen.x, fits_left = column_min.x - gap - size.x >= 0.0F;
-    if (is_column && (fits_right || fits_left))
-        return {fits_right ? column_max + gap : column_min.x - gap - size.x,
+    const float left = ImGui::GetWindowPos().x, right = left + ImGui::GetWindowWidth(), gap = Px(tooltip_gap);
+    if (size.x <= RoomBesideColumn())
+        return {right + gap + size.x <= screen.x ? right + gap : left - gap - size.x,
                 std::max(std::min(item.y, screen.y - size.y), 0.0F)};
     const bool fits_below = item.w + gap + size.y <= screen.y;
     return {std::max(std::min(item.x, screen.x - size.x), 0.0F),
             fits_below ? item.w + gap : std::max(item.y - gap - size.y, 0.0F)};
 }
 
+/// How wide its lines may be: less where the column leaves less room, as long as that is enough to be read.
+float TooltipTextWidth() {
+    const float usual = Px(340), least = Px(200), room = RoomBesideColumn() - 2.0F * Px(tooltip_padding);
+    return room >= least ? std::min(usual, room) : usual;
+}
+
 }  // namespace
 
 void BeginTooltipWindow() {
     const Editing& editing = CurrentContext().editing;
+    const float text_width = TooltipTextWidth();
     ImGui::SetNextWindowPos(TooltipPlace(editing.tooltip_of, editing.tooltip_size));
     // What a disabled item pushed must not make its explanation pale.
     ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1.0F);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(Px(11), Px(9)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(Px(tooltip_padding), Px(9)));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(Px(6), Px(5)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, Px(6));
     ImGui::BeginTooltip();
     ImGui::BeginGroup();
-    ImGui::PushTextWrapPos(Px(340) * CurrentContext().palette.type_scale);
+    ImGui::PushTextWrapPos(Px(tooltip_padding) + text_width);
 }
 
 void EndTooltipWindow(std::string_view told) {

@@ -52,7 +52,20 @@ TEST(Tooltips, StandBesideTheirColumn) {
         EXPECT_LE(tooltip->max.x, 1600.0F) << label;
         EXPECT_LE(tooltip->max.y, 900.0F) << label;
     }
-    // A bar is no column: below the item.
+    // Also where the column takes nearly half of the window.
+    Desk small({800, 600});
+    small.params().ui.theme = Theme::projector;
+    small.apply_looks();
+    small.ui.frames(3);
+    tooltip_of(small, "projection/type/Perspective");
+    ASSERT_TRUE(shown_tooltip(small));
+    EXPECT_GE(shown_tooltip(small)->min.x, small.layout().panel.max.x);
+    EXPECT_LE(shown_tooltip(small)->max.x, 800.0F);
+}
+
+/// A bar is no column.
+TEST(Tooltips, StandBelowWhatIsInABar) {
+    Desk desk({1600, 900});
     tooltip_of(desk, "top/next preset");
     const RecordedItem* below = shown_tooltip(desk);
     ASSERT_TRUE(below);

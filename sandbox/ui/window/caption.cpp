@@ -53,16 +53,18 @@ void draw_caption(const NamedFile& preset, Session& session, const Rect& rect, b
     const bool is_changed = session.departs_from_preset();
 
     ImGui::SetCursorScreenPos(rect.min);
-    if (ImGui::InvisibleButton("text", {std::max(rect.width() - marks, 1.0F), rect.height()})) wanted = !is_folded;
+    const float text_width = std::max(rect.width() - (is_folded && !is_changed ? 0.0F : marks), 1.0F);
+    if (ImGui::InvisibleButton("text", {text_width, rect.height()})) wanted = !is_folded;
     const ImVec2 corner = ImGui::GetItemRectMax();
     widgets::Record("text");
     widgets::Tooltip(preset.title.c_str(), is_folded ? marked("Shows what this preset is about (C).")
                                                      : marked("Folds the sentence away (C)."));
 
     const ImFont& font = is_folded ? *context.fonts.heading : *context.fonts.caption;
-    const std::string text = is_folded
-                                 ? widgets::Shortened(tr(preset.title.c_str()), rect.width() - marks - px(arrow_room))
-                                 : sentence_of(preset, context, rect.width());
+    ImGui::PushFont(context.fonts.heading);
+    const std::string text = is_folded ? widgets::Shortened(tr(preset.title.c_str()), text_width - px(arrow_room))
+                                       : sentence_of(preset, context, rect.width());
+    ImGui::PopFont();
     const float top = is_folded ? std::floor((rect.height() - font.FontSize) * 0.5F) : 0.0F;
     const ImU32 ink = is_changed ? palette().quiet : palette().text;
     draw->PushClipRect(rect.min, corner, true);
