@@ -353,7 +353,7 @@ bool SmallButton(const char* label, bool enabled, const char* why_disabled) {
     return clicked;
 }
 
-bool Section(const char* label, bool open_by_default, const char* note) {
+bool Section(const char* label, bool open_by_default, const char* note, const char* trouble) {
     const Context& context = CurrentContext();
     const Palette& palette = context.palette;
     ImGuiStorage* storage = ImGui::GetStateStorage();
@@ -376,7 +376,12 @@ bool Section(const char* label, bool open_by_default, const char* note) {
                         inner::Shown(inner::Mix(palette.quiet, palette.text, 0.5F)));
     DrawTextIn(draw, ImVec2(min.x + inner::Px(28), min.y), size.y, palette.text, inner::ShownPart(label),
                context.fonts.heading);
-    if (*note) {
+    if (*trouble) {
+        const float sign = ImGui::GetFontSize();
+        inner::DrawWarning(draw, ImVec2(max.x - inner::Px(9) - sign, min.y + (size.y - sign) * 0.5F), sign);
+        inner::RecordRect((std::string(inner::RecordedPart(label)) + "/trouble").c_str(), min, max, trouble);
+        Tooltip("", trouble);
+    } else if (*note) {
         const float width = inner::FaceOf(context.fonts.note).Measure(note).x;
         DrawTextIn(draw, ImVec2(max.x - width - inner::Px(9), min.y), size.y, palette.quiet, note, context.fonts.note);
     }

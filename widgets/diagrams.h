@@ -17,7 +17,7 @@ struct TreeNode {
     int parent = -1, front = -1, back = -1;  ///< indices; −1: none
     std::string_view label = {};             ///< short: a number
     int mark = -1;                           ///< its number in a walk, drawn beside it; −1: not visited
-    ImU32 color = 0;                         ///< of its outline; 0: neutral
+    ImU32 color = 0;                         ///< of what it stands for; 0: neutral
     int eye_side = 0;  ///< 1: the eye is in front, −1: behind; that edge is accentuated. 0: none
 };
 
@@ -43,6 +43,7 @@ struct TreeDiagramState {
     double zoom = 1.0;
     std::unordered_set<int> collapsed;  ///< nodes whose subtrees are folded
     bool fit_next = true;               ///< the next frame shows the whole tree, or its top where that is too large
+    bool fit_whole_next = false;        ///< the next frame shows all of it, however small
     int reveal_next = -1;               ///< the next frame unfolds and moves as little as it takes to show this node
     int hovered = -1;                   ///< out: the node under the pointer
 

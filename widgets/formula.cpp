@@ -34,6 +34,7 @@ public:
         ascent_ = font.FontSize > 0.0F ? font.Ascent / font.FontSize : 0.8F;
         has_minus_ = font.FindGlyphNoFallback(0x2212) != nullptr;
         has_dot_ = font.FindGlyphNoFallback(0xB7) != nullptr;
+        has_script_l_ = font.FindGlyphNoFallback(0x2113) != nullptr;
         out_.size.y = face.size;
     }
 
@@ -48,6 +49,8 @@ public:
         out_.bytes += static_cast<int>(shown.size());
         out_.pieces[out_.piece_count - 1].end = static_cast<short>(out_.bytes);
     }
+
+    bool HasScriptL() const { return has_script_l_; }
 
     /// The thin space between two factors.
     void PutThinSpace() {
@@ -86,13 +89,21 @@ private:
     Face face_;
     float ascent_ = 0.8F;
     float x_ = 0.0F;
-    bool has_minus_ = false, has_dot_ = false;
+    bool has_minus_ = false, has_dot_ = false, has_script_l_ = false;
     bool open_ = false;
     Level level_ = Level::line;
     ImU32 color_ = 0;
 };
 
-ImU32 ColorOf(char letter, std::span<const LetterRole> roles, ImU32 base) {
+/// The character at `s`, which has so many bytes; 0 where it is broken.
+char32_t CharacterAt(const char* s, int bytes) {
+    if (bytes == 1) return static_cast<unsigned char>(*s);
+    char32_t character = static_cast<unsigned char>(*s) & (0x7FU >> bytes);
+    for (int i = 1; i < bytes; ++i) character = (character << 6U) | (static_cast<unsigned char>(s[i]) & 0x3FU);
+    return bytes == 0 ? 0 : character;
+}
+
+ImU32 ColorOf(char32_t letter, std::span<const LetterRole> roles, ImU32 base) {
     for (const LetterRole& entry : roles) {
         if (entry.letter == letter) return CurrentContext().palette.of(entry.role);
     }
@@ -153,8 +164,8 @@ FormulaLayout::FormulaLayout(const char* formula, std::span<const LetterRole> ro
         }
         if (!IsLetter(*s)) {
             const int count = CharacterBytes(s);
-            writer.Put(s, count, Level::line, base);
-            letter_color = base;
+            letter_color = ColorOf(CharacterAt(s, count), roles, base);
+            writer.Put(s, count, Level::line, letter_color);
             s += std::max(1, count);
             continue;
         }
@@ -162,8 +173,9 @@ FormulaLayout::FormulaLayout(const char* formula, std::span<const LetterRole> ro
         while (IsLetter(*word_end)) ++word_end;
         const bool is_word = word_end - s >= 3;
         for (; s < word_end; ++s) {
-            letter_color = is_word ? base : ColorOf(*s, roles, base);
-            writer.Put(s, 1, Level::line, letter_color);
+            letter_color = is_word ? base : ColorOf(static_cast<unsigned char>(*s), roles, base);
+            const bool is_script_l = !is_word && *s == 'l' && writer.HasScriptL();
+            writer.Put(is_script_l ? "ℓ" : s, is_script_l ? 3 : 1, Level::line, letter_color);
         }
     }
     writer.Close();

@@ -173,15 +173,20 @@ struct ButtonUse {
 /// The title at the left, the button at the right.
 ButtonUse TitleAndFit(ImDrawList* draw, ImVec2 min, ImVec2 max, bool has_counts, const HistogramStyle& style) {
     const inner::Face face = inner::FaceOf(CurrentContext().fonts.note);
-    const float button = ImGui::CalcTextSize(tr("fit")).x + Px(16), height = ImGui::GetFontSize() + Px(4);
-    const std::string title =
-        style.logarithmic ? say("{title}, heights logarithmic", "title"_a = tr(style.title)) : tr(style.title);
+    const float button = ImGui::CalcTextSize(tr("Fit")).x + Px(16), height = ImGui::GetFontSize() + Px(4);
     const ImVec2 at(min.x + Px(6), std::floor(min.y + Px(4) + 0.5F * (height - face.size)));
-    const ImVec4 clip(min.x, min.y, max.x - button - Px(10), max.y);
-    draw->AddText(face.font, face.size, at, Shown(CurrentContext().palette.quiet), title.data(),
-                  title.data() + title.size(), 0.0F, &clip);
+    const float room = max.x - button - Px(10) - at.x;
+    std::string title = tr(style.title);
+    if (style.logarithmic) {
+        const std::string whole = say("{title}, heights logarithmic", "title"_a = title);
+        if (face.Measure(whole).x <= room) title = whole;
+    }
+    {
+        const inner::FontScope font(CurrentContext().fonts.note);
+        face.Draw(draw, at, Shown(CurrentContext().palette.quiet), Shortened(title, room));
+    }
     ImGui::SetCursorScreenPos(ImVec2(max.x - button - Px(4), min.y + Px(4)));
-    const bool clicked = SmallButton("fit", has_counts, "Nothing has been counted.");
+    const bool clicked = SmallButton("Fit", has_counts, "Nothing has been counted.");
     const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
     if (has_counts)
         Tooltip("Fit", "The range from the first to the last value that occurs; a double-click does the same.");

@@ -87,6 +87,9 @@ struct Labelled {
 
 /// The frame of a field: rounded, tinted and outlined when `lit`, with a stripe in its role's colour at the left.
 void DrawField(ImDrawList* draw, ImVec2 min, ImVec2 max, bool hovered, bool active, bool lit, Role role);
+/// A warning sign: a triangle with a stroke and a dot, in shape as well as in colour. As wide as it is high, but for a
+/// twentieth.
+void DrawWarning(ImDrawList* draw, ImVec2 min, float size);
 /// A small solid triangle that points down, or right when folded.
 void DrawTriangle(ImDrawList* draw, ImVec2 center, float radius, bool down, ImU32 color);
 
@@ -134,12 +137,18 @@ private:
     void DrawPiece(ImDrawList* draw, ImVec2 position, const Piece& piece, ImU32 color) const;
 };
 
-/// The box of a Number without its label; `id` is unique in its ImGui id scope and is its name for the recorder.
-enum class BoxKind { drag, slider };
-bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag);
+/// How the numbers of a row are written, each in a box of this width: the same everywhere.
+struct NumberLook {
+    Face face;
+    int decimals;
+};
+NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width);
 
-/// The decimals with which all of several numbers fit boxes of this width, so that a row shows the same everywhere.
-int SharedDecimals(std::span<const double> values, const NumberStyle& style, float width);
+/// The box of a Number without its label; `id` is unique in its ImGui id scope and is its name for the recorder.
+/// `look` null: that of the number alone.
+enum class BoxKind { drag, slider };
+bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
+               const NumberLook* look = nullptr);
 
 /// Numbers without a label, sharing a width; the component names are for the recorder.
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,

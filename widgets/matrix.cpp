@@ -75,16 +75,17 @@ Measures::Measures(const glm::dmat4& value, const MatrixStyle& style, float widt
     cell_width = std::floor((width - 4.0F * bracket) / 4.0F);
     inset = std::min(Px(6), cell_width * 0.07F);
     const float room = cell_width - 2.0F * inset;
-    symbols = !style.overridden && FitSymbols(style, room, symbol);
+    const bool has_symbols = FitSymbols(style, room, symbol);
+    symbols = has_symbols && !style.overridden;
 
     const float digit = number.font->GetCharAdvance('0') * number.size / number.font->FontSize;
     columns = std::max(1, static_cast<int>(room / digit + 0.01F));
     decimals = FitDecimals(value, style.decimals, columns);
 
     number_height = style.editable ? ImGui::GetFrameHeight() : number.size + Px(1);
-    cell_height = number_height + Px(style.editable ? 4 : 8);
-    if (symbols) cell_height += symbol.size * 1.1F;
-    cell_height = std::ceil(cell_height);
+    // A matrix stays as high when it begins to be edited.
+    const float shown_height = number.size + Px(9) + (has_symbols ? symbol.size * 1.1F : 0.0F);
+    cell_height = std::ceil(style.editable ? std::max(number_height + Px(4), shown_height) : shown_height);
 }
 
 void DrawBrackets(ImDrawList* draw, ImVec2 min, ImVec2 max, float at, bool overridden) {

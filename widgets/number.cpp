@@ -13,15 +13,14 @@ bool NumberRow(std::span<double> values, std::span<const char* const> names, con
     const float gap = Px(4);
     const auto count = static_cast<float>(values.size());
     const float each = std::floor((width - gap * (count - 1.0F)) / count);
-    const int decimals = SharedDecimals(values, style, each);
+    const NumberLook look = LookOf(values, style, each);
     bool changed = false;
     for (std::size_t i = 0; i < values.size(); ++i) {
         NumberStyle own = style;
-        own.decimals = decimals;
         if (i < defaults.size()) own.default_value = defaults[i];
         if (i < links.size()) own.links = links[i];
         if (i > 0) ImGui::SameLine(0.0F, gap);
-        changed |= NumberBox(names[i], values[i], own, each);
+        changed |= NumberBox(names[i], values[i], own, each, BoxKind::drag, &look);
     }
     return changed;
 }

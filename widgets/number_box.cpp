@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "widgets/inner.h"
 
@@ -15,6 +16,15 @@ namespace {
 double Clamped(double value, const NumberStyle& style) {
     if (style.integer) value = std::round(value);
     return std::clamp(value, style.min, style.max);
+}
+
+/// The same number with what a drag reaches for its limits.
+NumberStyle ForDrags(NumberStyle style) {
+    if (style.drag_min != style.drag_max) {
+        style.min = style.drag_min;
+        style.max = style.drag_max;
+    }
+    return style;
 }
 
 double RoundedTo(double value, int decimals) {
@@ -158,7 +168,7 @@ std::optional<double> SlideInBox(double value, const NumberStyle& style, const T
 
 // ---- the box ---------------------------------------------------------------------------------------
 
-/// How many characters the box has room for.
+/// How many characters of this size the box has room for.
 int ColumnsOf(const NumberStyle& style, float width, const Face& face) {
     const float digit = face.font->GetCharAdvance('0') * face.size / face.font->FontSize;
     return std::max(1, static_cast<int>((width - Px(style.role == Role::none ? 6 : 9)) / digit + 0.01F));
@@ -168,22 +178,25 @@ Tiny TinyOf(const NumberStyle& style) {
     return style.logarithmic ? Tiny::exponent : Tiny::zero;
 }
 
-/// The most decimals with which the number fits together with a sign, where it may have one, and its unit; as many as
-/// asked for when it does not fit at all and becomes a power of ten.
-int DecimalsInBox(double value, const NumberStyle& style, int columns) {
-    const int wanted = style.integer ? 0 : style.decimals;
+int WantedDecimals(const NumberStyle& style) {
+    return style.integer ? 0 : style.decimals;
+}
+
+/// The most decimals with which the number fits together with a sign, where it may have one, and its unit; none when it
+/// does not fit at all and becomes a power of ten.
+std::optional<int> DecimalsInBox(double value, const NumberStyle& style, int columns) {
+    const int wanted = WantedDecimals(style);
     const double widest = style.min < 0.0 ? -std::abs(value) : value;
     NumberChars unit;
     unit.append(style.unit);
     for (int decimals = wanted; decimals >= std::min(wanted, 1); --decimals) {
         if (viewing::number_chars(widest, decimals, TinyOf(style)).columns + unit.columns <= columns) return decimals;
     }
-    return wanted;
+    return std::nullopt;
 }
 
-NumberChars TextInBox(double value, const NumberStyle& style, float width, const Face& face) {
-    const int columns = ColumnsOf(style, width, face);
-    return viewing::fitted_number(value, DecimalsInBox(value, style, columns), TinyOf(style), style.unit, columns);
+NumberChars TextInBox(double value, const NumberStyle& style, float width, const NumberLook& look) {
+    return viewing::fitted_number(value, look.decimals, TinyOf(style), style.unit, ColumnsOf(style, width, look.face));
 }
 
 /// The knob, a slim bar on its tinted track; the number is drawn over it.
@@ -193,16 +206,16 @@ void DrawKnob(ImDrawList* draw, float x, float half, ImVec2 min, ImVec2 max, ImU
     draw->AddRectFilled(ImVec2(x - half, min.y + inset), ImVec2(x + half, max.y - inset), Shown(color), half);
 }
 
-void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, BoxKind kind, bool lit) {
-    const Context& context = CurrentContext();
-    const Palette& palette = context.palette;
-    const Face face = FaceOf(context.fonts.number);
+void DrawBox(double value, const NumberStyle& style, ImVec2 min, ImVec2 max, BoxKind kind, bool lit,
+             const NumberLook& look) {
+    const Palette& palette = CurrentContext().palette;
+    const Face& face = look.face;
     ImDrawList* draw = ImGui::GetWindowDrawList();
     const bool slides = kind == BoxKind::slider, active = ImGui::IsItemActive();
     const Role stripe = slides ? Role::none : style.role;
     DrawField(draw, min, max, ImGui::IsItemHovered(), active && !slides, lit, stripe);
 
-    const NumberChars text = TextInBox(value, style, max.x - min.x, face);
+    const NumberChars text = TextInBox(value, style, max.x - min.x, look);
     const float text_width = face.Measure(text.view()).x;
     const float middle = (min.x + max.x) * 0.5F + (stripe == Role::none ? 0.0F : Px(1));
     const ImVec2 at(std::floor(middle - text_width * 0.5F), std::floor((min.y + max.y - face.size) * 0.5F));
@@ -246,14 +259,36 @@ std::optional<double> PointAtBox(ImGuiID id, double value, const NumberStyle& st
 
 }  // namespace
 
-int SharedDecimals(std::span<const double> values, const NumberStyle& style, float width) {
-    const int columns = ColumnsOf(style, width, FaceOf(CurrentContext().fonts.number));
-    int decimals = style.decimals;
-    for (const double value : values) decimals = std::min(decimals, DecimalsInBox(value, style, columns));
-    return decimals;
+NumberLook LookOf(std::span<const double> values, const NumberStyle& style, float width) {
+    const Fonts& fonts = CurrentContext().fonts;
+    const Face small = FaceOf(fonts.small_number);
+    constexpr float least_size = 10.5F;  // design pixels: below, digits cannot be read
+    const Face sizes[] = {FaceOf(fonts.number), small, {small.font, std::min(small.size, Px(least_size))}};
+    const Face& smallest = sizes[std::size(sizes) - 1];
+    const int wanted = WantedDecimals(style), most_columns = ColumnsOf(style, width, smallest);
+    // Fewer decimals come before smaller ones as long as they say the same.
+    const auto is_told = [wanted](double value, int decimals) {
+        return std::abs(RoundedTo(value, decimals) - RoundedTo(value, wanted)) < 1e-9 * std::max(1.0, std::abs(value));
+    };
+    for (const Face& face : sizes) {
+        const int columns = ColumnsOf(style, width, face);
+        for (int decimals = wanted; decimals >= std::max(wanted - 1, 0); --decimals) {
+            const bool all_fit = std::all_of(values.begin(), values.end(), [&](double value) {
+                const bool never_fits = !DecimalsInBox(value, style, most_columns);
+                return never_fits ||
+                       (DecimalsInBox(value, style, columns).value_or(-1) >= decimals && is_told(value, decimals));
+            });
+            if (all_fit) return {face, decimals};
+        }
+    }
+    int decimals = wanted;
+    for (const double value : values)
+        decimals = std::min(decimals, DecimalsInBox(value, style, most_columns).value_or(wanted));
+    return {smallest, decimals};
 }
 
-bool NumberBox(const char* id_text, double& value, const NumberStyle& style, float width, BoxKind kind) {
+bool NumberBox(const char* id_text, double& value, const NumberStyle& style, float width, BoxKind kind,
+               const NumberLook* shared_look) {
     Context& context = CurrentContext();
     Editing& editing = context.editing;
     ImGui::PushID(id_text);
@@ -264,6 +299,8 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
     if (editing.type_now == id) StartTyping(editing, id, value);
     if (editing.typing == id && IsDisabled()) editing.typing = 0;
 
+    const NumberLook look = shared_look ? *shared_look : LookOf({&value, 1}, style, size.x);
+    const NumberStyle drags = ForDrags(style);
     std::optional<double> edited;
     if (editing.typing == id) {
         edited = TypeInBox(style, size);
@@ -273,15 +310,14 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
         FollowTab(editing, id);
         ImGui::InvisibleButton("##box", size);
         const bool lit = FollowLinks(style.links);
-        edited = PointAtBox(id, value, style, Track(min.x, max.x), kind);
-        if (ImGui::IsItemVisible()) DrawBox(edited.value_or(value), style, min, max, kind, lit);
+        edited = PointAtBox(id, value, drags, Track(min.x, max.x), kind);
+        if (ImGui::IsItemVisible()) DrawBox(edited.value_or(value), drags, min, max, kind, lit, look);
     }
     ImGui::PopID();
 
     const bool changed = edited && !(*edited == value);
     if (changed) value = *edited;
-    if (context.record)
-        RecordRect(id_text, min, max, TextInBox(value, style, size.x, FaceOf(context.fonts.number)).view());
+    if (context.record) RecordRect(id_text, min, max, TextInBox(value, drags, size.x, look).view());
     return changed;
 }
 

@@ -32,8 +32,8 @@ bool PlaneButtons(glm::dvec4& plane) {
         ImGui::SameLine(0.0F, inner::Px(4));
     }
     const bool is_unit = std::abs(NormalLength(plane) - 1.0) < 1e-12;
-    if (SmallButton("normalise", !is_unit, "The normal (a, b, c) already has length 1.")) plane /= NormalLength(plane);
-    if (!is_unit) Tooltip("normalise", "Divides a, b, c and d by the normal's length: the same plane, a unit normal.");
+    if (SmallButton("Normalise", !is_unit, "The normal (a, b, c) already has length 1.")) plane /= NormalLength(plane);
+    if (!is_unit) Tooltip("Normalise", "Divides a, b, c and d by the normal's length: the same plane, a unit normal.");
     return plane != before;
 }
 

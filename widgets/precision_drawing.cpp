@@ -129,11 +129,15 @@ void DrawPrecisionReadout(ImDrawList* draw, const Box& area, const ChartPlot& pl
                   Px(1));
     const ImVec2 at = PlaceOf(plot, {z, *step});
     if (IsInPlot(plot, {z, *step})) {
+        // A crosshair: the distance at the axis below, the value at the one on the left.
+        draw->AddLine(ImVec2(plot.min.x, at.y), ImVec2(plot.max.x, at.y), Shown(WithAlpha(palette.quiet, 0.6F)), Px(1));
+        RecordRect("crosshair", ImVec2(plot.min.x, plot.min.y), at, viewing::steady_figures(*step));
         draw->AddCircleFilled(at, Px(4), Shown(curve->color));
         draw->AddCircle(at, Px(6.5F), Shown(palette.text), 0, Px(1.5F) * palette.stroke);
     }
-    std::vector<std::string> lines{say("z: {z}", "z"_a = viewing::steady_figures(z)),
-                                   say("Δz: {step}", "step"_a = viewing::steady_figures(*step))};
+    std::vector<std::string> lines{
+        say("z: {z}", "z"_a = viewing::steady_figures(z)),
+        say("{name}: {value}", "name"_a = tr(style.y.title), "value"_a = viewing::steady_figures(*step))};
     for (const ChartCurve& term : style.terms) {
         if (const std::optional<double> value = ValueAt(term, z)) {
             lines.push_back(

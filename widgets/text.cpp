@@ -66,18 +66,8 @@ void Trouble(const char* sentence) {
     const Palette& palette = CurrentContext().palette;
     const float size = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImDrawList* draw = ImGui::GetWindowDrawList();
-
-    // A warning sign: a triangle with a stroke and a dot, in shape as well as in colour.
-    const float width = size * 0.95F, top = at.y + size * 0.08F, bottom = at.y + size * 0.92F;
-    const float middle = at.x + width * 0.5F, stroke = size * 0.10F;
-    draw->AddTriangleFilled(ImVec2(middle, top), ImVec2(at.x + width, bottom), ImVec2(at.x, bottom),
-                            inner::Shown(palette.trouble));
-    const ImU32 ink = inner::Shown(palette.ground);
-    draw->AddLine(ImVec2(middle, top + size * 0.28F), ImVec2(middle, bottom - size * 0.28F), ink, stroke);
-    draw->AddCircleFilled(ImVec2(middle, bottom - size * 0.15F), stroke * 0.6F, ink, 8);
-
-    ImGui::Dummy(ImVec2(width, size));
+    inner::DrawWarning(ImGui::GetWindowDrawList(), at, size);
+    ImGui::Dummy(ImVec2(size * 0.95F, size));
     ImGui::SameLine(0.0F, inner::Px(6));
     WrappedText("trouble", sentence, palette.trouble);
 }
@@ -142,6 +132,17 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
 }
 
 namespace inner {
+
+void DrawWarning(ImDrawList* draw, ImVec2 min, float size) {
+    const Palette& palette = CurrentContext().palette;
+    const float width = size * 0.95F, top = min.y + size * 0.08F, bottom = min.y + size * 0.92F;
+    const float middle = min.x + width * 0.5F, stroke = size * 0.10F;
+    draw->AddTriangleFilled(ImVec2(middle, top), ImVec2(min.x + width, bottom), ImVec2(min.x, bottom),
+                            Shown(palette.trouble));
+    const ImU32 ink = Shown(palette.ground);
+    draw->AddLine(ImVec2(middle, top + size * 0.28F), ImVec2(middle, bottom - size * 0.28F), ink, stroke);
+    draw->AddCircleFilled(ImVec2(middle, bottom - size * 0.15F), stroke * 0.6F, ink, 8);
+}
 
 Face FaceOf(ImFont* font) {
     if (!font) return {ImGui::GetFont(), ImGui::GetFontSize()};

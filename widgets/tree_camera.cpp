@@ -53,7 +53,7 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
     constexpr int least_levels = 3;
     const double room = ViewSize(camera).x - 2.0 * margin;
     const auto fits = [room](const TreeLayout& layout) {
-        return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::readable_zoom <= room;
+        return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::comfortable_zoom <= room;
     };
     if (fits(state.layout) || state.layout.LevelCount() <= least_levels) return false;
     // A tree with more levels is at least as wide.
@@ -66,26 +66,32 @@ bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
     return true;
 }
 
-void Fit(const TreeCamera& camera, TreeDiagramState& state) {
+void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
     const TreeLayout& layout = state.layout;
-    const glm::dvec2 size = ViewSize(camera), room = glm::max(size - 2.0 * margin, glm::dvec2(1.0));
-    const glm::dvec2 tree(std::max((layout.max_x - layout.min_x) * TreeCamera::pitch, 1e-3),
-                          std::max((layout.LevelCount() - 1) * TreeCamera::row, 1e-3));
-    state.zoom = std::clamp(std::min(room.x / tree.x, room.y / tree.y), TreeCamera::readable_zoom, 1.0);
-    const glm::dvec2 zoomed = tree * state.zoom;
+    const glm::dvec2 size = ViewSize(camera);
+    const glm::dvec2 tree((layout.max_x - layout.min_x) * TreeCamera::pitch,
+                          (layout.LevelCount() - 1) * TreeCamera::row);
+    // What is around a node becomes smaller with it.
+    const glm::dvec2 fitting = size / (tree + 2.0 * margin);
+    const double zoom = std::min(fitting.x, fitting.y);
+    const bool fits = whole || zoom >= TreeCamera::readable_zoom;
+    state.zoom = std::clamp(zoom, fits ? smallest_zoom : TreeCamera::comfortable_zoom, 1.0);
+    const double edge = margin * state.zoom;
+    const glm::dvec2 zoomed = tree * state.zoom, room = size - 2.0 * edge;
     const double to_left = -layout.min_x * TreeCamera::pitch * state.zoom;
     if (zoomed.x <= room.x) {
         state.pan.x = 0.5 * (size.x - zoomed.x) + to_left;
     } else {
-        state.pan.x = std::clamp(0.5 * size.x, size.x - margin - (zoomed.x - to_left), margin + to_left);
+        state.pan.x = std::clamp(0.5 * size.x, size.x - edge - (zoomed.x - to_left), edge + to_left);
     }
-    state.pan.y = zoomed.y <= room.y ? 0.5 * (size.y - zoomed.y) : margin;
+    state.pan.y = zoomed.y <= room.y ? 0.5 * (size.y - zoomed.y) : edge;
 }
 
 void KeepInView(const TreeCamera& camera, TreeDiagramState& state) {
     const TreeLayout& layout = state.layout;
     const glm::dvec2 step = glm::dvec2(TreeCamera::pitch, TreeCamera::row) * state.zoom;
-    const glm::dvec2 size = ViewSize(camera), edge = glm::min(glm::dvec2(margin), 0.5 * size);
+    const glm::dvec2 size = ViewSize(camera),
+                     edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
     const glm::dvec2 first = glm::dvec2(layout.min_x, 0.0) * step;
     const glm::dvec2 last = glm::dvec2(layout.max_x, layout.LevelCount() - 1) * step;
     state.pan = glm::clamp(state.pan, edge - last, size - edge - first);
@@ -101,9 +107,10 @@ void ZoomAbout(const TreeCamera& camera, ImVec2 pointer, double factor, TreeDiag
 void MoveIntoView(const TreeCamera& camera, int node, TreeDiagramState& state) {
     const auto index = static_cast<std::size_t>(node);
     if (state.zoom < TreeCamera::readable_zoom) {
-        ZoomAbout(camera, camera.At(state.layout, node), TreeCamera::readable_zoom / state.zoom, state);
+        ZoomAbout(camera, camera.At(state.layout, node), TreeCamera::comfortable_zoom / state.zoom, state);
     }
-    const glm::dvec2 size = ViewSize(camera), edge = glm::min(glm::dvec2(margin), 0.5 * size);
+    const glm::dvec2 size = ViewSize(camera),
+                     edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
     const glm::dvec2 at(state.layout.x[index] * TreeCamera::pitch, state.layout.level[index] * TreeCamera::row);
     const glm::dvec2 seen = state.pan + at * state.zoom;
     state.pan += glm::clamp(seen, edge, size - edge) - seen;

@@ -131,7 +131,7 @@ bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
         state.pressed_triangle = pointed.on_triangle;
     }
     const bool doubled = hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-    if (doubled && pointed.node < 0) state.fit_next = true;
+    if (doubled && pointed.node < 0) state.fit_whole_next = true;
     const bool folds = (doubled && !pointed.on_triangle) || (ImGui::IsItemActivated() && pointed.on_triangle);
     if (folds && pointed.node >= 0 && inner::HasShownChild(nodes, pointed.node, style.shown_count)) {
         if (state.collapsed.contains(pointed.node)) {
@@ -220,22 +220,22 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     Update(nodes, revision, state);
     if (state.fold_next && inner::FoldWide(TreeCamera(min, max, state), nodes, state)) Update(nodes, revision, state);
     state.fold_next = false;
-    if (state.fit_next) inner::Fit(TreeCamera(min, max, state), state);
+    if (state.fit_next || state.fit_whole_next) inner::Fit(TreeCamera(min, max, state), state, state.fit_whole_next);
     if (LevelOf(state, state.reveal_next) >= 0)
         inner::MoveIntoView(TreeCamera(min, max, state), state.reveal_next, state);
-    state.fit_next = false;
+    state.fit_next = state.fit_whole_next = false;
     state.reveal_next = -1;
 
     // Asked before the view around it, the button comes first.
     const float side = ImGui::GetFrameHeight();
     const ImVec2 button_min(max.x - side - Px(5), min.y + Px(5));
     ImGui::SetCursorScreenPos(button_min);
-    if (ImGui::InvisibleButton("fit", ImVec2(side, side))) state.fit_next = true;
+    if (ImGui::InvisibleButton("fit", ImVec2(side, side))) state.fit_whole_next = true;
     Record("fit");
     const bool button_hovered = ImGui::IsItemHovered();
     Tooltip("Fit",
-            "The whole tree, or its top where it is too large; a double-click on the ground does the same. Drag "
-            "to move, turn the wheel to zoom, double-click a node to fold what is below it.");
+            "The whole tree, as small as it takes; a double-click on the ground does the same. Drag to move, turn "
+            "the wheel to zoom, double-click a node to fold what is below it.");
 
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("view", size);

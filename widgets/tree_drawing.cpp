@@ -171,7 +171,7 @@ private:
         const ImVec2 max(min.x + std::round(2.0F * half_.x), min.y + std::round(2.0F * half_.y));
         const bool is_current = node == current_;
         const bool is_lit = node == state_.hovered || node == lit_;
-        const ImU32 ground = Mix(palette_.field, color, 0.16F);
+        const ImU32 ground = Mix(palette_.field, color, At(node).color ? 0.4F : 0.16F);
         const ImU32 fill = is_current ? palette_.accent : is_lit ? Mix(ground, palette_.accent, 0.3F) : ground;
         const float rounding = Px(4);
         draw_->AddRectFilled(min, max, Shown(fill), rounding);
@@ -204,7 +204,8 @@ private:
         Face face = FaceOf(CurrentContext().fonts.small_number);
         const std::string digits = std::to_string(At(node).mark);
         const float gap = Px(3), room = 0.5F * camera_.Pitch() - gap - Px(1);
-        const float share = std::min(0.9F, room / face.Measure(digits).x);
+        const float small = static_cast<float>(std::min(camera_.zoom / 0.75, 1.0));
+        const float share = std::min(0.9F * small, room / face.Measure(digits).x);
         face.size = std::max(std::floor(face.size * share), Px(8));
         const bool leans_right = node > 0 && At(At(node).parent).back == node;
         const float left = leans_right ? center.x + gap : center.x - gap - face.Measure(digits).x;

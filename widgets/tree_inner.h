@@ -8,7 +8,8 @@ namespace widgets::inner {
 /// From a layout's places to the screen. Lengths are in pixels.
 struct TreeCamera {
     static constexpr double pitch = 48.0, row = 42.0;  ///< between nodes and between levels, in design pixels at zoom 1
-    static constexpr double readable_zoom = 0.75;      ///< from here on a node has room for its label
+    static constexpr double readable_zoom = 0.42;      ///< from here on a node has room for its label
+    static constexpr double comfortable_zoom = 0.75;   ///< of what does not fit as a whole
 
     ImVec2 min, max;  ///< the view
     double unit;      ///< pixels for a design pixel
@@ -29,9 +30,9 @@ struct TreeCamera {
     bool ShowsText() const { return zoom >= readable_zoom; }
 };
 
-/// The whole tree, in the middle; where it would become unreadable its top, with the root as near the middle as the
-/// tree's own edges allow.
-void Fit(const TreeCamera& camera, TreeDiagramState& state);
+/// The whole tree, in the middle. Where it would become unreadable, unless it is to be whole, its top, with the root as
+/// near the middle as the tree's own edges allow.
+void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole);
 /// Folds a tree too wide to be read whole at the deepest level for which the rest is not; whether it had to.
 bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state);
 /// Some of the tree always stays in the view.

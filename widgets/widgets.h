@@ -151,14 +151,14 @@ void ValueText(const char* text, Role role = Role::none);  ///< monospaced
 
 /// Which role a letter has in a symbol: "l" → light.
 struct LetterRole {
-    char letter;
+    char32_t letter;
     Role role;
 };
 
 /// Draws a formula such as "-l_x n_y", "n·l - l_x n_x", "1 - 2a^2": `_x` is lowered, `^2` raised (one character or
-/// `{…}`), "-" a real minus, "*" a dot, a blank between two factors of one letter a thin one; letters take their role's
-/// colour, and what is lowered or raised that of its letter, the rest `base`. Three or more letters in a row are a word
-/// without roles. Returns the size. Draws nothing when `draw` is null.
+/// `{…}`), "-" a real minus, "*" a dot, "l" alone ℓ, a blank between two factors of one letter a thin one; letters take
+/// their role's colour, and what is lowered or raised that of its letter, the rest `base`. Three or more letters in a
+/// row are a word without roles. Returns the size. Draws nothing when `draw` is null.
 ImVec2 Formula(ImDrawList* draw, ImVec2 position, const char* formula, std::span<const LetterRole> roles, ImU32 base,
                ImFont* font = nullptr);
 
@@ -174,8 +174,9 @@ void Tooltip(const char* title, const char* body, const char* formula = "", cons
 
 /// How a number is edited.
 struct NumberStyle {
-    double min = -1e12, max = 1e12;  ///< typed values are clamped, too
-    double step = 0.01;              ///< change per design pixel of a drag (Shift ×10, Alt ÷100)
+    double min = -1e12, max = 1e12;         ///< of what is typed
+    double drag_min = 0.0, drag_max = 0.0;  ///< what a drag or a slider reaches; both 0: min … max
+    double step = 0.01;                     ///< change per design pixel of a drag (Shift ×10, Alt ÷100)
     int decimals = 2;
     const char* unit = "";       ///< shown behind the number: "°"
     bool logarithmic = false;    ///< a drag multiplies, 1 % a pixel; a slider is spaced by decades. Needs min > 0
@@ -186,13 +187,15 @@ struct NumberStyle {
 };
 
 /// A number to drag; double-click or Ctrl-click types, right-click resets. `width` 0: the item width. Where the
-/// decimals have no room fewer are shown; a sign that is not there keeps its place, so that they stay when it comes.
+/// decimals have no room they are written smaller, and fewer where that is not enough; a sign that is not there keeps
+/// its place, so that they stay when it comes.
 bool Number(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
 /// The same as a slider with a knob between min and max.
 bool Slider(const char* label, double& value, const NumberStyle& style, float width = 0.0F);
 
-/// Several numbers with the same decimals in one row with one label behind. `links[i]` per component when given.
+/// Several numbers with the same decimals and size in one row with one label behind. `links[i]` per component when
+/// given.
 bool Numbers(const char* label, std::span<double> values, const NumberStyle& style,
              std::span<const double> defaults = {}, std::span<const Links> links = {});
 bool Vec3(const char* label, glm::dvec3& value, const NumberStyle& style, const glm::dvec3& default_value = {},
@@ -229,8 +232,9 @@ bool SmallButton(const char* label, bool enabled = true, const char* why_disable
 float SmallButtonWidth(const char* label);  ///< in one line, pixels
 
 /// A header that folds what follows; the open state is kept by ImGui. Returns whether it is open.
-/// `note` stands quiet at its right end.
-bool Section(const char* label, bool open_by_default = true, const char* note = "");
+/// `note` stands quiet at its right end. `trouble`: what is wrong inside; a sign there that tells it on hover, so that
+/// nothing below moves when it comes.
+bool Section(const char* label, bool open_by_default = true, const char* note = "", const char* trouble = "");
 
 // ---- the lecture's things --------------------------------------------------------------------------
 

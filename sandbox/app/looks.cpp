@@ -7,9 +7,11 @@
 
 namespace viewing {
 
-bool Looks::follow(const UiParams& ui, double device_scale, widgets::Context& context) {
+bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
+                   widgets::Context& context) {
     const widgets::Palette& palette = palette_of(ui.theme);
-    const auto scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
+    const float usual_scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
+    const float scale = usual_scale * enlargement(window_px, usual_scale, arrangement);
     if (scale == scale_ && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;

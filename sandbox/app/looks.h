@@ -2,6 +2,7 @@
 #pragma once
 
 #include "state/params.h"
+#include "ui/parts/layout.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
@@ -9,7 +10,8 @@ namespace viewing {
 class Looks {
 public:
     /// Needs ImGui's GL backend. `device_scale`: of the monitor. True when something has changed.
-    bool follow(const UiParams& ui, double device_scale, widgets::Context& context);
+    bool follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
+                widgets::Context& context);
 
 private:
     Theme theme_ = Theme::dark;

@@ -133,10 +133,12 @@ double Studio::next_redraw_in_s() const {
 
 Requests Studio::frame(const Surroundings& surroundings) {
     const auto started = std::chrono::steady_clock::now();
-    if (looks_.follow(session.params.ui, surroundings.device_scale, workbench.widgets)) settling_ = 3;
-    session.update_scene();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
+    if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arrangement,
+                      workbench.widgets))
+        settling_ = 3;
+    session.update_scene();
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 
     const AnimationParams& animation = session.params.animation;

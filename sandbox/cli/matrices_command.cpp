@@ -122,7 +122,7 @@ constinit const Command matrices_command{
     "[STATE] [--set PATH=VALUE]… [--size WxH] [--format json|text|latex|glm|glsl|numpy|matlab]",
     "V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S (uploaded "
-    "is shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (P·L) S and R² = I) "
+    "is shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S and R² = I) "
     "and sentences about what is wrong. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"

@@ -39,8 +39,8 @@ struct Facts {
 /// The shadow that one light throws on one plane.
 struct CastShadow {
     glm::dvec4 light_world{0.0, 1.0, 0.0, 0.0};
-    double plane_dot_light = 0.0;               ///< P·L of the unit plane
-    bool light_in_plane = false;                ///< P·L counts as zero: no shadow is defined
+    double plane_dot_light = 0.0;               ///< Π·L of the unit plane
+    bool light_in_plane = false;                ///< Π·L counts as zero: no shadow is defined
     glm::dmat4 shadowed_world_from_world{1.0};  ///< S
     double sign = 1.0;                          ///< uploaded: sign · S
     bool by_hand = false;                       ///< S does not come from plane and light

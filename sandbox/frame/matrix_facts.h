@@ -8,7 +8,7 @@ namespace viewing {
 /// The largest absolute entry: of a difference it is the residual.
 double largest_entry(const glm::dmat4& matrix);
 
-/// How far a shadow matrix is from S² = (P·L) S, and a mirror matrix from R² = I: largest absolute entries.
+/// How far a shadow matrix is from S² = (Π·L) S, and a mirror matrix from R² = I: largest absolute entries.
 double shadow_residual(const glm::dmat4& shadowed_world_from_world, double plane_dot_light);
 double mirror_residual(const glm::dmat4& mirrored_world_from_world);
 

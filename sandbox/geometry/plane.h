@@ -13,13 +13,13 @@ glm::dvec4 unit_plane(const glm::dvec4& plane);
 /// Whether a light (x, y, z, w) counts as one at infinity: farther away than a million units.
 bool is_parallel_light(const glm::dvec4& light);
 
-/// S = (P·L) I − L Pᵀ sends p to where the ray from the light L through p meets the plane (after ÷ w).
+/// S = (Π·L) I − L Πᵀ sends p to where the ray from the light L through p meets the plane (after ÷ w).
 /// P is used as given: pass a unit plane to get the numbers on display. L.w = 1 point light, 0 parallel.
-/// S² = (P·L) S, S L = 0, rank 3; rank 1 when P·L = 0. Source: lecture, Projection Shadow Matrix.
+/// S² = (Π·L) S, S L = 0, rank 3; rank 1 when Π·L = 0. Source: lecture, Projection Shadow Matrix.
 glm::dmat4 shadow_matrix(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// +1 or −1: the factor that makes w positive for every caster between light and plane, so that the
-/// clipper keeps the shadow. +1 when P·L = 0.
+/// clipper keeps the shadow. +1 when Π·L = 0.
 double shadow_sign(const glm::dvec4& plane, const glm::dvec4& light);
 
 /// The plane with the sign that has a point, an eye or a light on its positive side; as it is where that lies in it.
@@ -28,7 +28,7 @@ glm::dvec4 plane_facing(const glm::dvec4& plane, const glm::dvec4& point);
 /// The unit direction in which an eye sees a point; one with w = 0 sees along parallel lines.
 glm::dvec3 line_of_sight(const glm::dvec4& eye, const glm::dvec3& point);
 
-/// Whether a light counts as lying in a unit plane: P·L is next to nothing against the light's own size.
+/// Whether a light counts as lying in a unit plane: Π·L is next to nothing against the light's own size.
 bool lies_in_plane(const glm::dvec4& unit_plane, const glm::dvec4& light);
 
 /// R p = p − 2 (n·p + d) n for a unit plane. R² = I, det −1. Source: lecture, Planar Reflection Matrix.

@@ -50,6 +50,7 @@ SceneDescription coplanar_scene(const CoplanarParams& params) {
         const std::string at = " at " + format_number(std::round(distance * 1e3) / 1e3);
         scene.objects.push_back(quad("back quad" + at, back_color, back, rotation, scale));
         scene.objects.push_back(quad("front quad" + at, front_color, front, rotation, scale));
+        scene.objects.back().decal = true;  // what keeps decals apart from walls keeps these apart, too
     }
     return scene;
 }

@@ -61,7 +61,7 @@ constexpr std::string_view length = "world units";
 constexpr std::string_view degrees = "°";
 constexpr std::string_view camera_formula = "C = T(position) · Ry(yaw) · Rx(pitch) · Rz(roll), V = C⁻¹";
 constexpr std::string_view frustum_formula = "d = f/(f−n) − f·n/((f−n)·z) (perspective, standard depth)";
-constexpr std::string_view shadow_formula = "S = (P·L) I − L Pᵀ";
+constexpr std::string_view shadow_formula = "S = (Π·L) I − L Πᵀ";
 constexpr std::string_view mirror_formula = "R p = p − 2 (n·p + d) n, |n| = 1";
 
 const Field all_fields[] = {
@@ -492,11 +492,11 @@ const Field all_fields[] = {
     {.path = "shadow.sign",
      .place = IN(shadow.sign),
      .label = "sign of S",
-     .help = "What S is multiplied by before it is uploaded. plane_dot_light is the sign of P·L, so that w is positive "
+     .help = "What S is multiplied by before it is uploaded. plane_dot_light is the sign of Π·L, so that w is positive "
              "between light and plane; none uploads S as it is, and every shadow vanishes when the normal points away "
              "from the light; forced turns each vertex with a negative w around, and casters beyond the light throw an "
              "anti-shadow.",
-     .formula = "sign(P·L) S"},
+     .formula = "sign(Π·L) S"},
     {.path = "shadow.write_depth",
      .place = IN(shadow.write_depth),
      .label = "write depth",

@@ -29,11 +29,11 @@ TEST_F(DepthPanel, EachMappingHasItsSwitches) {
     expect_edits("buffer/Clip range 0 … 1", "depth.reversed_zero_to_one");
     expect_edits("buffer/Clear to 0", "depth.reversed_clear");
     expect_edits("buffer/Turn the offset's sign", "depth.reversed_offset");
-    EXPECT_FALSE(ui.has("buffer/Per vertex"));
+    EXPECT_FALSE(ui.find("buffer/Per vertex").enabled);
     params.depth.mapping = DepthMapping::logarithmic;
     desk.settle();
     expect_edits("buffer/Per vertex", "depth.logarithm_per_vertex");
-    EXPECT_FALSE(ui.has("buffer/Clear to 0"));
+    EXPECT_FALSE(ui.find("buffer/Clear to 0").enabled);
 }
 
 TEST_F(DepthPanel, ASwitchThatBreaksThePictureSaysWhy) {
@@ -63,7 +63,7 @@ TEST_F(DepthPanel, ASwitchThatBreaksThePictureSaysWhy) {
 
 TEST_F(DepthPanel, TheCoplanarSceneHasItsSliders) {
     open_section();
-    EXPECT_FALSE(ui.has("buffer/gap"));
+    EXPECT_FALSE(ui.find("buffer/gap").enabled);
     params.scene = std::string("coplanar");
     open_section();
     expect_edits("buffer/gap", "coplanar.gap", true);
@@ -76,7 +76,7 @@ TEST_F(DepthPanel, DecalsHaveThreeWays) {
     open_section();
     expect_edits("buffer/decals/GL_EQUAL", "depth.decals");
     EXPECT_EQ(params.depth.decals, DecalMethod::equal);
-    EXPECT_FALSE(ui.has("buffer/decal factor"));
+    EXPECT_FALSE(ui.find("buffer/decal factor").enabled);
     expect_edits("buffer/decals/Stencil", "depth.decals");
     EXPECT_EQ(params.depth.decals, DecalMethod::stencil);
 }

@@ -189,12 +189,12 @@ TEST_F(PixelView, ListsTheSurfacesWithTheirTestsAndMarksTheOneThatIsSeen) {
 TEST_F(PixelView, APinCanBeReleased) {
     hovered_pixel = busy_pixel();
     ui.frames(3);
-    EXPECT_FALSE(ui.has("pixel/release"));
+    EXPECT_FALSE(ui.has("pixel/Release"));
     EXPECT_TRUE(ui.has("pixel/live"));
     params.view.pixel = hovered_pixel;
     ui.frames(3);
     EXPECT_FALSE(ui.has("pixel/live"));
-    ui.click("pixel/release");
+    ui.click("pixel/Release");
     EXPECT_FALSE(params.view.pixel);
 }
 

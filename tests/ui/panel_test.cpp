@@ -23,6 +23,9 @@ constexpr Control controls[] = {
     {"camera/yaw pitch roll/x", "camera.yaw"},
     {"camera/yaw pitch roll/y", "camera.pitch"},
     {"camera/yaw pitch roll/z", "camera.roll"},
+    {"camera/target/x", "camera.target"},
+    {"camera/target/y", "camera.target"},
+    {"camera/target/z", "camera.target"},
     {"camera/walking slows (walk)", "slips.walk_slows", Navigation::walk},
     {"camera/creeping roll (walk, orbit)", "slips.creeping_roll", Navigation::walk},
     {"camera/flip at the pole (orbit)", "slips.pole_flip", Navigation::orbit},
@@ -148,6 +151,7 @@ bool use(Desk& desk, const RecordedItem& item) {
 
 TEST(Panel, EveryControlChangesItsOwnFieldAndOneUndoStepTakesItBack) {
     Desk desk;
+    desk.params().cull.enabled = desk.params().animation.light_orbit = true;  // what belongs to them has an effect
     desk.fold_out_all();
     for (const Control& control : controls) {
         SCOPED_TRACE(control.label);
@@ -176,7 +180,7 @@ TEST(Panel, NoControlIsMissingFromTheTable) {
     std::set<std::string> known;
     for (const Control& control : controls) known.insert(control.label);
     for (const RecordedItem& item : desk.recorded()) {
-        if (holds_value(item)) {
+        if (holds_value(item) && item.enabled) {
             EXPECT_TRUE(known.contains(item.label)) << item.label << " shows " << item.text;
         }
     }
@@ -187,7 +191,6 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
     for (const Control& control : controls) reached.insert(control.field);
     // Shown in other states or other places; each has a test of its own in this folder.
     reached.insert({"scene",
-                    "camera.target",
                     "projection.height",
                     "depth.offset.factor",
                     "depth.offset.units",
@@ -265,8 +268,8 @@ TEST_F(PanelTest, DecalsHaveTheirOffset) {
         bool has_decals = false;
         for (const SceneObject& object : desk.session.scene().objects) has_decals |= object.description.decal;
         desk.fold_out_all();
-        EXPECT_EQ(ui.has("buffer/decal factor"), has_decals) << scene.name;
-        EXPECT_EQ(ui.has("buffer/decal units"), has_decals) << scene.name;
+        EXPECT_EQ(ui.find("buffer/decal factor").enabled, has_decals) << scene.name;
+        EXPECT_EQ(ui.find("buffer/decal units").enabled, has_decals) << scene.name;
     }
     SceneDescription description;
     ObjectDescription& decal = description.objects.emplace_back();
@@ -303,7 +306,9 @@ TEST_F(PanelTest, TypedValuesAreClamped) {
     const Typed typed[] = {{"projection/fovy", "500", params.projection.fovy, 179.0},
                            {"projection/fovy", "-3", params.projection.fovy, 1.0},
                            {"projection/fovy", "55", params.projection.fovy, 55.0},
-                           {"projection/z-near", "-1", params.projection.near, 0.001},
+                           {"projection/z-near", "-1", params.projection.near, 1e-6},
+                           {"projection/z-far", "1e9", params.projection.far, 1e9},
+                           {"projection/z-far", "40", params.projection.far, 40.0},
                            {"shadow/opacity", "7", params.shadow.opacity, 1.0},
                            {"light/position/w", "2", params.lights.front().position.w, 1.0},
                            {"camera/position/x", "1e300", params.camera.position.x, 1e6},
@@ -332,6 +337,7 @@ TEST_F(PanelTest, RightClickResets) {
 }
 
 TEST_F(PanelTest, CombosChooseByName) {
+    params.cull.enabled = true;  // else its faces are of no use
     desk.fold_out_all();
     desk.choose("depth/func", "depth/func/GL_GEQUAL");
     EXPECT_EQ(params.depth.func, CompareFunc::gequal);
@@ -357,12 +363,12 @@ TEST_F(PanelTest, PlaneButtonsAndNormalise) {
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 0, 1, 0));
     desk.click("plane/equation/xz");
     EXPECT_EQ(params.planes.front().equation, glm::dvec4(0, 1, 0, 0));
-    EXPECT_FALSE(ui.find("plane/equation/normalise").enabled);
+    EXPECT_FALSE(ui.find("plane/equation/Normalise").enabled);
 
     desk.enter("plane/equation/a", "3");
     desk.enter("plane/equation/b", "4");
     desk.enter("plane/equation/d", "10");
-    desk.click("plane/equation/normalise");
+    desk.click("plane/equation/Normalise");
     EXPECT_NEAR(params.planes.front().equation.x, 0.6, 1e-15);
     EXPECT_NEAR(params.planes.front().equation.y, 0.8, 1e-15);
     EXPECT_NEAR(params.planes.front().equation.w, 2.0, 1e-15);
@@ -386,14 +392,14 @@ TEST_F(PanelTest, LightIsPointOrParallel) {
 
 TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 3; ++count) {
-        desk.click("light/add a light");
+        desk.click("light/Add a light");
         ASSERT_EQ(params.lights.size(), count + 1);
     }
     const std::vector<LightParams> four = params.lights;
     EXPECT_EQ(four[1].position, glm::dvec4(-2.6, 5.2, 2.2, 1.0));
     EXPECT_NE(four[1], four[2]);
     EXPECT_NE(four[2], four[3]);
-    EXPECT_FALSE(ui.find("light/add a light").enabled);
+    EXPECT_FALSE(ui.find("light/Add a light").enabled);
     desk.enter("light/light 3/y", "4");
     EXPECT_EQ(params.lights[2].position.y, 4.0);
     desk.click("light/light 4/parallel");
@@ -401,21 +407,21 @@ TEST_F(PanelTest, LightsAreAddedChangedAndRemoved) {
     desk.click("light/remove light 2");
     ASSERT_EQ(params.lights.size(), 3U);
     EXPECT_EQ(params.lights[1].position.y, 4.0);
-    EXPECT_TRUE(ui.find("light/add a light").enabled);
+    EXPECT_TRUE(ui.find("light/Add a light").enabled);
     desk.undo();
     EXPECT_EQ(params.lights.size(), 4U);
 }
 
 TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
     for (std::size_t count = 1; count <= 7; ++count) {
-        desk.click("plane/add a plane");
+        desk.click("plane/Add a plane");
         ASSERT_EQ(params.planes.size(), count + 1);
     }
     EXPECT_EQ(params.planes[1].equation, glm::dvec4(0, 0, 1, 3));
     EXPECT_EQ(params.planes[2].equation, glm::dvec4(1, 0, 0, 3));
     for (std::size_t one = 0; one < 8; ++one)
         for (std::size_t other = 0; other < one; ++other) EXPECT_NE(params.planes[one], params.planes[other]);
-    EXPECT_FALSE(ui.find("plane/add a plane").enabled);
+    EXPECT_FALSE(ui.find("plane/Add a plane").enabled);
     desk.click("plane/Plane 3");
     desk.enter("plane/plane 3/equation/d", "4");
     EXPECT_EQ(params.planes[2].equation, glm::dvec4(1, 0, 0, 4));
@@ -433,26 +439,26 @@ TEST_F(PanelTest, PlanesAreAddedChangedAndRemoved) {
 
 TEST_F(PanelTest, TheMirroredCamerasProjectionIsChosenWhereThereIsOne) {
     desk.fold_out_all();
-    EXPECT_FALSE(ui.has("reflection/Same projection"));
+    EXPECT_FALSE(ui.find("reflection/Same projection").enabled);
     desk.click("reflection/mirrored/the camera");
     desk.click("reflection/Same projection");
     EXPECT_FALSE(params.reflection.same_projection);
 }
 
 TEST_F(PanelTest, ABrokenSwitchIsToldWhereItIs) {
-    ASSERT_FALSE(ui.has("shadow/trouble"));
-    ASSERT_FALSE(ui.has("reflection/trouble"));
+    ASSERT_FALSE(ui.has("Shadow and reflection/trouble"));
     desk.click("shadow/Stencil once");
-    EXPECT_TRUE(ui.has("shadow/trouble"));
+    EXPECT_TRUE(ui.has("Shadow and reflection/trouble"));
     desk.click("reflection/Mirror light");
-    EXPECT_TRUE(ui.has("reflection/trouble"));
+    const std::string both = ui.text_of("Shadow and reflection/trouble");
+    EXPECT_NE(both.find('\n'), std::string::npos) << both;
 }
 
 TEST_F(PanelTest, ALightInThePlaneIsToldWhereItsCauseIs) {
-    ASSERT_FALSE(ui.has("light/trouble"));
+    ASSERT_FALSE(ui.has("Light  l/trouble"));
     desk.enter("light/position/y", "0");
     ASSERT_FALSE(desk.problems.empty());
-    EXPECT_TRUE(ui.has("light/trouble"));
+    EXPECT_TRUE(ui.has("Light  l/trouble"));
 }
 
 TEST_F(PanelTest, TypingAPositionMovesTheCamera) {
@@ -495,14 +501,14 @@ TEST_F(PanelTest, HoveringAParameterLightsItsMatrixEntriesAndTheOtherWayRound) {
 TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
     Desk desk;
     const glm::dmat4 derived = desk.derived.planes[0].shadows[0].shadowed_world_from_world;
-    desk.ui.click("matrices/edit");  // the first one is S's
+    desk.ui.click("matrices/Edit");  // the first one is S's
     desk.ui.frames(3);
     ASSERT_TRUE(desk.params().overrides[0].shadowed_world_from_world[0]);
     EXPECT_EQ(*desk.params().overrides[0].shadowed_world_from_world[0], derived);
     desk.drag("matrices/S/r0c1", 20.0F);
     EXPECT_NE(desk.derived.planes[0].shadows[0].shadowed_world_from_world[1][0], derived[1][0]);
     EXPECT_EQ(desk.derived.planes[0].shadows[0].shadowed_world_from_world[0][1], derived[0][1]);
-    desk.ui.click("matrices/release");
+    desk.ui.click("matrices/Release");
     desk.ui.frames(3);
     EXPECT_FALSE(desk.params().overrides[0].shadowed_world_from_world[0]);
     EXPECT_EQ(desk.derived.planes[0].shadows[0].shadowed_world_from_world, derived);
@@ -511,8 +517,8 @@ TEST(Matrices, AMatrixEnteredByHandOverridesAndIsReleasedAgain) {
 TEST(Matrices, EachPlaneAndLightHasItsOwn) {
     Desk desk({1600, 1500}, "opening");
     EXPECT_FALSE(desk.ui.has("matrices/plane"));
-    desk.click("plane/add a plane");
-    desk.click("light/add a light");
+    desk.click("plane/Add a plane");
+    desk.click("light/Add a light");
     desk.ui.frames(3);
     EXPECT_EQ(desk.ui.text_of("matrices/R/r2c2"), "1.000");
     desk.choose("matrices/plane", "matrices/plane/plane 2");
@@ -522,7 +528,7 @@ TEST(Matrices, EachPlaneAndLightHasItsOwn) {
     EXPECT_EQ(desk.params().view.plane, 2);
     desk.choose("matrices/light", "matrices/light/light 2");
     EXPECT_EQ(desk.ui.text_of("matrices/S/r0c2"), "2.600");
-    desk.click("matrices/edit");  // the first one is S's
+    desk.click("matrices/Edit");  // the first one is S's
     desk.ui.frames(3);
     PlaneOverrides wall;
     wall.shadowed_world_from_world[1] = desk.derived.planes[1].shadows[1].shadowed_world_from_world;

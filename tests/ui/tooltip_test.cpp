@@ -129,7 +129,7 @@ TEST(Tooltips, SegmentsAndThePlanesButtonsHaveOne) {
     Desk desk;
     for (const char* item : {"projection/type/Perspective", "projection/type/Orthographic", "light/position/point",
                              "light/position/parallel", "plane/equation/yz", "plane/equation/xz", "plane/equation/xy",
-                             "plane/equation/normalise"}) {
+                             "plane/equation/Normalise"}) {
         EXPECT_FALSE(tooltip_of(desk, item).empty()) << item;
     }
 }

@@ -207,11 +207,11 @@ TEST_F(ViewsTest, ABrokenSwitchIsMendedOverThePicture) {
     params.shadow.stencil_once = false;
     desk.settle();
     const Params broken = params;
-    desk.click("view/mend");
+    desk.click("view/Mend");
     EXPECT_EQ(differing_fields(broken, params), Paths{"shadow.stencil_once"});
     EXPECT_TRUE(params.shadow.stencil_once);
     desk.settle();
-    EXPECT_FALSE(ui.has("view/mend"));
+    EXPECT_FALSE(ui.has("view/Mend"));
     desk.undo();
     EXPECT_EQ(params, broken);
 }

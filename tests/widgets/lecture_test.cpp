@@ -25,11 +25,11 @@ TEST_F(LectureTest, PlaneButtons) {
 TEST_F(LectureTest, PlaneNormalise) {
     glm::dvec4 plane{0, 3, 4, 10};
     start([&] { return PlaneEquation("equation", plane, {0, 1, 0, 0}); });
-    EXPECT_TRUE(ui.find("equation/normalise").enabled);
-    ui.click("equation/normalise");
+    EXPECT_TRUE(ui.find("equation/Normalise").enabled);
+    ui.click("equation/Normalise");
     EXPECT_NEAR(glm::length(plane - glm::dvec4(0, 0.6, 0.8, 2)), 0.0, 1e-15);
     ui.frame();
-    EXPECT_FALSE(ui.find("equation/normalise").enabled);
+    EXPECT_FALSE(ui.find("equation/Normalise").enabled);
 }
 
 TEST_F(LectureTest, PlaneNormalNeverZero) {
@@ -224,10 +224,10 @@ TEST_F(LectureTest, EveryButtonOfThePlaneExplainsItselfBeforeTheGroup) {
     EXPECT_NE(tip_of("equation/yz").find("x = 0"), std::string::npos);
     EXPECT_NE(tip_of("equation/xz").find("y = 0"), std::string::npos);
     EXPECT_NE(tip_of("equation/xy").find("z = 0"), std::string::npos);
-    EXPECT_NE(tip_of("equation/normalise").find("already has length 1"), std::string::npos);
+    EXPECT_NE(tip_of("equation/Normalise").find("already has length 1"), std::string::npos);
     EXPECT_EQ(tip_of("equation/b"), "the plane\nof the lecture|");
     plane = {0, 2, 0, 0};
-    EXPECT_NE(tip_of("equation/normalise").find("Divides"), std::string::npos);
+    EXPECT_NE(tip_of("equation/Normalise").find("Divides"), std::string::npos);
 }
 
 class LinksTest : public WidgetTest {

@@ -1,4 +1,5 @@
 // Numbers and sliders by real input: drag, type, reset, clamp; showing one never changes it.
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -231,7 +232,8 @@ TEST_F(NumberTest, TheTextFitsItsBox) {
         width = static_cast<float>(48 + i % 60);
         ui.frame();
         const RecordedItem& item = ui.find("x");
-        EXPECT_LE(ImGui::CalcTextSize(item.text.c_str()).x, item.max.x - item.min.x) << item.text;
+        const float smallest = ImGui::GetFont()->CalcTextSizeA(10.5F, FLT_MAX, 0.0F, item.text.c_str()).x;
+        EXPECT_LE(smallest, item.max.x - item.min.x) << item.text;
     }
 }
 
@@ -322,6 +324,44 @@ TEST_F(NumberTest, ARowHasTheSameDecimalsAndKeepsThemWhenASignComes) {
     ui.frames(2);
     EXPECT_EQ(ui.text_of("n/z"), "0.500");
     EXPECT_EQ(ui.text_of("n/y"), "1.000·10⁹");
+}
+
+TEST_F(NumberTest, ANarrowRowIsWrittenSmallerBeforeItLosesDigits) {
+    glm::dvec3 value{0.15, -0.15, 12.25};
+    float width = 0.0F;
+    start([&] {
+        ImGui::SetNextItemWidth(width);
+        return Vec3("n", value, {.decimals = 2});
+    });
+    // The narrowest row in which 0.15 is still 0.15, and one that is as wide as a row of the panel.
+    for (width = 150.0F; width < 260.0F; width += 5.0F) {
+        ui.frames(2);
+        EXPECT_EQ(ui.text_of("n/x"), "0.15") << width;
+        EXPECT_EQ(ui.text_of("n/y"), "−0.15") << width;
+        EXPECT_EQ(ui.text_of("n/z"), "12.25") << width;
+    }
+}
+
+TEST_F(NumberTest, TypingReachesFartherThanTheSlider) {
+    double value = 0.5;
+    start([&] {
+        const NumberStyle style{
+            .min = 1e-6, .max = 1e6, .drag_min = 0.001, .drag_max = 100.0, .decimals = 3, .logarithmic = true};
+        return Slider("near", value, style, 212);
+    });
+    const auto enter = [&](const char* text) {
+        ui.double_click("near");
+        ui.type(text);
+        ui.key(ImGuiKey_Enter);
+    };
+    enter("2e-6");
+    EXPECT_EQ(value, 2e-6);
+    enter("1e9");
+    EXPECT_EQ(value, 1e6) << "the field's own end";
+    ui.drag("near", -400.0F);
+    EXPECT_EQ(value, 0.001) << "the slider's end";
+    ui.drag("near", 600.0F, 0.0F, 5, 0.03F);
+    EXPECT_EQ(value, 100.0);
 }
 
 TEST_F(NumberTest, TheKnobIsBehindTheNumberAndFullHeight) {

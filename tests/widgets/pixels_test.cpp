@@ -64,11 +64,11 @@ TEST_F(HistogramTest, TheRangeStaysInOrderOnRandomDrags) {
 
 TEST_F(HistogramTest, FitTakesWhatHasCounts) {
     start_histogram();
-    EXPECT_FALSE(ui.find("counts/fit").enabled);
+    EXPECT_FALSE(ui.find("counts/Fit").enabled);
     counts[3] = 7;
     counts[5] = 1;
     ui.frame();
-    ui.click("counts/fit");
+    ui.click("counts/Fit");
     EXPECT_NEAR(range.x, 0.3, 1e-12);
     EXPECT_NEAR(range.y, 0.6, 1e-12);
     EXPECT_EQ(changes, 1);
@@ -81,7 +81,7 @@ TEST_F(HistogramTest, FitTakesWhatHasCounts) {
     range = {0.1, 0.9};
     ui.frame();
     ui.double_click("counts/from");
-    ui.right_click("counts/fit");
+    ui.right_click("counts/Fit");
     EXPECT_EQ(range, glm::dvec2(0.1, 0.9)) << "a line and the button are not the ground";
     ui.right_click("counts/to");
     EXPECT_EQ(range, glm::dvec2(0, 1));

@@ -39,7 +39,7 @@ struct ShadowDerivation {
     double n_dot_l = 0.0, n_dot_p = 0.0;
     double light_height = 0.0;  ///< n·l + d; of a parallel light n·l
     double point_height = 0.0;  ///< n·p + d
-    double w = 0.0;             ///< of S p = (P·L) p − (P·p) L
+    double w = 0.0;             ///< of S p = (Π·L) p − (P·p) L
 
     /// Point light: s = l + t (p − l), t = (n·l + d)/(n·l − n·p).
     /// Parallel light: s = p + t l, t = −(n·p + d)/(n·l). 0 where there is no s.
@@ -58,7 +58,7 @@ ShadowDerivation derive_shadow(const glm::dvec4& unit_plane, const glm::dvec4& l
 struct ShadowForms {
     std::optional<glm::dmat4> blinn;   ///< Planar Shadow: l_y, l_x and l_z alone
     std::optional<glm::dmat4> with_d;  ///< Projection Shadow: n·l + d − …
-    glm::dmat4 four_vectors{1.0};      ///< Projection Shadow Matrix: (P·L) I − L Pᵀ
+    glm::dmat4 four_vectors{1.0};      ///< Projection Shadow Matrix: (Π·L) I − L Πᵀ
     double largest_difference = 0.0;   ///< between any two that are there, of any entry
 };
 ShadowForms shadow_forms(const glm::dvec4& unit_plane, const glm::dvec4& light);

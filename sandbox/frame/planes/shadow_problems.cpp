@@ -70,7 +70,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
                           std::any_of(thrown.begin(), thrown.end(), [](const Thrown& one) { return one.side() < 0.0; });
     tell.broken(
         vanishes,
-        tr("S is uploaded as it is, and P·L < 0: every caster gets a negative w, so the clipper removes every shadow"),
+        tr("S is uploaded as it is, and Π·L < 0: every caster gets a negative w, so the clipper removes every shadow"),
         "shadow.sign");
     for (const Thrown& one : thrown) {
         const std::string names = shadow.clip_casters ? "" : objects_at_most(scene, one.towards_light(), -standing);

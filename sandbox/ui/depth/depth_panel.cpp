@@ -1,12 +1,13 @@
 #include "ui/depth/depth_panel.h"
 
-#include "frame/depth/decals.h"
 #include "text/catalogue.h"
 #include "ui/parts/controls.h"
-#include "ui/parts/look.h"
+#include "ui/parts/panel_parts.h"
 
 namespace viewing {
 namespace {
+
+constexpr float second = 142.0F;  ///< column
 
 constexpr const char* format_names[] = {marked("4 bit"),  marked("5 bit"),  marked("6 bit"),  marked("7 bit"),
                                         marked("8 bit"),  marked("9 bit"),  marked("10 bit"), marked("11 bit"),
@@ -15,37 +16,32 @@ constexpr const char* format_names[] = {marked("4 bit"),  marked("5 bit"),  mark
 constexpr const char* mapping_names[] = {marked("standard"), marked("reversed"), marked("logarithmic")};
 
 void mapping_switches(Params& params) {
-    if (params.depth.mapping == DepthMapping::reversed) {
-        control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
-        control(params, "depth.reversed_clear", {.label = marked("Clear to 0")});
-        control(params, "depth.reversed_offset", {.label = marked("Turn the offset's sign")});
-    } else if (params.depth.mapping == DepthMapping::logarithmic) {
-        control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
-    }
+    control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
+    beside(second, widgets::ToggleWidth("Clear to 0"));
+    control(params, "depth.reversed_clear", {.label = marked("Clear to 0")});
+    control(params, "depth.reversed_offset", {.label = marked("Turn the offset's sign")});
+    control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
 }
 
-void decal_controls(Params& params) {
+void decal_controls(Params& params, const Scene& scene) {
     static constexpr const char* methods[] = {marked("Offset"), "GL_EQUAL", marked("Stencil")};
     ImGui::TextUnformatted(tr("Decals by"));
-    control(params, "depth.decals", {.segments = true, .names = methods, .label = "##decals"});
-    if (params.depth.decals != DecalMethod::offset) return;
-    control(params, "depth.offset.factor", {.label = marked("decal factor")});
-    control(params, "depth.offset.units", {.label = marked("decal units")});
+    control(params, "depth.decals", {.segments = true, .names = methods, .label = "##decals", .scene = &scene});
+    control(params, "depth.offset.factor", {.label = marked("decal factor"), .scene = &scene});
+    control(params, "depth.offset.units", {.label = marked("decal units"), .scene = &scene});
 }
 
-void coplanar_controls(Params& params) {
-    control(params, "coplanar.gap", {.decimals = 4, .slider = true, .min = 0.0, .max = 0.1});
-    control(params, "coplanar.tilt", {.decimals = 1, .slider = true, .min = 0.0, .max = 60.0});
-    control(params, "coplanar.distance", {.decimals = 1, .slider = true, .min = 1.0, .max = 40.0});
+void coplanar_controls(Params& params, const Scene& scene) {
+    control(params, "coplanar.gap", {.decimals = 4, .slider = true, .min = 0.0, .max = 0.1, .scene = &scene});
+    control(params, "coplanar.tilt", {.decimals = 1, .slider = true, .min = 0.0, .max = 60.0, .scene = &scene});
+    control(params, "coplanar.distance", {.decimals = 1, .slider = true, .min = 1.0, .max = 40.0, .scene = &scene});
 }
 
 void beside_controls(Params& params) {
     static constexpr const char* pictures[] = {marked("nothing"), marked("the depth buffer"), marked("another depth")};
     static constexpr const char* layouts[] = {marked("Two halves"), marked("Divider")};
     control(params, "view.beside.shows", {.width = 150.0F, .names = pictures, .label = marked("beside it")});
-    if (params.view.beside.shows == Beside::nothing) return;
     control(params, "view.beside.layout", {.segments = true, .names = layouts, .label = "##layout"});
-    if (params.view.beside.shows != Beside::other_depth) return;
     control(params, "view.beside.format", {.width = 130.0F, .names = format_names, .label = marked("other format")});
     control(params, "view.beside.mapping", {.width = 130.0F, .names = mapping_names, .label = marked("other mapping")});
 }
@@ -60,8 +56,8 @@ void draw_depth_section(Session& session) {
     control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
     mapping_switches(params);
     control(params, "depth.write_while_clearing", {.label = marked("Mask on while clearing")});
-    if (has_decals(session.scene())) decal_controls(params);
-    if (session.scene().made_from) coplanar_controls(params);
+    decal_controls(params, session.scene());
+    coplanar_controls(params, session.scene());
     static constexpr const char* scales[] = {marked("Window"), marked("Linear")};
     static constexpr const char* colors[] = {marked("Grey"), marked("Bands")};
     control(params, "view.depth_scale", {.segments = true, .names = scales, .label = "##scale"});

@@ -40,13 +40,13 @@ BesideTitles titles(const Params& params) {
             depth_title(params.view.beside.format, params.view.beside.mapping)};
 }
 
-void beside_legend(const Session& session, const Derived& derived, const Rect& rect) {
+}  // namespace
+
+void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect) {
     if (session.params.view.beside.shows != Beside::depth) return;
     depth_legend(session.params, contrast_range(session.params, derived, session.scene()), rect);
     tell_missing_depth(session.params, rect);
 }
-
-}  // namespace
 
 std::string depth_title(DepthFormat format, DepthMapping mapping) {
     const DepthPrecision precision = precision_of(format);
@@ -116,7 +116,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     if (edited.x < edited.y) params.view.depth_range = edited;
 }
 
-void draw_beside_half(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+void draw_beside_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
     const Params& params = session.params;
     view_header(rect, params.view.beside.shows == Beside::depth ? tr("Depth buffer") : titles(params).beside.c_str());
     if (params.view.beside.shows == Beside::depth)
@@ -124,7 +124,6 @@ void draw_beside_half(Session& session, const Derived& derived, const Rect& rect
     else
         header_note(tr("the same picture with another depth buffer"), rect.max.x);
     picture_item("beside view", rect, picture);
-    beside_legend(session, derived, rect);
 }
 
 bool draw_beside_divider(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
@@ -132,7 +131,7 @@ bool draw_beside_divider(Session& session, const Derived& derived, const Rect& r
     const float middle = rect.min.x + share * rect.width();
     if (picture)
         ImGui::GetWindowDrawList()->AddImage(picture, {middle, rect.min.y}, rect.max, {share, 1.0F}, {1.0F, 0.0F});
-    beside_legend(session, derived, {{std::min(middle, rect.max.x - px(260.0F)), rect.min.y}, rect.max});
+    draw_beside_legend(session, derived, {{std::min(middle, rect.max.x - px(260.0F)), rect.min.y}, rect.max});
     const BesideTitles both = titles(session.params);
     bool is_held = false;
     if (widgets::Divider("divider", rect.min, rect.max, share,

@@ -49,10 +49,10 @@ void color_swatch(const Color& color) {
 /// At the right end of the headline, `room` pixels wide: a button that releases the pin, or that there is none.
 void pin_state(ViewParams& view, float right, float room) {
     if (view.pixel) {
-        const float width = ImGui::CalcTextSize(tr("release")).x + 2.0F * px(8.0F);
+        const float width = ImGui::CalcTextSize(tr("Release")).x + 2.0F * px(8.0F);
         ImGui::SameLine();
         ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
-        if (widgets::SmallButton("release")) view.pixel.reset();
+        if (widgets::SmallButton("Release")) view.pixel.reset();
         widgets::Tooltip("Release", "The pixel is pinned; released, the view follows the pointer again.");
         return;
     }
@@ -70,7 +70,7 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     const std::string place = say("pixel ({x}, {y})", "x"_a = pixel.pixel.x, "y"_a = pixel.pixel.y);
     const std::string hex = fmt::format("#{:02x}{:02x}{:02x}", pixel.color.r, pixel.color.g, pixel.color.b);
     const float state_width =
-        std::max(width_of(tr("release"), fonts.text) + px(16.0F), width_of(tr("live"), fonts.note));
+        std::max(width_of(tr("Release"), fonts.text) + px(16.0F), width_of(tr("live"), fonts.note));
 
     color_swatch(pixel.color);
     ImGui::SameLine(0.0F, px(7.0F));
@@ -171,7 +171,7 @@ void draw_pixel_view(Session& session, const Derived& derived, const DepthData& 
     if (data.pixel) return draw_pixel(session, derived, data);
     if (!session.params.view.pixel)
         offer("Point at the camera's picture to see what is stored in a pixel; a click pins it.");
-    else if (offer("The pinned pixel lies outside of the picture.", "release"))
+    else if (offer("The pinned pixel lies outside of the picture.", "Release"))
         session.params.view.pixel.reset();
 }
 

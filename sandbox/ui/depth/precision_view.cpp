@@ -25,15 +25,16 @@ ImU32 color_of(DepthMapping mapping) {
     }
 }
 
-/// What near and far can be dragged over: a decade more than they take, and the same during a drag from wherever it
-/// began.
+/// What near and far can be dragged over, wherever they are: the axis never moves under the hand. What was typed beyond
+/// it widens it, also while it is dragged back.
 widgets::ChartAxis distance_axis(const ProjectionParams& now, const ProjectionParams& before) {
+    constexpr double usual_min = 1e-3, usual_max = 1e4;
     const auto decade = [](double z, bool is_upper) {
         return std::pow(10.0, is_upper ? std::ceil(std::log10(z)) : std::floor(std::log10(z)));
     };
     return {.title = marked("eye distance z"),
-            .min = 0.1 * decade(std::min(now.near, before.near), false),
-            .max = 10.0 * decade(std::max(now.far, before.far), true)};
+            .min = std::min(usual_min, decade(std::min(now.near, before.near), false)),
+            .max = std::max(usual_max, decade(std::max(now.far, before.far), true))};
 }
 
 /// Of the other formats and mappings, what a small chart is left with.
@@ -129,7 +130,7 @@ public:
     }
 
 private:
-    const char* button() const { return advice_.cuts ? marked("lower near") : marked("raise near"); }
+    const char* button() const { return advice_.cuts ? marked("Lower near") : marked("Raise near"); }
     float sentence_height() const {
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
         const float height = widgets::TroubleHeight(advice_.sentence.c_str(), room_ - button_width_);

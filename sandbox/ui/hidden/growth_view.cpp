@@ -225,7 +225,7 @@ void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect
     // At the right end of the headline, where there is room beside the choice of the topic.
     bool wants_picture = false;
     const float left = rect.max.x - saving_width();
-    const bool fits_above = left >= rect.min.x + px(190.0F + 8.0F);
+    const bool fits_above = left >= ImGui::GetCursorScreenPos().x;
     if (fits_above) {
         ImGui::SetCursorScreenPos({left, rect.min.y - px(23.0F)});
         Flow above(saving_width());

@@ -29,10 +29,7 @@ void options_of(VisibilityMethod method, Params& params) {
             control(params, "visibility.epsilon", {.decimals = 2, .label = marked("epsilon")});
             break;
         case VisibilityMethod::ray_cast:
-            ImGui::BeginDisabled(params.cull.enabled);
             control(params, "visibility.exact_curves", {.label = marked("Exact curves")});
-            ImGui::EndDisabled();
-            if (params.cull.enabled) widgets::Note("Culling tells faces apart: curves are triangles while it is on.");
             break;
         case VisibilityMethod::depth_buffer:
         case VisibilityMethod::none:
@@ -104,7 +101,7 @@ void counters(const HiddenResult& result, bool shows_time) {
     if (result.tree || result.counters.rays >= 0) table.text(marked("built in"), time(result.build_ms).c_str());
 }
 
-void culling_counts(const HiddenResult& result) {
+void culling_counts(const HiddenResult& result, bool steps) {
     const CullCounts& counts = result.facing;
     std::string text =
         say("By the plane's sign {front} front, {back} back; by GL's winding {gl_front} front, {gl_back} back.",
@@ -118,7 +115,11 @@ void culling_counts(const HiddenResult& result) {
         text += result.tree ? say("Culling leaves {left} of {all} fragments.", "left"_a = left, "all"_a = all)
                             : say("Culling leaves {left} of {all}.", "left"_a = left, "all"_a = all);
     }
+    if (steps) text += std::string(" ") + tr("Shadow and mirror wait while steps are shown.");
+    // Its lines come and go with the numbers; what is below stays.
+    const float top = ImGui::GetCursorPosY();
     widgets::Note(text.c_str());
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 4.0F * ImGui::GetTextLineHeight()));
 }
 
 }  // namespace
@@ -134,17 +135,16 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
         widgets::Tooltip("Steps", "Draws the scene polygon by polygon, in the order in which GL gets them.");
         return;
     }
+    // As high whatever the method: the steps below stay where they are while methods are compared.
+    const float top = ImGui::GetCursorPosY(), rows = 3.0F * ImGui::GetFrameHeightWithSpacing();
     options_of(method, params);
     const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
     if (result && method == VisibilityMethod::painter) draw_failure_finder(state.failure, session, *result);
-    ImGui::BeginDisabled(method == VisibilityMethod::ray_cast);  // rays draw no polygons
+    ImGui::SetCursorPosY(std::max(top + rows, ImGui::GetCursorPosY()));
     control(params, "visibility.numbers", {.label = marked("Numbers")});
-    ImGui::EndDisabled();
     cancel_button(state, hidden);
-    if (params.view.shows == Shows::difference) {
-        control(params, "visibility.compare_with",
-                {.width = choice_width, .names = method_names, .label = marked("compare")});
-    }
+    control(params, "visibility.compare_with",
+            {.width = choice_width, .names = method_names, .label = marked("compare")});
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
     if (result->newell && result->newell->steps_left_out > 0) {
@@ -155,9 +155,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     }
     state.left_step = params.visibility.step;
     counters(*result, hidden.shows_time);
-    culling_counts(*result);
-    if (params.visibility.step >= 0) widgets::Note("Shadow and mirror wait while steps are shown.");
-    if (!hidden.answer->problem().empty()) widgets::Trouble(hidden.answer->problem().c_str());
+    culling_counts(*result, params.visibility.step >= 0);
 }
 
 void stop_at_other_step(HiddenPanelState& state, const Session& session) {

@@ -18,14 +18,14 @@ bool is_index(int index, std::size_t size) {
 void TreeIndex::follow(const std::shared_ptr<const HiddenResult>& result) {
     if (!result || !result->tree || result == followed_) return;
     if (!followed_ || followed_->tree != result->tree) {
-        take_tree(*result->tree);
+        take_tree(*result->tree, result->surface.get());
         ++revision_;
     }
     take_walk(*result);
     followed_ = result;
 }
 
-void TreeIndex::take_tree(const BspTree& tree) {
+void TreeIndex::take_tree(const BspTree& tree, const SceneSurface* surface) {
     const std::size_t count = tree.nodes.size();
     nodes_.assign(count, {});
     labels_.clear();
@@ -36,6 +36,7 @@ void TreeIndex::take_tree(const BspTree& tree) {
         nodes_[i].parent = node.parent;
         nodes_[i].front = node.front;
         nodes_[i].back = node.back;
+        nodes_[i].color = polygon_color(surface, node.splitter_source);
         const std::string label = std::to_string(i + 1);
         labels_.insert(labels_.end(), label.begin(), label.end());
         label_ends[i] = labels_.size();

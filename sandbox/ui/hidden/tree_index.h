@@ -31,7 +31,7 @@ public:
     int eye_side_of(int node) const;
 
 private:
-    void take_tree(const BspTree& tree);
+    void take_tree(const BspTree& tree, const SceneSurface* surface);
     void take_walk(const HiddenResult& result);
 
     std::shared_ptr<const HiddenResult> followed_;

@@ -21,7 +21,7 @@ namespace {
 
 using widgets::Role;
 
-/// How well an identity holds, measured: "S² = (P·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (P·L)S".
+/// How well an identity holds, measured: "S² = (Π·L)S ± 0", "… ± 10⁻¹⁴", "S² ≠ (Π·L)S".
 std::string identity_text(const char* identity, double residual) {
     if (residual == 0.0) return std::string(identity) + " ± 0";
     if (residual > 1e-3) {
@@ -64,7 +64,7 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
     ImGui::PopID();
 }
 
-/// "Shadow S   rank 3 · S² = (P·L) S" up to `right`. False where the note has no room there and has to stand below.
+/// "Shadow S   rank 3 · S² = (Π·L) S" up to `right`. False where the note has no room there and has to stand below.
 bool heading(const char* title, const char* letter, const std::string& note, Role role, float right) {
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::AlignTextToFramePadding();
@@ -103,9 +103,18 @@ struct Shown {
 };
 
 /// Buttons beside Copy, from the right; returns which one was pressed.
-const char* show(Shown shown, const std::string& note, std::span<const char* const> buttons,
+const char* show(Shown shown, const std::string& fact, std::span<const char* const> buttons,
                  std::optional<glm::dmat4>* by_hand = nullptr) {
     const char* pressed = nullptr;
+    std::string note = fact, explains = tr(shown.explains);
+    if (by_hand && *by_hand) {
+        const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
+        note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
+        explains =
+            say("By hand: light and plane change nothing here. The largest difference to the right {matrix}, up "
+                "to a factor, is {difference}; {property}.",
+                "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3), "property"_a = shown.property);
+    }
     ImGui::PushID(shown.name);
     mark_changed(shown.cells, shown.now, shown.before);
     const auto room_of = [](const char* button) { return widgets::SmallButtonWidth(button) + px(4.0F); };
@@ -113,7 +122,7 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
     for (const char* button : buttons) end -= room_of(button);
     const bool has_note =
         heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role, end);
-    widgets::Tooltip(shown.name, shown.explains);
+    widgets::Tooltip(shown.name, explains.c_str());
     float right = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) {
         right -= room_of(button);
@@ -121,16 +130,15 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
         if (widgets::SmallButton(button)) pressed = button;
     }
     copy_menu(shown.name, shown.name, shown.now);
-    if (!has_note) widgets::Note(note.c_str());
+    if (!has_note) {
+        widgets::Note(note.c_str());
+        widgets::Tooltip(shown.name, explains.c_str());
+    }
     if (by_hand && *by_hand) {
-        const widgets::MatrixStyle style{.editable = true, .overridden = true, .defaults = &shown.derived};
+        for (widgets::MatrixCell& cell : shown.cells) cell.links = cell.own = 0;
+        const widgets::MatrixStyle style{
+            .cells = shown.cells, .editable = true, .overridden = true, .defaults = &shown.derived};
         widgets::Matrix(shown.letter, **by_hand, style);
-        widgets::Trouble("by hand: light and plane change nothing here");
-        const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
-        const std::string told = say("largest difference to the right {matrix}, up to a factor: {difference}",
-                                     "matrix"_a = shown.letter, "difference"_a = number_text(difference, 3));
-        widgets::ValueText(told.c_str(), difference < 5e-4 ? Role::plane : Role::trouble);
-        widgets::Note(shown.property.c_str());
     } else {
         const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles};
         const glm::dmat4& value = shown.now;
@@ -143,7 +151,7 @@ const char* show(Shown shown, const std::string& note, std::span<const char* con
 
 /// S or R with a button to enter it by hand, or to go back.
 void show_overridable(const Shown& shown, const std::string& note, std::optional<glm::dmat4>& by_hand) {
-    const char* const buttons[] = {by_hand ? marked("release") : marked("edit")};
+    const char* const buttons[] = {by_hand ? marked("Release") : marked("Edit")};
     if (!show(shown, note, buttons, &by_hand)) return;
     if (by_hand)
         by_hand.reset();
@@ -173,10 +181,16 @@ void followed_point(Session& session, const Derived& derived) {
                                        "plane"_a = derived.chosen.plane + 1, "light"_a = derived.chosen.light + 1)
                                  : of;
     const bool has_note = heading(marked("Follow a point"), "p", note, Role::point, place_at_right("Clear"));
+    // As high without a point: what is below stays where it is when one is clicked.
+    const float top = ImGui::GetCursorPosY();
+    const float bottom =
+        top + 6.0F * (widgets::CurrentContext().fonts.number->FontSize + ImGui::GetStyle().ItemSpacing.y);
     if (!derived.followed) {
         widgets::Note(
             "Click a vertex of an object in the camera view: p, its shadow S p and its mirror image R p are followed "
             "from here.");
+        ImGui::SetCursorPosY(bottom - ImGui::GetStyle().ItemSpacing.y);
+        ImGui::Dummy({0.0F, 0.0F});
         return;
     }
     ImGui::SameLine(place_at_right("Clear"));
@@ -199,8 +213,8 @@ void followed_point(Session& session, const Derived& derived) {
 void camera_matrices(const Params& params, const Derived& derived, const Derived& before, bool& shows_camera_matrix) {
     const SlipParams& slips = params.slips;
     const std::string inverse = identity_text("V C = I", derived.facts.view_residual);
-    static constexpr const char* show_view[] = {marked("show V")};
-    static constexpr const char* show_camera[] = {marked("show C")};
+    static constexpr const char* show_view[] = {marked("Show V")};
+    static constexpr const char* show_camera[] = {marked("Show C")};
     const char* const product = slips.swapped_order ? tr("C = R_y R_x R_z T, a slip") : "C = T R_y R_x R_z";
     const bool switched =
         shows_camera_matrix
@@ -286,14 +300,14 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
     const glm::dmat4& shadow = cast.shadowed_world_from_world;
     show_overridable(
         {marked("Shadow"), "S", "shadow_from_world",
-         marked("S = (P·L) I − L Pᵀ with the plane P scaled to a unit normal: it flattens every point along the "
-                "ray from the light, so its determinant is 0. What is uploaded is sign(P·L) · S, the factor in front: "
+         marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal: it flattens every point along the "
+                "ray from the light, so its determinant is 0. What is uploaded is sign(Π·L) · S, the factor in front: "
                 "the same map, but with w > 0, which the clipper keeps."),
          Role::light, shadow, cast_before.shadowed_world_from_world, shadow_cells(), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
          moved_text(shadow, plane.patch)},
         say("rank {rank} · {identity}", "rank"_a = rank_of(shadow),
-            "identity"_a = identity_text("S² = (P·L)S", shadow_residual(shadow, cast.plane_dot_light))),
+            "identity"_a = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light))),
         overrides.shadowed_world_from_world[light_index]);
 
     const glm::dmat4& mirror = plane.mirrored_world_from_world;
@@ -314,10 +328,20 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
     const widgets::Group group("matrices");
     choose_pair(session.params);
-    shadow_and_mirror(session, derived, before);
-    followed_point(session, derived);
-    ImGui::Dummy({0.0F, px(4.0F)});
-    camera_matrices(session.params, derived, before, choice.shows_camera);
+    const float room = ImGui::GetContentRegionAvail().x, least_column = px(340.0F);
+    const bool side_by_side = room >= 2.0F * least_column;
+    const auto column = [&](const char* name, const auto& draw) {
+        if (side_by_side) ImGui::BeginChild(name, {0.5F * (room - px(16.0F)), 0.0F});
+        draw();
+        if (side_by_side) ImGui::EndChild();
+    };
+    column("object space", [&] { shadow_and_mirror(session, derived, before); });
+    if (side_by_side) ImGui::SameLine(0.0F, px(16.0F));
+    column("view space", [&] {
+        followed_point(session, derived);
+        ImGui::Dummy({0.0F, px(4.0F)});
+        camera_matrices(session.params, derived, before, choice.shows_camera);
+    });
 }
 
 }  // namespace viewing

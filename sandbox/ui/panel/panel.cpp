@@ -42,29 +42,16 @@ void camera_lamps(const Session& session) {
                      "pan about y and walk forward or back.");
 }
 
-/// The five slips; one that cannot show in this mode is disabled, and its tooltip says when it can.
 void slips(Params& params) {
-    struct Slip {
-        const char *path, *label;
-        bool shows;
-    };
-    const Navigation mode = params.camera.navigation;
-    const Slip all[] = {
-        {"slips.walk_slows", marked("walking slows (walk)"), mode == Navigation::walk},
-        {"slips.creeping_roll", marked("creeping roll (walk, orbit)"), mode != Navigation::fly},
-        {"slips.pole_flip", marked("flip at the pole (orbit)"), mode == Navigation::orbit},
-        {"slips.swapped_order", marked("R·T in place of T·R"), true},
-        {"slips.camera_as_view", marked("C sent as V"), true},
-    };
-    for (const Slip& slip : all) {
-        ImGui::BeginDisabled(!slip.shows);
-        control(params, slip.path, {.label = slip.label});
-        ImGui::EndDisabled();
-    }
+    control(params, "slips.walk_slows", {.label = marked("walking slows (walk)")});
+    control(params, "slips.creeping_roll", {.label = marked("creeping roll (walk, orbit)")});
+    control(params, "slips.pole_flip", {.label = marked("flip at the pole (orbit)")});
+    control(params, "slips.swapped_order", {.label = marked("R·T in place of T·R")});
+    control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
 void camera_section(Session& session, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Camera")) return;
+    if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
     const widgets::Group group("camera");
     Params& params = session.params;
     static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
@@ -74,7 +61,14 @@ void camera_section(Session& session, const std::vector<Problem>& problems) {
     double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
     static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
     static constexpr double defaults[] = {30.6, -16.4, 0.0};
-    const widgets::NumberStyle style{.min = -360.0, .max = 360.0, .step = 0.2, .decimals = 1, .unit = "°"};
+    const Field& turn = field("camera.yaw");
+    const widgets::NumberStyle style{.min = turn.min,
+                                     .max = turn.max,
+                                     .drag_min = -360.0,
+                                     .drag_max = 360.0,
+                                     .step = 0.2,
+                                     .decimals = 1,
+                                     .unit = "°"};
     if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
         params.camera.yaw = angles[0];
         params.camera.pitch = angles[1];
@@ -84,15 +78,13 @@ void camera_section(Session& session, const std::vector<Problem>& problems) {
                      "Heading about y, then nodding about the camera's x, then tilting about its z.",
                      "C = T R_y R_x R_z");
     camera_lamps(session);
-    if (params.camera.navigation == Navigation::orbit) control(params, "camera.target", {.label = marked("target")});
+    control(params, "camera.target", {.label = marked("target")});
 
     if (details("Famous slips")) slips(params);
-    tell_problems(problems, "camera");
-    tell_problems(problems, "follow");
 }
 
 void projection_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Projection")) return;
+    if (!widgets::Section("Projection", true, "", troubles(problems, {"projection"}).c_str())) return;
     const widgets::Group group("projection");
     Params& params = session.params;
     static constexpr const char* types[] = {marked("Perspective"), marked("Orthographic")};
@@ -122,12 +114,14 @@ void projection_section(Session& session, const Derived& derived, const std::vec
                      "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
                      "this may fight.",
                      depth_step_formula(params));
-    tell_problems(problems, "projection");
 }
 
 void hidden_surfaces_section(Session& session, const std::vector<Problem>& problems, HiddenPanelState& hidden_state,
                              const HiddenStatus& hidden) {
-    if (!widgets::Section("Hidden surfaces")) return;
+    std::string trouble = troubles(problems, {"depth", "visibility"});
+    if (hidden.answer && !hidden.answer->problem().empty())
+        trouble += (trouble.empty() ? "" : "\n") + hidden.answer->problem();
+    if (!widgets::Section("Hidden surfaces", true, "", trouble.c_str())) return;
     const widgets::Group group("depth");
     Params& params = session.params;
     static constexpr const char* funcs[] = {"GL_NEVER",   "GL_LESS",     "GL_EQUAL",  "GL_LEQUAL",
@@ -135,16 +129,12 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     static constexpr const char* faces[] = {"GL_FRONT", "GL_BACK", "GL_FRONT_AND_BACK"};
     static constexpr const char* fronts[] = {"GL_CCW", "GL_CW"};
     static constexpr float second = 118.0F, choice = 150.0F;
-    const bool compares =
-        params.view.shows == Shows::difference && params.visibility.compare_with == VisibilityMethod::depth_buffer;
-    ImGui::BeginDisabled(params.visibility.method != VisibilityMethod::depth_buffer && !compares);  // without any use
     control(params, "depth.test", {.label = marked("Depth test")});
     beside(second, px(choice));
     control(params, "depth.func", {.width = choice, .names = funcs, .label = "##func"});
     control(params, "depth.write", {.label = marked("Depth mask")});
     beside(second, widgets::ToggleWidth("Clear depth"));
     control(params, "depth.clear", {.label = marked("Clear depth")});
-    ImGui::EndDisabled();
     control(params, "cull.enabled", {.label = marked("Cull face")});
     beside(second, px(choice));
     control(params, "cull.face", {.width = choice, .names = faces, .label = "##face"});
@@ -155,8 +145,6 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     if (control(params, "visibility.method", {.width = choice, .names = method_names, .label = marked("method")}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_hidden_panel(hidden_state, session, hidden);
-    tell_problems(problems, "depth");
-    tell_problems(problems, "visibility");
 }
 
 void observer_section(Session& session) {

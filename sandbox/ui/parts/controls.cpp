@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "frame/effect.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -18,8 +19,10 @@ const T& default_of(const Field& field) {
 widgets::NumberStyle number_style(const Field& field, const ControlStyle& style, int component = 0) {
     const Range range = component_range(field, component);
     widgets::NumberStyle number;
-    number.min = style.min != style.max ? style.min : range.min;
-    number.max = style.min != style.max ? style.max : range.max;
+    number.min = range.min;
+    number.max = range.max;
+    number.drag_min = style.min;
+    number.drag_max = style.max;
     number.step = field.step;
     number.decimals = style.decimals;
     number.unit = field.unit == "°" ? "°" : "";
@@ -100,11 +103,12 @@ const Params& default_params() {
     return defaults;
 }
 
-void explain(const Field& field, std::string_view label) {
+void explain(const Field& field, std::string_view label, std::string_view why_not) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     const bool has_unit = !field.unit.empty() && field.unit != "°";
     const std::string help(tr_part(field.help));
-    const std::string body = has_unit ? say("{help} ({unit})", "help"_a = help, "unit"_a = tr_part(field.unit)) : help;
+    std::string body = has_unit ? say("{help} ({unit})", "help"_a = help, "unit"_a = tr_part(field.unit)) : help;
+    if (!why_not.empty()) body = say("No effect now: {why}", "why"_a = tr_part(why_not)) + "\n" + body;
     std::string title(label.substr(0, label.find("##")));
     if (title.empty()) title = field.label;
     widgets::Tooltip(title.c_str(), body.c_str(), std::string(field.formula).c_str(),
@@ -115,9 +119,12 @@ bool control(Params& params, std::string_view path, const ControlStyle& style) {
     const Field& found = field(path);
     ImGui::PushID(found.path.data(), found.path.data() + found.path.size());
     const char* label = style.label ? style.label : found.label.data();
+    const std::string_view why_not = why_without_effect(params, style.scene, path);
+    ImGui::BeginDisabled(!why_not.empty());
     const bool changed = std::visit(DrawControl{found, style, label}, found.in(params));
+    ImGui::EndDisabled();
     ImGui::PopID();
-    explain(found, label);
+    explain(found, label, why_not);
     return changed;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "state/fields.h"
+#include "state/scene.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
@@ -19,15 +20,16 @@ struct ControlStyle {
     std::span<const char* const> names = {};     ///< shown in place of the enumeration's own
     std::span<const char* const> tips = {};      ///< of segments: what each one means
     const char* label = nullptr;                 ///< in place of the field's
-    double min = 0.0, max = 0.0;                 ///< a narrower range for a slider; both 0: the field's own
+    double min = 0.0, max = 0.0;                 ///< a narrower range for drags and sliders; both 0: the field's own
+    const Scene* scene = nullptr;                ///< of a field that not every scene has a use for
 };
 
-/// Draws the control; true when it changed the value.
+/// Draws the control; true when it changed the value. Where the field has no effect it is greyed and says why.
 bool control(Params& params, std::string_view path, const ControlStyle& style = {});
 
 /// The tooltip that explains a field, for the last item. Its title is `label`, what the control shows ("##…" counts as
-/// nothing), else the field's own; the field's path stands below.
-void explain(const Field& field, std::string_view label = {});
+/// nothing), else the field's own; the field's path stands below. `why_not`: why it has no effect now, else empty.
+void explain(const Field& field, std::string_view label = {}, std::string_view why_not = {});
 
 /// The defaults, as right-click resets to them.
 const Params& default_params();

@@ -17,13 +17,13 @@ bool is_far_away(const glm::dvec4& light) {
     return length > 0.0 && length >= 1e3 * light.w;
 }
 
-/// "l", "l₂", …
+/// "ℓ", "ℓ₂", …
 const char* light_name(std::size_t light) {
-    static constexpr const char* names[most_lights] = {"l", "l₂", "l₃", "l₄"};
+    static constexpr const char* names[most_lights] = {"ℓ", "ℓ₂", "ℓ₃", "ℓ₄"};
     return names[light];
 }
 
-/// Of the light that has the handle: "l₂ (parallel)".
+/// Of the light that has the handle: "ℓ₂ (parallel)".
 std::string light_label(const Derived& derived) {
     const glm::dvec4& light = derived.chosen_light();
     const char* const name = light_name(derived.chosen.light);

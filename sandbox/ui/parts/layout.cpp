@@ -32,12 +32,19 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
 
 }  // namespace
 
+float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
+    if (arrangement.maximised == ViewName::none || arrangement.bare) return 1.0F;
+    // The bar above needs that much.
+    const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
+    return std::clamp(room, 1.0F, 1.5F);
+}
+
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const auto px = [scale](float design) { return design * scale; };
     const bool bare = arrangement.bare && arrangement.maximised != ViewName::none;
     const float bar = bare ? 0.0F : px(40.0F), status = bare ? 0.0F : px(26.0F), gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    const float least_view = px(420.0F);
+    const float least_view = px(420.0F), least_lower = px(240.0F);
 
     Layout layout;
     layout.header_height = bare ? 0.0F : px(26.0F);
@@ -46,7 +53,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const float top = bar + margin, bottom = window_px.y - status - margin;
 
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
-    if (arrangement.maximised != ViewName::none) panel = matrices = false;
+    if (arrangement.maximised != ViewName::none) {
+        panel = false;
+        matrices = arrangement.beside_matrices;
+    }
     const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
     layout.matrices_fit = panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
     if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
@@ -76,6 +86,9 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
         case ViewName::lower_right:
             layout.lower_right = whole;
             return layout;
+        case ViewName::matrices:
+            layout.matrices = rounded(left, top, right, bottom);
+            return layout;
         case ViewName::none:
             break;
     }
@@ -85,7 +98,14 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
     cut_caption(layout, arrangement.caption_px, px(3.0F));
     divide_camera(layout, arrangement, gap);
-    const float split_x = left + (right - left) * arrangement.lower_split;
+    layout.lower_fit = right - left >= 2.0F * least_lower + gap;
+    if (!layout.lower_fit) {
+        (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
+            rounded(left, split_y, right, bottom);
+        return layout;
+    }
+    const float least = least_lower + gap * 0.5F;
+    const float split_x = std::clamp(left + (right - left) * arrangement.lower_split, left + least, right - least);
     layout.lower_left = rounded(left, split_y, split_x - gap * 0.5F, bottom);
     layout.lower_right = rounded(split_x + gap * 0.5F, split_y, right, bottom);
     return layout;

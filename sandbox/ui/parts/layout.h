@@ -19,7 +19,7 @@ struct Rect {
     }
 };
 
-enum class ViewName { none, camera, lower_left, lower_right };
+enum class ViewName { none, camera, lower_left, lower_right, matrices };
 
 /// What a person has arranged; sizes in design pixels.
 struct Arrangement {
@@ -27,8 +27,10 @@ struct Arrangement {
     bool matrices_folded = false;
     bool prefers_matrices = false;  ///< where there is room for one column only
     ViewName maximised = ViewName::none;
-    bool halves = false;  ///< two pictures in the place of the camera's
-    bool bare = false;    ///< the maximised view and nothing else: no bars, no header
+    bool beside_matrices = false;      ///< what is maximised is read together with the matrices
+    bool prefers_lower_right = false;  ///< where there is room for one of the lower views only
+    bool halves = false;               ///< two pictures in the place of the camera's
+    bool bare = false;                 ///< the maximised view and nothing else: no bars, no header
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;
@@ -45,7 +47,12 @@ struct Layout {
     bool caption_is_folded = false;        ///< it is the preset's title alone
     float header_height = 0.0F;            ///< above each picture
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
+    bool lower_fit = true;                 ///< false: it is too narrow for both of the lower views
 };
+
+/// How much larger everything is drawn while one view has the whole window, so that its text grows with it; `scale` as
+/// below.
+float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement);
 
 /// `scale`: pixels per design pixel.
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement);

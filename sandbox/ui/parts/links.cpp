@@ -21,10 +21,10 @@ MatrixCells cells_of(const std::array<const char*, 16>& symbols, const std::arra
 
 MatrixCells shadow_cells() {
     static constexpr std::array<const char*, 16> symbols = {
-        "P·L - l_x n_x", "-l_x n_y",      "-l_x n_z",      "-l_x d",  //
-        "-l_y n_x",      "P·L - l_y n_y", "-l_y n_z",      "-l_y d",  //
-        "-l_z n_x",      "-l_z n_y",      "P·L - l_z n_z", "-l_z d",  //
-        "-l_w n_x",      "-l_w n_y",      "-l_w n_z",      "P·L - l_w d"};
+        "Π·L - l_x n_x", "-l_x n_y",      "-l_x n_z",      "-l_x d",  //
+        "-l_y n_x",      "Π·L - l_y n_y", "-l_y n_z",      "-l_y d",  //
+        "-l_z n_x",      "-l_z n_y",      "Π·L - l_z n_z", "-l_z d",  //
+        "-l_w n_x",      "-l_w n_y",      "-l_w n_z",      "Π·L - l_w d"};
     MatrixCells cells;
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column) {
@@ -124,7 +124,7 @@ void mark_changed(MatrixCells& cells, const glm::dmat4& now, const glm::dmat4& b
 
 std::span<const LetterRole> shadow_roles() {
     static constexpr LetterRole roles[] = {
-        {'l', Role::light}, {'L', Role::light}, {'n', Role::plane}, {'d', Role::plane}, {'P', Role::plane}};
+        {'l', Role::light}, {'L', Role::light}, {'n', Role::plane}, {'d', Role::plane}, {U'Π', Role::plane}};
     return roles;
 }
 

@@ -1,6 +1,9 @@
 // What the panel's sections share.
 #pragma once
 
+#include <algorithm>
+#include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include "frame/problems.h"
@@ -8,9 +11,13 @@
 
 namespace viewing {
 
-inline void tell_problems(const std::vector<Problem>& problems, std::string_view group) {
+/// What is wrong in some groups of fields, a line each, for the sign on their section.
+inline std::string troubles(const std::vector<Problem>& problems, std::initializer_list<std::string_view> groups) {
+    std::string sentences;
     for (const Problem& problem : problems)
-        if (problem.group == group) widgets::Trouble(problem.sentence.c_str());
+        if (std::find(groups.begin(), groups.end(), problem.group) != groups.end())
+            sentences += (sentences.empty() ? "" : "\n") + problem.sentence;
+    return sentences;
 }
 
 /// Places the cursor for a second control `width` pixels wide: in the same row, at a fixed column; below where the

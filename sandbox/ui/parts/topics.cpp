@@ -27,6 +27,12 @@ void choose_topic(Params& params, Slot slot, Topic topic) {
     if (topic_of(params, slot) == topic_of(params, other)) chosen_topic(params, other) = before;
 }
 
+Slot telling_slot(const Params& params) {
+    if (params.view.lower_left != Topic::automatic) return Slot::left;
+    const bool is_usual = params.view.lower_right == Topic::automatic && topic_of(params, Slot::right) == Topic::depth;
+    return is_usual ? Slot::left : Slot::right;
+}
+
 bool is_shown(const Params& params, Topic topic) {
     return topic_of(params, Slot::left) == topic || topic_of(params, Slot::right) == topic;
 }

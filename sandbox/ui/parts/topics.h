@@ -17,6 +17,9 @@ Topic topic_of(const Params& params, Slot slot);
 /// Another topic for a slot. What the other slot shows already comes over from there: they swap.
 void choose_topic(Params& params, Slot slot, Topic topic);
 
+/// Which slot has what this state is about, where there is room for one of them only: the one whose topic was chosen.
+Slot telling_slot(const Params& params);
+
 /// Whether one of the two slots shows it.
 bool is_shown(const Params& params, Topic topic);
 

@@ -64,9 +64,9 @@ void draw_light_side(Figure& figure, const ShadowDerivation& found, const Shadow
     figure.dashed(l, foot, light);
     figure.dashed(level, p, palette().quiet);
     figure.right_angle(foot, places.across, places.up);
-    figure.dimension(l, foot, "n·l + d", found.light_height, palette().plane);
-    if (figure.has_room()) figure.measure(l, level, "n·l − n·p", found.n_dot_l - found.n_dot_p, palette().quiet);
-    figure.measure(l, p, "|p − l|", found.light_to_point, light);
+    figure.dimension(l, foot, "n·ℓ + d", found.light_height, palette().plane);
+    if (figure.has_room()) figure.measure(l, level, "n·ℓ − n·p", found.n_dot_l - found.n_dot_p, palette().quiet);
+    figure.measure(l, p, "|p − ℓ|", found.light_to_point, light);
 }
 
 void draw_point_side(Figure& figure, const ShadowDerivation& found, const ShadowPlaces& places) {
@@ -100,7 +100,7 @@ void draw_shadow_diagram(const Rect& rect, const ShadowDerivation& found, double
         const bool has_ray = places.towards_light != glm::dvec3(0.0);
         if (found.shadow_world) figure.name(*found.shadow_world, "s", palette().light);
         figure.name(p, "p", palette().point);
-        if (places.has_light) figure.name(found.light_world, "l", palette().light);
+        if (places.has_light) figure.name(found.light_world, "ℓ", palette().light);
         if (places.has_light && found.shadow_world) draw_light_side(figure, found, places, *found.shadow_world);
         draw_point_side(figure, found, places);
         if (has_ray) figure.line(places.source, p, palette().light, 2.0F);

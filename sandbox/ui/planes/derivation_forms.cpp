@@ -55,7 +55,7 @@ void show_three_forms(const ShadowForms& forms) {
          "",
          {"n·l + d − l_x n_x", "−l_x n_y", "−l_x n_z", "−l_x d", "−l_y n_x", "n·l + d − l_y n_y", "−l_y n_z", "−l_y d",
           "−l_z n_x", "−l_z n_y", "n·l + d − l_z n_z", "−l_z d", "−n_x", "−n_y", "−n_z", "n·l"}},
-        {marked("as 4-vectors: (P·L) I − L Pᵀ"), &forms.four_vectors, "", {}}};
+        {marked("as 4-vectors: (Π·L) I − L Πᵀ"), &forms.four_vectors, "", {}}};
     if (forms.with_d) widgets::Note(difference_text(forms.largest_difference).c_str());
     const float room = ImGui::GetContentRegionAvail().x, gap = px(10.0F);
     const bool in_a_row = room >= 3.0F * px(250.0F) + 2.0F * gap;

@@ -54,8 +54,8 @@ void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDeriva
     if (has_light) {
         overlay.dashed(found.light_world, found.light_foot_world, colors.light);
         overlay.dot(found.light_foot_world, colors.plane, 3.0F);
-        measure(overlay, found.light_world, found.light_foot_world, "n·l + d", found.light_height, colors.plane);
-        measure(overlay, found.light_world, p, "|p − l|", found.light_to_point, colors.light);
+        measure(overlay, found.light_world, found.light_foot_world, "n·ℓ + d", found.light_height, colors.plane);
+        measure(overlay, found.light_world, p, "|p − ℓ|", found.light_to_point, colors.light);
     }
     overlay.dashed(p, foot, colors.point);
     overlay.dot(foot, colors.plane, 3.0F);

@@ -42,7 +42,7 @@ float formula(ImDrawList* draw, ImVec2 at, std::string part) {
 std::span<const widgets::LetterRole> derivation_roles() {
     using widgets::Role;
     static constexpr widgets::LetterRole roles[] = {
-        {'l', Role::light}, {'L', Role::light}, {'s', Role::light}, {'n', Role::plane}, {'P', Role::plane},
+        {'l', Role::light}, {'L', Role::light}, {'s', Role::light}, {'n', Role::plane}, {U'Π', Role::plane},
         {'a', Role::plane}, {'b', Role::plane}, {'c', Role::plane}, {'d', Role::plane}, {'p', Role::point},
         {'q', Role::point}, {'x', Role::point}, {'y', Role::point}, {'z', Role::point}};
     return roles;

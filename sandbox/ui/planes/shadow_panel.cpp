@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "frame/effect.h"
 #include "state/lists.h"
 #include "text/catalogue.h"
 #include "ui/parts/controls.h"
@@ -41,11 +42,11 @@ void further_lights(Params& params) {
         const std::string label = say("light {number}", "number"_a = number) + "###light " + id;
         light_controls(params, index, label.c_str());
         explain(field("lights"), label);
-        const std::string remove = say("remove light {number}", "number"_a = number) + "###remove light " + id;
+        const std::string remove = say("Remove light {number}", "number"_a = number) + "###remove light " + id;
         if (widgets::SmallButton(remove.c_str())) return remove_light(params, index);
     }
     const bool has_room = params.lights.size() < most_lights;
-    if (widgets::SmallButton("add a light", has_room, "Four lights are as many as the stencil has bits for."))
+    if (widgets::SmallButton("Add a light", has_room, "Four lights are as many as the stencil has bits for."))
         params.lights.push_back(another_light(params));
     if (has_room) explain(field("lights"), marked("Add a light"));
 }
@@ -70,21 +71,27 @@ void plane_controls(Params& params, std::size_t index) {
     widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
     explain(field("plane.equation"), marked("plane"));
     const Field& extent = field("plane.extent");
-    const widgets::NumberStyle style{.min = 0.5,
-                                     .max = 50.0,
+    const widgets::NumberStyle style{.min = extent.min,
+                                     .max = extent.max,
+                                     .drag_min = 0.5,
+                                     .drag_max = 50.0,
                                      .step = extent.step,
                                      .logarithmic = extent.logarithmic,
                                      .default_value = defaults.extent};
     widgets::Slider("extent", plane.extent, style);
     explain(extent, marked("extent"));
-    widgets::Toggle(marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
-    explain(field("plane.receives_shadow"), marked("Receiver"));
+    const auto toggle = [&params](const char* path, const char* label, bool& value, bool default_value) {
+        const std::string_view why_not = why_without_effect(params, nullptr, path);
+        ImGui::BeginDisabled(!why_not.empty());
+        widgets::Toggle(label, value, default_value);
+        ImGui::EndDisabled();
+        explain(field(path), label, why_not);
+    };
+    toggle("plane.receives_shadow", marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
     beside(second, widgets::ToggleWidth("Mirrors"));
-    widgets::Toggle(marked("Mirrors"), plane.mirrors, defaults.mirrors);
-    explain(field("plane.mirrors"), marked("Mirrors"));
+    toggle("plane.mirrors", marked("Mirrors"), plane.mirrors, defaults.mirrors);
     beside(second + 76.0F, widgets::ToggleWidth("Gloss"));
-    widgets::Toggle(marked("Gloss"), plane.gloss, defaults.gloss);
-    explain(field("plane.gloss"), marked("Gloss"));
+    toggle("plane.gloss", marked("Gloss"), plane.gloss, defaults.gloss);
 }
 
 void further_planes(Params& params) {
@@ -95,11 +102,11 @@ void further_planes(Params& params) {
         if (!details(headline.c_str())) continue;
         const widgets::Group group(("plane " + id).c_str());
         plane_controls(params, index);
-        const std::string remove = say("remove plane {number}", "number"_a = number) + "###remove plane " + id;
+        const std::string remove = say("Remove plane {number}", "number"_a = number) + "###remove plane " + id;
         if (widgets::SmallButton(remove.c_str())) return remove_plane(params, index);
     }
     const bool has_room = params.planes.size() < most_planes;
-    if (widgets::SmallButton("add a plane", has_room, "Eight planes are as many as there may be."))
+    if (widgets::SmallButton("Add a plane", has_room, "Eight planes are as many as there may be."))
         params.planes.push_back(another_plane(params));
     if (has_room) explain(field("planes"), marked("Add a plane"));
 }
@@ -107,20 +114,13 @@ void further_planes(Params& params) {
 void shadow_style(Params& params) {
     static constexpr const char* styles[] = {marked("Blend"), marked("Missing light")};
     control(params, "shadow.style", {.segments = true, .names = styles, .label = "##style"});
-    if (params.shadow.style == ShadowStyle::missing_light) {
-        widgets::Note("Ambient light first, then the light only where the stencil is clear: no colour, no offset.");
-        return;
-    }
     control(params, "shadow.color");
     static constexpr const char* offsets[] = {marked("none"), "glPolygonOffset", marked("lift"),
                                               marked("no depth test")};
     control(params, "shadow.offset", {.width = 150.0F, .names = offsets, .label = marked("offset")});
-    if (params.shadow.offset == ShadowOffset::polygon_offset) {
-        control(params, "shadow.offset_factor", {.label = marked("factor")});
-        control(params, "shadow.offset_units", {.label = marked("units")});
-    } else if (params.shadow.offset == ShadowOffset::lift) {
-        control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
-    }
+    control(params, "shadow.offset_factor", {.label = marked("factor")});
+    control(params, "shadow.offset_units", {.label = marked("units")});
+    control(params, "shadow.lift", {.decimals = 3, .slider = true, .min = 0.0, .max = 1.0});
     control(params, "shadow.write_depth", {.label = marked("Write depth")});
 }
 
@@ -128,7 +128,7 @@ void shadow_switches(Params& params) {
     control(params, "shadow.clip_at_light", {.label = marked("Clip at light")});
     beside(second, widgets::ToggleWidth("Own stencil"));
     control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
-    static constexpr const char* signs[] = {"sign(P·L)", marked("none"), marked("forced")};
+    static constexpr const char* signs[] = {"sign(Π·L)", marked("none"), marked("forced")};
     control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
 }
 
@@ -148,14 +148,14 @@ void mirror_switches(Params& params) {
         control(params, row.right, {.label = row.right_label});
     }
     control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
-    if (params.reflection.mirrored == MirroredThing::camera)
-        control(params, "reflection.same_projection", {.label = marked("Same projection")});
+    control(params, "reflection.same_projection", {.label = marked("Same projection")});
 }
 
 }  // namespace
 
 void draw_light_section(Session& session, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Light  l")) return;
+    const std::string headline = std::string(marked("Light  ℓ")) + "###Light  l";
+    if (!widgets::Section(headline.c_str(), true, "", troubles(problems, {"light"}).c_str())) return;
     const widgets::Group group("light");
     Params& params = session.params;
     light_controls(params, 0, marked("position"));
@@ -164,26 +164,23 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     beside(74.0F, widgets::LabelledWidth("speed", px(123.0F)));
     control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = marked("speed")});
     further_lights(params);
-    tell_problems(problems, "light");
 }
 
 void draw_plane_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Plane  n·p + d = 0")) return;
+    if (!widgets::Section("Plane  n·p + d = 0", true, "", troubles(problems, {"plane"}).c_str())) return;
     const widgets::Group group("plane");
     plane_controls(session.params, 0);
     const glm::dvec4& unit = derived.planes.front().unit_plane;
-    if (glm::length(unit - session.params.planes.front().equation) > 5e-4) {
-        const std::string note =
-            say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
-                "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
-        widgets::Note(note.c_str());
-    }
+    const std::string note =
+        say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
+            "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
+    widgets::Note(note.c_str());
     further_planes(session.params);
-    tell_problems(problems, "plane");
 }
 
 void draw_shadow_and_reflection_section(Session& session, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Shadow and reflection")) return;
+    if (!widgets::Section("Shadow and reflection", true, "", troubles(problems, {"shadow", "reflection"}).c_str()))
+        return;
     Params& params = session.params;
     struct Row {
         const char *shadow, *shadow_label, *reflection, *reflection_label;
@@ -205,10 +202,9 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     }
     {
         const widgets::Group group("shadow");
-        if (params.shadow.style == ShadowStyle::blend) control(params, "shadow.opacity", {.slider = true});
+        control(params, "shadow.opacity", {.slider = true});
         if (details(marked("Shadow: style and offset"))) shadow_style(params);
         if (details(marked("Shadow: clip at light, sign, stencil"))) shadow_switches(params);
-        tell_problems(problems, "shadow");
     }
     const widgets::Group group("reflection");
     control(params, "reflection.reflectance", {.slider = true});
@@ -217,9 +213,6 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
                                             marked("oblique near plane")};
     control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
     if (details(marked("Mirror: how it is drawn"))) mirror_switches(params);
-    if (params.reflection.enabled && !params.cull.enabled && !params.reflection.flip_winding)
-        widgets::Note("The wrong winding shows when faces are culled, and in the facing view.");
-    tell_problems(problems, "reflection");
 }
 
 }  // namespace viewing

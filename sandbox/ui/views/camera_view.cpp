@@ -139,45 +139,46 @@ std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVe
     return found;
 }
 
-/// The first switch that breaks the picture.
-const Problem* broken_by(const std::vector<Problem>& problems) {
-    const auto found =
-        std::find_if(problems.begin(), problems.end(), [](const Problem& problem) { return problem.breaks_picture; });
-    return found == problems.end() ? nullptr : &*found;
-}
-
-/// Why it is broken, over the picture, and a button that mends it. Drawn before the picture takes the mouse.
-void tell_why(Session& session, const Problem& problem, const Rect& rect) {
+/// Why the picture is broken, or what is odd about the state, over it, and a button that mends it. Returns where the
+/// next sentence has room. Drawn before the picture takes the mouse.
+float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
     const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
-    if (width < px(160.0F)) return;
     const bool has_button = !problem.mended_by.empty();
-    const float button = has_button ? ImGui::CalcTextSize(tr("mend")).x + px(24.0F) : 0.0F;
+    const float button = has_button ? ImGui::CalcTextSize(tr("Mend")).x + px(24.0F) : 0.0F;
     const char* sentence = problem.sentence.c_str();
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
     const ImVec2 size(text.x + button, text.y);
-    const ImVec2 at(rect.min.x + 2.0F * margin, rect.min.y + 1.5F * margin);
+    const ImVec2 at(rect.min.x + 2.0F * margin, top);
+    const float next = at.y + size.y + px(12.0F);
+    if (width < px(160.0F) || next > rect.max.y) return top;
     const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled({at.x - margin, at.y - px(5.0F)}, {at.x + size.x + margin, at.y + size.y + px(5.0F)}, plate,
                         px(4.0F));
     draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
-    if (!has_button) return;
+    if (!has_button) return next;
     ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});
     const std::string& setting = problem.mended_by;
-    if (widgets::SmallButton("mend"))
+    ImGui::PushID(setting.c_str());
+    if (widgets::SmallButton("Mend"))
         if (const Result<Params> mended = apply_settings(session.params, std::vector<std::string>{setting}))
             session.params = *mended;
+    ImGui::PopID();
     widgets::Tooltip("Mend it", say("Sets {setting}. Ctrl+Z breaks it again.", "setting"_a = setting).c_str());
+    return next;
 }
 
-/// A click on the pinned pixel lets it go.
-void pin(Params& params, glm::ivec2 pixel) {
-    if (params.view.pixel == pixel)
-        params.view.pixel.reset();
-    else
-        params.view.pixel = pixel;
+/// What breaks the picture first; as many sentences as fit into its upper half. Returns what they cover.
+Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
+    const float first = rect.min.y + px(15.0F);
+    float top = first;
+    const float middle = (rect.min.y + rect.max.y) * 0.5F;
+    for (const bool breaks : {true, false})
+        for (const Problem& problem : problems)
+            if (problem.breaks_picture == breaks && top < middle) top = tell_why(session, problem, rect, top);
+    return top > first ? Rect{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}} : Rect{};
 }
 
 /// A ring around the pinned pixel, as large as it takes to be seen.
@@ -214,7 +215,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
         (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
         motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) / static_cast<double>(overlay.rect().height()) *
                       derived.facts.target_distance;
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
         if (state.looking && state.dragged_px <= px(3.0F)) {
             PolygonLinks& links = state.hidden.links;
             links.next.selected_fragment = links.now.hovered_fragment;
@@ -240,12 +241,38 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 
 }  // namespace
 
+void pin(Params& params, glm::ivec2 pixel) {
+    if (params.view.pixel == pixel)
+        params.view.pixel.reset();
+    else
+        params.view.pixel = pixel;
+}
+
+std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px) {
+    // The angle of view is the vertical one: a picture with another aspect shows more or less at its sides.
+    const glm::dvec2 size(camera_px),
+        from_middle(pointer.x - 0.5F * (rect.min.x + rect.max.x), pointer.y - 0.5F * (rect.min.y + rect.max.y));
+    const glm::ivec2 pixel(
+        glm::floor(0.5 * size + from_middle * (size.y / static_cast<double>(std::max(rect.height(), 1.0F)))));
+    const bool is_inside = pixel.x >= 0 && pixel.y >= 0 && pixel.x < camera_px.x && pixel.y < camera_px.y;
+    return is_inside ? std::optional(pixel) : std::nullopt;
+}
+
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
-                      const Pictures& pictures) {
+                      const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (layout.beside.empty()) return;
     const widgets::Group group("beside");
-    draw_beside_half(session, derived, layout.beside, pictures.beside);
-    if (ImGui::IsItemHovered()) state.hovered = ViewName::camera;
+    const Rect& rect = layout.beside;
+    draw_beside_picture(session, derived, rect, pictures.beside);
+    Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
+    if (ImGui::IsItemHovered()) {
+        state.hovered = ViewName::camera;
+        state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
+        if (state.hovered_pixel) state.told_pixel = state.hovered_pixel;
+    }
+    camera_mouse(state, session, derived, overlay, Handle::none, input, motion);
+    if (session.params.view.pixel) draw_pin(overlay, *session.params.view.pixel);
+    draw_beside_legend(session, derived, rect);
 }
 
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
@@ -260,15 +287,16 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
     draw_picture(rect, pictures.camera);
     if (has_divider) draw_beside_divider(session, derived, rect, pictures.beside);
-    if (const Problem* problem = broken_by(problems)) tell_why(session, *problem, rect);
+    const Rect told = tell_problems(session, problems, rect);
     picture_item("camera view", rect, nullptr);
     const bool over = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (over) state.hovered = ViewName::camera;
-    state.hovered_pixel.reset();
+    state.camera_px = rect.size_px();
     if (over) state.hovered_pixel = state.told_pixel = glm::ivec2(mouse.x - rect.min.x, mouse.y - rect.min.y);
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
+    if (!told.empty()) overlay.keep_labels_off(told);
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
     if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);

@@ -87,7 +87,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     draw_frustum(overlay, session.params, derived);
     const glm::dvec3 light = lamp_place(derived.chosen_light(), derived);
     overlay.dot(light, palette().light, 6.0F);
-    overlay.label(light, "l", palette().light);
+    overlay.label(light, "ℓ", palette().light);
     const char* whole = tr("the camera stays, the world moves by V = C⁻¹: the same picture");
     const char* brief = tr("the world moves by V = C⁻¹");
     if (session.params.slips.camera_as_view) {

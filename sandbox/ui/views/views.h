@@ -37,15 +37,23 @@ struct Pictures {
     PresetPicture preset;
 };
 
+/// Which of the lower views a person wants to see where there is room for one only, as long as they show these topics.
+struct LowerChoice {
+    Slot slot;
+    Topic left, right;
+};
+
 /// What the mouse is doing in the views; kept between frames.
 struct ViewState {
     bool handles = true;
     Grip grip;
     bool looking = false;                     ///< dragging to turn the camera
     float dragged_px = 0.0F;                  ///< since the press: a click that did not move picks a vertex
+    glm::ivec2 camera_px{0};                  ///< size of the camera's picture when it was last seen
     std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, top left origin
     std::optional<glm::ivec2> told_pixel;     ///< the last one of these, while the pointer is elsewhere
     ViewName hovered = ViewName::none;
+    std::optional<LowerChoice> lower;
     HiddenState hidden;
     widgets::StepPlayer call_player;  ///< of the draw calls
     widgets::StepPlayer pass_player;  ///< of the passes
@@ -62,13 +70,24 @@ inline bool is_playing(const ViewState& state) {
 void draw_camera_view(ViewState& state, Session& session, const Derived& derived, const std::vector<Problem>& problems,
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-/// The second picture of the camera's view, whose divider edits its share.
+/// The second picture of the camera's view, which answers the mouse as the first one does.
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
-                      const Pictures& pictures);
+                      const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-/// One of the two views below; `plan` is the camera's frame.
+/// Pins a pixel of the camera's picture; a click on the pinned one lets it go.
+void pin(Params& params, glm::ivec2 pixel);
+
+/// The camera's pixel that shows what another picture of the same camera shows under the pointer, the last item;
+/// nothing where the camera's picture ends before.
+std::optional<glm::ivec2> camera_pixel_at(const Rect& rect, ImVec2 pointer, glm::ivec2 camera_px);
+
+/// The lower view that is seen where there is room for one only.
+Slot lower_shown(const ViewState& state, const Params& params);
+
+/// One of the two views below; `plan` is the camera's frame. `is_alone`: the other one has no room, and its name leads
+/// to it.
 void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                     const Rect& rect, const Pictures& pictures);
+                     const Rect& rect, const Pictures& pictures, bool is_alone);
 
 /// The observer's picture with what is drawn over it; its headline stands already.
 void draw_observer_view(ViewState& state, Session& session, const Derived& derived, const Rect& rect,

@@ -1,5 +1,6 @@
 // The two views below the camera's: each shows a topic, and its headline is the list of them.
 #include <algorithm>
+#include <cfloat>
 
 #include "text/catalogue.h"
 #include "ui/depth/depth_views.h"
@@ -17,14 +18,23 @@
 namespace viewing {
 namespace {
 
+Slot other_than(Slot slot) {
+    return slot == Slot::left ? Slot::right : Slot::left;
+}
+
 /// The headline: which topic it is, as a list of all of them.
-void topic_choice(Params& params, Slot slot, const Rect& rect) {
+void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect, bool is_alone) {
     view_header(rect, "");
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
-    const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), rect.width());
-    if (widgets::Choice("##topic", topic, topic_names(), 0, width))
+    const char* other = topic_names()[static_cast<std::size_t>(topic_of(params, other_than(slot)))];
+    const float room = rect.width() - (is_alone ? widgets::SmallButtonWidth(other) + px(12.0F) : 0.0F);
+    const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), room);
+    const auto want = [&](Slot wanted) { state.lower = {wanted, params.view.lower_left, params.view.lower_right}; };
+    if (widgets::Choice("##topic", topic, topic_names(), 0, width)) {
         choose_topic(params, slot, static_cast<Topic>(topic));
+        want(slot);
+    }
     widgets::Tooltip(
         "What this view shows",
         "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
@@ -32,6 +42,25 @@ void topic_choice(Params& params, Slot slot, const Rect& rect) {
         "depth fighting; shadow and mirror as the lecture derives and codes them, and four ways to mirror; the frame "
         "as GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
+    if (!is_alone) return;
+    if (widgets::SmallButton(other)) want(other_than(slot));
+    widgets::Tooltip(other, "The other lower view, for which this window is too narrow.");
+    ImGui::SameLine(0.0F, px(12.0F));
+}
+
+/// How a tree is read, as far as there is room.
+void tree_legend(float right) {
+    static constexpr const char* legends[] = {
+        marked("colour: the polygon's · + front, − back · small number: place in the walk · thick: the eye's side"),
+        marked("+ front, − back · small number: place in the walk · thick: the eye's side"),
+        marked("+ front, − back · thick: the eye's side"), marked("+ front, − back")};
+    const float left = ImGui::GetCursorScreenPos().x;
+    const ImFont* font = widgets::CurrentContext().fonts.note;
+    for (const char* legend : legends) {
+        if (left + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, tr(legend)).x > right) continue;
+        header_note(legend, right);
+        return widgets::Tooltip("How the tree is read", legends[0]);
+    }
 }
 
 /// What the light sees: the picture with its sentence.
@@ -46,13 +75,30 @@ void draw_light_view(const Derived& derived, const Rect& rect, ImTextureID pictu
     sentence_over_picture(ImGui::GetWindowDrawList(), rect, palette().light, whole, brief);
 }
 
+/// Over another picture of the camera, the last item: the camera's pixel there is told, and pinned by a click where
+/// something shows it.
+void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
+    if (!ImGui::IsItemHovered()) return;
+    state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
+    if (!state.hovered_pixel) return;
+    state.told_pixel = state.hovered_pixel;
+    const bool pins = is_shown(params, Topic::pixel) || is_shown(params, Topic::cells);
+    if (pins && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, *state.hovered_pixel);
+}
+
 }  // namespace
 
+Slot lower_shown(const ViewState& state, const Params& params) {
+    const std::optional<LowerChoice>& chosen = state.lower;
+    const bool holds = chosen && chosen->left == params.view.lower_left && chosen->right == params.view.lower_right;
+    return holds ? chosen->slot : telling_slot(params);
+}
+
 void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derived& derived, const FramePlan& plan,
-                     const Rect& rect, const Pictures& pictures) {
+                     const Rect& rect, const Pictures& pictures, bool is_alone) {
     if (rect.empty()) return;
     const widgets::Group group(slot == Slot::left ? "left" : "lower");
-    topic_choice(session.params, slot, rect);
+    topic_choice(state, session.params, slot, rect, is_alone);
     const Topic topic = topic_of(session.params, slot);
     const ImTextureID picture = pictures.lower[static_cast<std::size_t>(slot)];
     if (ImGui::IsMouseHoveringRect(rect.min, rect.max) && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
@@ -64,7 +110,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
             header_note("camera frustum, light, plane", rect.max.x);
             return draw_observer_view(state, session, derived, rect, picture, pictures.hidden);
         case Topic::depth:
-            return draw_depth_picture(session, derived, rect, picture);
+            draw_depth_picture(session, derived, rect, picture);
+            return point_at_camera(state, session.params, rect);
         case Topic::histogram:
             return draw_histogram_view(session, derived, pictures.depth.depth_counts, rect);
         case Topic::precision:
@@ -84,6 +131,7 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::passes:
             return draw_passes_view(session, plan, rect, pictures.passes, derived.aspect, state.pass_player);
         case Topic::tree:
+            tree_legend(rect.max.x);
             return draw_tree_view(state.hidden.tree, state.hidden.links, session, pictures.hidden, rect);
         case Topic::order:
             return draw_order_view(state.hidden.order, state.hidden.links, session, pictures.hidden, rect);

@@ -34,6 +34,12 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     const BesideParams& beside = session.params.view.beside;
     Arrangement now = arrangement;
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
+    now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
+    const auto shows_code = [&](ViewName view, Slot slot) {
+        return arrangement.maximised == view && topic_of(session.params, slot) == Topic::lecture_code;
+    };
+    now.beside_matrices = !arrangement.bare && (shows_code(ViewName::lower_left, Slot::left) ||
+                                                shows_code(ViewName::lower_right, Slot::right));
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
@@ -127,11 +133,13 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
     if (!layout.panel.empty()) {
         begin_area("panel", layout.panel, 0);
+        if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::none;
         draw_panel(session, derived, problems, views.hidden.panel, hidden);
         ImGui::End();
     }
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
+        if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
         draw_matrices(session, derived, before, matrix_choice_);
         ImGui::End();
     }
@@ -148,19 +156,22 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (ImGui::IsWindowHovered()) views.hovered = ViewName::none;
+    views.hovered_pixel.reset();
     draw_camera_view(views, session, derived, problems, layout.camera, pictures, input, motion);
-    draw_beside_view(views, session, derived, layout, pictures);
+    draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (const NamedFile* preset = open_preset(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
-    draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures);
-    draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures);
+    const bool is_alone = !layout.lower_fit && arrangement.maximised == ViewName::none;
+    draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
+    draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
     if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
     ImGui::End();
 }
 
 void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
-    ImGui::SetCursorScreenPos({layout.lower_left.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
-    const float length = layout.lower_right.max.x - layout.lower_left.min.x;
+    const Rect& lower = layout.lower_left.empty() ? layout.lower_right : layout.lower_left;
+    ImGui::SetCursorScreenPos({lower.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
+    const float length = std::max(layout.lower_right.max.x, lower.max.x) - lower.min.x;
     widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
     if (!layout.panel.empty()) {
         ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
@@ -170,6 +181,7 @@ void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
         ImGui::SetCursorScreenPos({between.max.x - px(8.0F), between.min.y});
         widgets::Splitter("matrices width", true, arrangement.matrices_width, 360.0F, 560.0F, between.height(), -1.0F);
     }
+    if (!layout.lower_fit) return;
     // Between the lower two the arrangement keeps a share, so that it fits windows of any width.
     const float whole = (layout.lower_right.max.x - layout.lower_left.min.x) / widgets.scale;
     float left = arrangement.lower_split * whole;

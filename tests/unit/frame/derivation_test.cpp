@@ -119,7 +119,7 @@ TEST(ShadowDerivation, EverySpecialCaseIsDefinedAndSaid) {
     }
 }
 
-/// What the clipper sees: w against P·L, as the facts have it.
+/// What the clipper sees: w against Π·L, as the facts have it.
 TEST(ShadowDerivation, TheAntiShadowIsWhereWHasTheOtherSign) {
     Random random(seed + 1);
     for (int i = 0; i < 300; ++i) {

@@ -172,7 +172,7 @@ TEST(DeriveFacts, RankOfTheShadowMatrix) {
 
 TEST(DeriveFacts, ResidualsAreMeasured) {
     Params params;
-    params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(2.0);  // S² − (P·L) S = 4 − 5.2 · 2
+    params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(2.0);  // S² − (Π·L) S = 4 − 5.2 · 2
     params.overrides[0].mirrored_world_from_world = glm::dmat4(3.0);     // R² − I = 9 − 1
     const Derived derived = derived_of(params);
     const glm::dmat4& shadow = derived.chosen_shadow().shadowed_world_from_world;
@@ -189,7 +189,7 @@ TEST(DeriveFollowed, OnItsWayThroughBothMatrices) {
     ASSERT_TRUE(derived.followed);
     const FollowedPoint& followed = *derived.followed;
     expect_near(followed.point_world, {1, 2, 3});
-    // S p = (P·L) p − (P·p) l: P·L = 21/√3 − 2, P·p = 6/√3 − 2.
+    // S p = (Π·L) p − (P·p) l: Π·L = 21/√3 − 2, P·p = 6/√3 − 2.
     const double plane_dot_light = 21.0 / std::sqrt(3.0) - 2.0, k = 6.0 / std::sqrt(3.0) - 2.0;
     expect_near(glm::dvec3(followed.shadow_homogeneous),
                 plane_dot_light * glm::dvec3(1, 2, 3) - k * glm::dvec3(5, 9, 7));

@@ -88,7 +88,7 @@ TEST(LectureCode, ShadowMatrixThrowsPointsAlongTheirRayOntoThePlane) {
         const CodeLines lines = shadow_code(plane, arguments.light);
         const glm::dmat4 read = read_by_gl(lines, arguments);
         expect_entries(lines, read);
-        // S² = (P·L) S, S L = 0, and points of the plane stay: no other matrix does all of it.
+        // S² = (Π·L) S, S L = 0, and points of the plane stay: no other matrix does all of it.
         EXPECT_LT(worst_difference(read * read, arguments.dot * read), 1e-9);
         EXPECT_LT(glm::length(read * arguments.light), 1e-9);
         const glm::dvec3 foot = -plane.w * glm::dvec3(plane);

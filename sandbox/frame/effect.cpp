@@ -1,0 +1,185 @@
+#include "frame/effect.h"
+
+#include <algorithm>
+#include <span>
+
+#include "frame/depth/decals.h"
+#include "state/fields.h"
+#include "text/catalogue.h"
+
+namespace viewing {
+namespace {
+
+/// The state that is asked about.
+struct State {
+    const Params& params;
+    const Scene* scene;
+
+    bool has_decals() const { return !scene || viewing::has_decals(*scene); }
+    bool has_pairs() const { return !scene || scene->made_from; }
+    bool compares_with(VisibilityMethod method) const {
+        return params.view.shows == Shows::difference && params.visibility.compare_with == method;
+    }
+    bool uses(VisibilityMethod method) const { return params.visibility.method == method || compares_with(method); }
+    bool receives() const {
+        return std::any_of(params.planes.begin(), params.planes.end(), [](const auto& p) { return p.receives_shadow; });
+    }
+    bool mirrors() const {
+        return std::any_of(params.planes.begin(), params.planes.end(), [](const auto& p) { return p.mirrors; });
+    }
+    /// Culling and the facing view do, and the counts beside a method's steps.
+    bool tells_faces() const {
+        return params.cull.enabled || params.view.shows == Shows::facing || params.view.shows == Shows::difference ||
+               params.visibility.step >= 0 || params.visibility.numbers ||
+               !is_drawn_by_gl_alone(params.visibility.method);
+    }
+};
+
+/// One reason, and the fields that have no effect while it holds: a field, or a whole group ("coplanar.").
+struct Reason {
+    bool (*holds)(const State& state);
+    const char* sentence;
+    std::initializer_list<std::string_view> fields;
+};
+
+bool is_named(const Reason& reason, std::string_view path) {
+    return std::any_of(reason.fields.begin(), reason.fields.end(), [path](std::string_view name) {
+        return name.ends_with('.') ? path.starts_with(name) : path == name;
+    });
+}
+
+/// The broadest come first.
+std::span<const Reason> reasons() {
+    static const Reason all[] = {
+        {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },
+         marked("An orthographic view has a height and no angle."),
+         {"projection.fovy"}},
+        {[](const State& s) { return s.params.projection.type == ProjectionType::perspective; },
+         marked("A perspective has an angle and no height."),
+         {"projection.height"}},
+
+        {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
+         marked("This method draws with GL's depth test off."),
+         {"depth.test", "depth.func", "depth.write", "depth.clear"}},
+        {[](const State& s) { return !s.params.depth.test; },
+         marked("Without the depth test nothing is compared, and no depth is written."),
+         {"depth.func", "depth.write"}},
+        {[](const State& s) { return s.params.depth.mapping != DepthMapping::reversed; },
+         marked("Depth is not reversed."),
+         {"depth.reversed_zero_to_one", "depth.reversed_clear", "depth.reversed_offset"}},
+        {[](const State& s) { return s.params.depth.mapping != DepthMapping::logarithmic; },
+         marked("Depth is not logarithmic."),
+         {"depth.logarithm_per_vertex"}},
+        {[](const State& s) { return !s.params.depth.clear; },
+         marked("Depth is not cleared at all."),
+         {"depth.write_while_clearing", "depth.reversed_clear"}},
+        {[](const State& s) { return !s.has_decals(); },
+         marked("This scene has no decals: open coplanar or decals."),
+         {"depth.decals", "depth.offset.factor", "depth.offset.units"}},
+        {[](const State& s) { return s.params.depth.decals != DecalMethod::offset; },
+         marked("Decals are not kept apart by an offset."),
+         {"depth.offset.factor", "depth.offset.units"}},
+        {[](const State& s) { return !s.has_pairs(); },
+         marked("Only the scene coplanar has pairs to place."),
+         {"coplanar."}},
+
+        {[](const State& s) { return !s.params.cull.enabled; }, marked("No face is culled."), {"cull.face"}},
+        {[](const State& s) { return !s.tells_faces(); },
+         marked("Front and back are told apart only while faces are culled, or shown."),
+         {"cull.front_face", "reflection.flip_winding"}},
+
+        {[](const State& s) { return !s.params.shadow.enabled; },
+         marked("Shadows are off."),
+         {"shadow.color", "shadow.opacity", "shadow.stencil_once", "shadow.clip_to_receiver", "shadow.clip_casters",
+          "shadow.offset", "shadow.offset_factor", "shadow.offset_units", "shadow.lift", "shadow.style",
+          "shadow.clip_at_light", "shadow.write_depth", "shadow.own_stencil", "plane.receives_shadow",
+          "reflection.shadows"}},
+        {[](const State& s) { return !s.receives(); },
+         marked("No plane receives shadows."),
+         {"shadow.enabled", "shadow.color", "shadow.opacity", "shadow.stencil_once", "shadow.clip_to_receiver",
+          "shadow.clip_casters", "shadow.offset", "shadow.offset_factor", "shadow.offset_units", "shadow.lift",
+          "shadow.style", "shadow.clip_at_light", "shadow.write_depth", "shadow.own_stencil", "reflection.shadows"}},
+        {[](const State& s) { return s.params.shadow.style == ShadowStyle::missing_light; },
+         marked("A missing light has no colour and lies in no depth buffer: it is left out where it does not arrive."),
+         {"shadow.color", "shadow.opacity", "shadow.offset", "shadow.offset_factor", "shadow.offset_units",
+          "shadow.lift", "shadow.write_depth"}},
+        {[](const State& s) { return s.params.shadow.offset != ShadowOffset::polygon_offset; },
+         marked("The shadow has no polygon offset."),
+         {"shadow.offset_factor", "shadow.offset_units"}},
+        {[](const State& s) { return s.params.shadow.offset != ShadowOffset::lift; },
+         marked("The shadow is not lifted."),
+         {"shadow.lift"}},
+
+        {[](const State& s) { return !s.params.reflection.enabled; },
+         marked("Reflections are off."),
+         {"reflection.reflectance", "reflection.stencil", "reflection.clip", "reflection.flip_winding",
+          "reflection.reflect_light", "reflection.bounces", "reflection.mirrored", "reflection.same_projection",
+          "reflection.mask_writes_depth", "reflection.after_objects", "reflection.shadows", "plane.mirrors"}},
+        {[](const State& s) { return !s.mirrors(); },
+         marked("No plane mirrors."),
+         {"reflection.enabled", "reflection.reflectance", "reflection.stencil", "reflection.clip",
+          "reflection.flip_winding", "reflection.reflect_light", "reflection.bounces", "reflection.mirrored",
+          "reflection.same_projection", "reflection.mask_writes_depth", "reflection.after_objects",
+          "reflection.shadows"}},
+        {[](const State& s) { return s.params.reflection.mirrored != MirroredThing::camera; },
+         marked("The scene is mirrored, not the camera."),
+         {"reflection.same_projection"}},
+
+        {[](const State& s) { return !s.uses(VisibilityMethod::painter); },
+         marked("Only the painter's algorithm sorts by a key."),
+         {"visibility.sort_key"}},
+        {[](const State& s) { return !s.uses(VisibilityMethod::bsp); },
+         marked("Only the BSP tree has splitters and a walk."),
+         {"visibility.splitter", "visibility.walk"}},
+        {[](const State& s) { return !s.uses(VisibilityMethod::bsp) && !s.uses(VisibilityMethod::newell); },
+         marked("Only Newell's algorithm and the BSP tree cut polygons."),
+         {"visibility.epsilon"}},
+        {[](const State& s) { return !s.uses(VisibilityMethod::ray_cast); },
+         marked("Only rays meet curves exactly."),
+         {"visibility.exact_curves"}},
+        {[](const State& s) { return s.params.cull.enabled; },
+         marked("Culling tells faces apart: curves are triangles while it is on."),
+         {"visibility.exact_curves"}},
+        {[](const State& s) { return s.params.view.shows != Shows::difference; },
+         marked("Nothing is compared: choose difference above the picture."),
+         {"visibility.compare_with"}},
+        {[](const State& s) { return s.params.visibility.method == VisibilityMethod::ray_cast; },
+         marked("Rays draw no polygons that could be numbered."),
+         {"visibility.numbers"}},
+
+        {[](const State& s) { return s.params.view.beside.shows == Beside::nothing; },
+         marked("There is no second picture."),
+         {"view.beside.layout", "view.beside.share", "view.beside.format", "view.beside.mapping"}},
+        {[](const State& s) { return s.params.view.beside.shows != Beside::other_depth; },
+         marked("The second picture has the same depth buffer."),
+         {"view.beside.format", "view.beside.mapping"}},
+        {[](const State& s) { return s.params.view.beside.layout != BesideLayout::divider; },
+         marked("The two pictures have a half each."),
+         {"view.beside.share"}},
+        {[](const State& s) { return !s.params.animation.light_orbit; },
+         marked("No light orbits."),
+         {"animation.light_speed"}},
+
+        {[](const State& s) { return s.params.camera.navigation != Navigation::walk; },
+         marked("This shows while walking."),
+         {"slips.walk_slows"}},
+        {[](const State& s) { return s.params.camera.navigation == Navigation::fly; },
+         marked("This shows while walking or orbiting."),
+         {"slips.creeping_roll"}},
+        {[](const State& s) { return s.params.camera.navigation != Navigation::orbit; },
+         marked("This shows while orbiting."),
+         {"slips.pole_flip"}},
+    };
+    return all;
+}
+
+}  // namespace
+
+std::string_view why_without_effect(const Params& params, const Scene* scene, std::string_view path) {
+    const State state{params, scene};
+    for (const Reason& reason : reasons())
+        if (is_named(reason, path) && reason.holds(state)) return reason.sentence;
+    return {};
+}
+
+}  // namespace viewing

@@ -1,0 +1,90 @@
+// Nothing jumps: whatever is switched, told or followed, each control stays where it is, so that the next click lands
+// on what the eye has aimed at.
+#include <map>
+
+#include "desk.h"
+
+namespace viewing::test {
+namespace {
+
+struct Steady : UiTest {
+    /// Where each item of the columns stands.
+    std::map<std::string, float> tops() const {
+        std::map<std::string, float> found;
+        for (const RecordedItem& item : desk.recorded()) {
+            const bool in_column = item.window == "panel" || item.window == "matrices";
+            const bool is_text = item.label.ends_with("/note") || item.label.ends_with("/trouble");
+            if (in_column && !is_text) found[item.window + ": " + item.label] = item.min.y;
+        }
+        return found;
+    }
+    /// All controls are still there, at the same height.
+    void expect_as_before(const std::map<std::string, float>& before, const std::string& what) const {
+        const std::map<std::string, float> now = tops();
+        for (const auto& [label, top] : before) {
+            const auto found = now.find(label);
+            if (found == now.end())
+                ADD_FAILURE() << what << ": " << label << " is gone";
+            else
+                EXPECT_FLOAT_EQ(found->second, top) << what << ": " << label;
+        }
+    }
+};
+
+TEST_F(Steady, TheControlsStayWhereTheyAreInEveryModeAndTrouble) {
+    ImGui::GetIO().DisplaySize = {1600, 3000};
+    desk.settle();
+    desk.fold_out_all();
+    const std::map<std::string, float> before = tops();
+    ASSERT_GT(before.size(), 80U);
+    const Params opening = params;
+    const std::pair<const char*, void (*)(Params&)> changes[] = {
+        {"trouble of the shadow", [](Params& p) { p.shadow.stencil_once = false; }},
+        {"trouble of the light",
+         [](Params& p) {
+             p.lights.front().position = {1, 0, 1, 1};
+         }},
+        {"no unit normal",
+         [](Params& p) {
+             p.planes.front().equation = {0, 3, 0, 1};
+         }},
+        {"a slip", [](Params& p) { p.slips.camera_as_view = true; }},
+        {"orbit", [](Params& p) { p.camera.navigation = Navigation::orbit; }},
+        {"missing light", [](Params& p) { p.shadow.style = ShadowStyle::missing_light; }},
+        {"lifted", [](Params& p) { p.shadow.offset = ShadowOffset::lift; }},
+        {"no shadow", [](Params& p) { p.shadow.enabled = false; }},
+        {"no mirror", [](Params& p) { p.reflection.enabled = false; }},
+        {"winding", [](Params& p) { p.reflection.flip_winding = false; }},
+        {"reversed", [](Params& p) { p.depth.mapping = DepthMapping::reversed; }},
+        {"logarithmic", [](Params& p) { p.depth.mapping = DepthMapping::logarithmic; }},
+        {"decals by stencil", [](Params& p) { p.depth.decals = DecalMethod::stencil; }},
+        {"the mirrored camera", [](Params& p) { p.reflection.mirrored = MirroredThing::camera; }},
+        {"beside", [](Params& p) { p.view.beside.shows = Beside::other_depth; }},
+        {"coplanar", [](Params& p) { p.scene = std::string("coplanar"); }},
+    };
+    for (const auto& [what, change] : changes) {
+        params = opening;
+        change(params);
+        desk.settle();
+        expect_as_before(before, what);
+    }
+}
+
+TEST_F(Steady, TheMatricesStayWhereTheyAreWhenOneIsEditedOrAPointFollowed) {
+    std::map<std::string, float> before = tops();
+    std::erase_if(before, [](const auto& item) { return item.first.find("Edit") != std::string::npos; });
+    params.overrides[0].shadowed_world_from_world[0] = glm::dmat4(2.0);
+    desk.settle();
+    for (auto& [label, top] : before)
+        if (label.find("matrices/S/") != std::string::npos) top = tops()[label];  // its own numbers are boxes now
+    expect_as_before(before, "S by hand");
+    params.overrides[0] = {};
+    params.follow = Follow{"box", 3};
+    desk.settle();
+    for (auto& [label, top] : before)
+        if (label.find("matrices/S/") != std::string::npos) top = tops()[label];
+    expect_as_before(before, "a followed point");
+}
+
+}  // namespace
+}  // namespace viewing::test
