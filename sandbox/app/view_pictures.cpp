@@ -92,7 +92,7 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
         case Topic::moving_world:
             return draw_outside(derive_moving_world(shown.params.observer, shown.derived, {size}));
         case Topic::from_light:
-            return draw_outside(derive_light_view(shown.derived, {size}));
+            return draw_outside(derive_light_view(shown.derived, scene, {size}));
         case Topic::depth:
             return draw_depth(shown, scene, size, view);
         case Topic::passes:

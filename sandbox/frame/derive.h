@@ -94,9 +94,10 @@ struct ObserverView {
 };
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport);
 
-/// What the chosen light sees of the chosen plane's patch: every shadow on it is hidden behind its caster. A parallel
-/// light looks along parallel lines; a light in the plane sees the patch edge-on.
-ObserverView derive_light_view(const Derived& derived, const Viewport& viewport);
+/// What the chosen light sees of all that casts a shadow, framed wherever the light is: every shadow is hidden behind
+/// its caster. A parallel light looks along parallel lines; a light among the casters sees those that lie before it.
+/// Without objects it looks at the chosen plane's patch.
+ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport);
 
 /// The lecture's other reading of the same picture: the camera stays at the origin and the world is moved by V.
 ObserverView derive_moving_world(const ObserverParams& observer, const Derived& derived, const Viewport& viewport);

@@ -1,7 +1,6 @@
 // What others see than the camera: the observer, the light, and an observer before whom the world moves.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -31,6 +30,21 @@ glm::dmat4 centred_on(std::span<const glm::dvec3> points, const glm::dmat4& clip
     return zoomed;
 }
 
+/// The corners of what bounds each object; without any, of the patch.
+std::vector<glm::dvec3> casting(const Scene& scene, const PlanePatch& patch) {
+    std::vector<glm::dvec3> points;
+    for (const SceneObject& object : scene.objects) {
+        const Bounds bounds = bounds_of(*object.mesh);
+        for (int corner = 0; corner < 8 && !bounds.empty(); ++corner)
+            points.emplace_back(object.world_from_model * glm::dvec4(corner & 1 ? bounds.max.x : bounds.min.x,
+                                                                     corner & 2 ? bounds.max.y : bounds.min.y,
+                                                                     corner & 4 ? bounds.max.z : bounds.min.z, 1.0));
+    }
+    if (points.empty())
+        for (const glm::dvec3& corner : patch.corners()) points.push_back(corner);
+    return points;
+}
+
 }  // namespace
 
 ObserverView derive_observer(const ObserverParams& observer, const Viewport& viewport) {
@@ -49,35 +63,31 @@ ObserverView derive_observer(const ObserverParams& observer, const Viewport& vie
     return view;
 }
 
-ObserverView derive_light_view(const Derived& derived, const Viewport& viewport) {
+ObserverView derive_light_view(const Derived& derived, const Scene& scene, const Viewport& viewport) {
     const glm::dvec4& light = derived.chosen_light();
     const PlanePatch& patch = derived.chosen_plane().patch;
-    const double radius = patch.extent * std::numbers::sqrt2;
+    const std::vector<glm::dvec3> seen = casting(scene, patch);
+    Bounds around;
+    for (const glm::dvec3& point : seen) around.add(point);
+    const glm::dvec3 target = around.center();
+    const double radius = std::max(0.5 * glm::length(around.size()), 1e-3);
     const bool parallel = is_parallel_light(light);
     const glm::dvec3 away =
-        parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - patch.center;
+        parallel ? glm::normalize(glm::dvec3(light)) * (4.0 * radius) : glm::dvec3(light) / light.w - target;
     const double distance = std::max(glm::length(away), 1e-6);
-    const bool is_at_center = glm::length(away) < 1e-6;  // then it looks down the normal
-    const glm::dvec3 back = is_at_center ? patch.normal : away / distance;
+    const bool is_at_target = glm::length(away) < 1e-6;  // then it looks down the normal
+    const glm::dvec3 back = is_at_target ? patch.normal : away / distance;
 
     // Looking from straight above or below there is no y axis to hold upright.
     const glm::dvec3 up = std::abs(back.y) > 0.999 ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(up, back));
     ObserverView view;
-    view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {patch.center + away, 1.0}};
+    view.world_from_view = {{right, 0.0}, {glm::cross(back, right), 0.0}, {back, 0.0}, {target + away, 1.0}};
     view.view_from_world = view_from_world(view.world_from_view);
     view.eye_world = view.world_from_view[parallel ? 2 : 3];
-    // As wide as the patch, with a little room; from within the patch's own depth as wide as can be looked at.
+    // As wide as what casts, with a little room; from among the casters as wide as can be looked at.
     constexpr double room = 1.1, widest_slope = 4.0;
     double half_height = 1e-3 * radius, slope = 1e-9;
-    // Casters stand on the patch, but not up to the light.
-    const double room_above = std::min(0.6 * patch.extent, 0.5 * std::abs(glm::dot(away, patch.normal)));
-    const glm::dvec3 up_from_patch = patch.normal * (glm::dot(away, patch.normal) < 0.0 ? -room_above : room_above);
-    std::vector<glm::dvec3> seen;
-    for (const glm::dvec3& corner : patch.corners()) {
-        seen.push_back(corner);
-        seen.push_back(corner + up_from_patch);
-    }
     for (const glm::dvec3& point : seen) {
         const glm::dvec3 in_view(view.view_from_world * glm::dvec4(point, 1.0));
         const double half = room * std::max(std::abs(in_view.y), std::abs(in_view.x) / viewport.aspect());
@@ -85,8 +95,9 @@ ObserverView derive_light_view(const Derived& derived, const Viewport& viewport)
         slope = std::max(slope, -in_view.z > half / widest_slope ? half / -in_view.z : widest_slope);
     }
     const double fovy_deg = glm::degrees(2.0 * std::atan(slope));
-    const Lens lens{parallel, fovy_deg, 2.0 * half_height, std::max(distance * 0.02, distance - 40.0 * radius),
-                    distance + 40.0 * radius};
+    const double reach = 40.0 * (radius + patch.reach() + glm::distance(target, patch.center));
+    const Lens lens{parallel, fovy_deg, 2.0 * half_height,
+                    std::max(0.02 * std::min(distance, radius), distance - reach), distance + reach};
     view.clip_from_world = clip_from_view(lens, viewport.aspect()) * view.view_from_world;
     view.clip_from_world = centred_on(seen, view.clip_from_world) * view.clip_from_world;
     return view;

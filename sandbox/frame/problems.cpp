@@ -145,6 +145,7 @@ void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame) {
     std::vector<Problem> problems;
+    find_view_problems(problems, params, derived, scene);
     find_slips(problems, params.slips);
     find_light_problems(problems, params, derived);
     find_plane_problems(problems, params, derived);

@@ -22,6 +22,10 @@ struct Problem {
 std::vector<Problem> find_problems(const Params& params, const Derived& derived, const Scene& scene,
                                    const FramePlan& frame);
 
+/// The part of it on pictures that show no object at all.
+void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const Scene& scene);
+
 /// The parts of it on the depth buffer, on shadows and on mirrors: every switch that breaks a picture says why.
 void find_depth_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
                          const Scene& scene);

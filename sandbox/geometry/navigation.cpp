@@ -182,7 +182,7 @@ Pose moved(Pose pose, Motion& motion, const Vec3& path, const Vec3& turn, Naviga
 
 bool MotionInput::idle() const {
     return move == Vec3(0.0) && yaw == 0.0 && pitch == 0.0 && roll == 0.0 && look_deg == glm::dvec2(0.0) &&
-           pan == glm::dvec2(0.0) && zoom == 1.0;
+           pan == glm::dvec2(0.0) && dolly == 0.0 && zoom == 1.0;
 }
 
 bool Motion::at_rest() const {
@@ -194,9 +194,10 @@ Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation
     keep_available(motion.velocity, motion.turn_rate_deg, mode, slips);
     motion.past_pole = motion.past_pole && mode == Navigation::orbit && slips.pole_flip;
 
-    Vec3 no_path(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
-    keep_available(no_path, look, mode, slips);
-    Pose result = moved(pose, motion, no_path, look, mode, slips);
+    Vec3 path(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
+    if (mode != Navigation::orbit) path = Vec3(input.pan, input.dolly);
+    keep_available(path, look, mode, slips);
+    Pose result = moved(pose, motion, path, look, mode, slips);
     if (mode == Navigation::orbit) {
         zoom(result, input.zoom);
         pan(result, input.pan);
@@ -227,10 +228,10 @@ MovingFreedoms available_freedoms(Navigation mode) {
 
 MovingFreedoms moving_freedoms(const Motion& motion, const MotionInput& input, Navigation mode) {
     const MovingFreedoms can = available_freedoms(mode);
-    const bool orbits = mode == Navigation::orbit;
-    return {.forward = can.forward && (motion.velocity.z != 0.0 || (orbits && input.zoom != 1.0)),
-            .strafe = can.strafe && (motion.velocity.x != 0.0 || (orbits && input.pan.x != 0.0)),
-            .lift = can.lift && (motion.velocity.y != 0.0 || (orbits && input.pan.y != 0.0)),
+    const bool is_moved_forward = mode == Navigation::orbit ? input.zoom != 1.0 : input.dolly != 0.0;
+    return {.forward = can.forward && (motion.velocity.z != 0.0 || is_moved_forward),
+            .strafe = can.strafe && (motion.velocity.x != 0.0 || input.pan.x != 0.0),
+            .lift = can.lift && (motion.velocity.y != 0.0 || input.pan.y != 0.0),
             .yaw = can.yaw && (motion.turn_rate_deg.y != 0.0 || input.look_deg.x != 0.0),
             .pitch = can.pitch && (motion.turn_rate_deg.x != 0.0 || input.look_deg.y != 0.0),
             .roll = can.roll && motion.turn_rate_deg.z != 0.0};

@@ -17,9 +17,11 @@ struct MotionInput {
     glm::dvec3 move{0.0};                       ///< held keys: right, up, forward, each −1 … 1
     double yaw = 0.0, pitch = 0.0, roll = 0.0;  ///< held keys: −1 … 1, positive turns left, looks up, leans left
     glm::dvec2 look_deg{0.0};                   ///< mouse: yaw (left positive), pitch (up positive); acts at once
-    glm::dvec2 pan{0.0};                        ///< orbit: shift of eye and target, view right and up, world units
-    double zoom = 1.0;                          ///< orbit: factor on the distance to the target, above 0
-    bool slow = false;                          ///< held keys act at a quarter of the speed
+    glm::dvec2 pan{0.0};  ///< fly, orbit: shift of the eye (orbit: and the target), view right and
+                          ///< up, world units; acts at once
+    double dolly = 0.0;   ///< fly, walk: way forward, world units; acts at once
+    double zoom = 1.0;    ///< orbit: factor on the distance to the target, above 0
+    bool slow = false;    ///< held keys act at a quarter of the speed
 
     /// Nothing is held and nothing was moved.
     bool idle() const;

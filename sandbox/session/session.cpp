@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/framing.h"
+#include "geometry/plane.h"
 #include "platform/background.h"
 #include "platform/file.h"
 #include "state/fields.h"
@@ -41,7 +43,9 @@ Session::Session(const LoadedState& state, Scene scene)
       preset_(state.preset),
       history_(Step{state.params, state.preset}),
       at_rest_(state.params),
-      before_(state.params) {}
+      before_(state.params) {
+    begin_here();
+}
 
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -170,8 +174,54 @@ void Session::navigate(const MotionInput& input, double dt_s) {
     clamp_to_ranges(params);
 }
 
-void Session::scale_speed(double factor) {
-    tuning_.speed = std::clamp(tuning_.speed * factor, 0.05, 200.0);
+void Session::set_speed(double speed) {
+    tuning_.speed = std::clamp(speed, least_speed, greatest_speed);
+}
+
+void Session::begin_here() {
+    home_ = params.camera;
+    home_height_ = params.projection.height;
+}
+
+void Session::go_home() {
+    const Navigation mode = params.camera.navigation;
+    params.camera = home_;
+    params.camera.navigation = mode;
+    params.projection.height = home_height_;
+    motion_ = {};
+}
+
+void Session::frame_all(double aspect) {
+    Bounds all = scene_.bounds_world;
+    for (const PlaneParams& plane : params.planes)
+        for (const glm::dvec3& corner : plane_patch(plane.equation, plane.extent).corners()) all.add(corner);
+    CameraParams& camera = params.camera;
+    const Framing found = framing(all, camera.angles(), params.projection.lens(), aspect);
+    camera.position = found.eye;
+    camera.target = all.center();
+    if (params.projection.type == ProjectionType::orthographic) params.projection.height = found.height;
+    motion_ = {};
+    clamp_to_ranges(params);
+}
+
+void Session::level() {
+    params.camera.roll = 0.0;
+    motion_.turn_rate_deg.z = 0.0;
+}
+
+void Session::look_along(int axis) {
+    static constexpr Angles from_front[] = {{90.0, 0.0, 0.0}, {0.0, -90.0, 0.0}, {0.0, 0.0, 0.0}};
+    static constexpr Angles from_behind[] = {{-90.0, 0.0, 0.0}, {0.0, 90.0, 0.0}, {180.0, 0.0, 0.0}};
+    CameraParams& camera = params.camera;
+    const Angles angles = camera.angles() == from_front[axis] ? from_behind[axis] : from_front[axis];
+    const double distance = std::max(glm::distance(camera.position, camera.target), params.projection.near);
+    const glm::dvec3 back(rotation_from_angles(angles)[2]);
+    camera.position = camera.target + distance * back;
+    camera.yaw = angles.yaw_deg;
+    camera.pitch = angles.pitch_deg;
+    camera.roll = angles.roll_deg;
+    motion_ = {};
+    clamp_to_ranges(params);
 }
 
 void Session::rest() {
@@ -218,6 +268,7 @@ void Session::reset() {
     const UiParams ui = params.ui;
     params = Params{};
     params.ui = ui;
+    begin_here();
     motion_ = {};
     message = {tr("everything is as at the start; Ctrl+Z brings the state back"), false};
 }
@@ -227,6 +278,7 @@ void Session::replace(const LoadedState& state) {
     params = state.params;
     preset_ = state.preset;
     base_ = state.base;
+    begin_here();
     motion_ = {};
 }
 

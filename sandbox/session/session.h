@@ -58,9 +58,20 @@ public:
     /// Moves the camera; the motion goes on until it is at rest.
     void navigate(const MotionInput& input, double dt_s);
     bool is_moving() const { return !motion_.at_rest(); }
-    const MovingFreedoms& moving_freedoms() const { return moving_; }  ///< in the last step
+    const MovingFreedoms& moving_freedoms() const { return moving_; }    ///< in the last step
+    static constexpr double least_speed = 0.05, greatest_speed = 200.0;  ///< world units a second
     double speed() const { return tuning_.speed; }
-    void scale_speed(double factor);
+    void set_speed(double speed);
+
+    /// Back to where the camera of this state began.
+    void go_home();
+    /// The whole scene with its patches in the picture; the camera keeps its directions. `aspect`: of the picture.
+    void frame_all(double aspect);
+    /// Without roll.
+    void level();
+    /// From the target's distance towards the target along a world axis (0: x, 1: y, 2: z) from its positive side; from
+    /// the other side when that is how the camera looks already.
+    void look_along(int axis);
 
     /// Called when nothing is held or moving: one undo step if something changed. A change that names another scene
     /// becomes a step when that scene is there.
@@ -106,6 +117,7 @@ private:
     bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
     /// Makes the scene anew at once where a formula made it from other parameters: there is nothing to wait for.
     void remake_scene();
+    void begin_here();  ///< where the camera is now is its home
     /// The scene that is awaited does not come: back to what was before it was named.
     void keep_scene();
     void take_over(const Step& step);
@@ -118,6 +130,8 @@ private:
     std::unique_ptr<LoadJob> job_;
     std::optional<Step> before_replacing_;  ///< while the scene of a whole new state is awaited
 
+    CameraParams home_;
+    double home_height_ = 0.0;  ///< of the orthographic view there
     Motion motion_;
     MovingFreedoms moving_;
     MotionTuning tuning_;

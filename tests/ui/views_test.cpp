@@ -216,24 +216,201 @@ TEST_F(ViewsTest, ABrokenSwitchIsMendedOverThePicture) {
     EXPECT_EQ(params, broken);
 }
 
-TEST_F(ViewsTest, TheWheelChangesSpeedInFlightAndDistanceInOrbit) {
-    const auto wheel = [this] {
+class WheelTest : public ViewsTest {
+protected:
+    void wheel() {
         ui.hover("view/camera view", 0.1F, 0.1F);
         ImGui::GetIO().MouseWheel = 1.0F;
         ui.frame();
         ImGui::GetIO().MouseWheel = 0.0F;
         ui.frames(2);
-    };
+    }
+};
+
+TEST_F(WheelTest, GoesForwardInFlightAndNearerInOrbit) {
+    const glm::dvec3 forward = -glm::dvec3(desk.derived.world_from_view[2]);
     const Params before = params;
-    const double speed = desk.session.speed();
     wheel();
-    EXPECT_GT(desk.session.speed(), speed);
+    EXPECT_EQ(differing_fields(before, params), Paths{"camera.position"});
+    const glm::dvec3 way = params.camera.position - before.camera.position;
+    EXPECT_GT(glm::length(way), 0.1);
+    EXPECT_NEAR(glm::dot(glm::normalize(way), forward), 1.0, 1e-9);
+    desk.undo();
     EXPECT_EQ(params, before);
+
+    params.camera.navigation = Navigation::walk;
+    desk.settle();
+    wheel();
+    EXPECT_EQ(params.camera.position.y, before.camera.position.y) << "along the ground";
+    EXPECT_NE(params.camera.position, before.camera.position);
+
     params.camera.navigation = Navigation::orbit;
     desk.settle();
     const double distance = glm::distance(params.camera.position, params.camera.target);
     wheel();
     EXPECT_NEAR(glm::distance(params.camera.position, params.camera.target), distance * 0.88, 1e-9);
+}
+
+TEST_F(WheelTest, EnlargesAnOrthographicPicture) {
+    params.projection.type = ProjectionType::orthographic;
+    desk.settle();
+    const Params before = params;
+    wheel();
+    EXPECT_EQ(differing_fields(before, params), Paths{"projection.height"});
+    EXPECT_NEAR(params.projection.height, before.projection.height * 0.88, 1e-9);
+}
+
+TEST_F(WheelTest, WithCtrlChangesTheSpeedAlone) {
+    const Params before = params;
+    const double speed = desk.session.speed();
+    desk.hold(Key::ctrl);
+    wheel();
+    desk.let_go(Key::ctrl);
+    EXPECT_NEAR(desk.session.speed(), 1.2 * speed, 1e-9);
+    EXPECT_EQ(params, before);
+    desk.drag("camera/speed", -30.0F);
+    EXPECT_LT(desk.session.speed(), speed);
+    EXPECT_EQ(params, before);
+}
+
+TEST_F(ViewsTest, MiddleAndRightDragShiftThePictureWithWhatWasTaken) {
+    for (const int button : {1, 2}) {
+        const ImVec2 from = desk.in_camera_view({1.4, 1.3, 0.0});  // on the blue box, or near it
+        const Params before = params;
+        desk.drag_from(from, 60.0F, 30.0F, 5, button);
+        EXPECT_EQ(differing_fields(before, params), Paths{"camera.position"});
+        const glm::dvec3 way = params.camera.position - before.camera.position;
+        EXPECT_NEAR(glm::dot(way, glm::dvec3(desk.derived.world_from_view[2])), 0.0, 1e-9) << "parallel to the picture";
+        EXPECT_LT(glm::dot(way, glm::dvec3(desk.derived.world_from_view[0])), 0.0) << "the picture follows the hand";
+        EXPECT_GT(glm::dot(way, glm::dvec3(desk.derived.world_from_view[1])), 0.0);
+        desk.undo();
+        EXPECT_EQ(params, before);
+    }
+}
+
+TEST_F(ViewsTest, AClickIntoTheBackgroundLetsTheFollowedPointGo) {
+    params.follow = Follow{"box", 0};
+    desk.settle();
+    const Rect rect = desk.layout().camera;
+    desk.click_at({rect.min.x + 12.0F, rect.max.y - 80.0F});
+    EXPECT_FALSE(params.follow);
+    desk.undo();
+    EXPECT_TRUE(params.follow);
+}
+
+TEST_F(ViewsTest, KeysAndButtonsLeadToKnownViews) {
+    const CameraParams home = params.camera;
+    params.camera.roll = 12.0;
+    params.camera.position = {30.0, 4.0, 50.0};
+    desk.settle();
+    const Params lost = params;
+    desk.press(Key::l);
+    EXPECT_EQ(differing_fields(lost, params), Paths{"camera.roll"});
+    EXPECT_EQ(params.camera.roll, 0.0);
+    desk.undo();
+    desk.press(Key::g);
+    EXPECT_EQ(differing_fields(lost, params), (Paths{"camera.position", "camera.target"}));
+    const auto is_in_picture = [this](const glm::dvec3& point) {
+        return desk.layout().camera.contains(desk.in_camera_view(point));
+    };
+    const Bounds& all = desk.session.scene().bounds_world;
+    EXPECT_TRUE(is_in_picture(all.min) && is_in_picture(all.max) && is_in_picture(all.center()));
+    desk.press(Key::home);
+    EXPECT_EQ(params.camera, home);
+    desk.undo();
+    desk.undo();
+    EXPECT_EQ(params, lost);
+
+    desk.click("camera/Home");
+    EXPECT_EQ(params.camera, home);
+    const double distance = glm::distance(home.position, home.target);
+    const Key keys[] = {Key::x, Key::y, Key::z};
+    const char* const labels[] = {"camera/x", "camera/y", "camera/z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto offset = [&] { return params.camera.position - params.camera.target; };
+        desk.press(keys[axis]);
+        EXPECT_NEAR(offset()[axis], distance, 1e-9) << labels[axis];
+        EXPECT_NEAR(-glm::dvec3(desk.derived.world_from_view[2])[axis], -1.0, 1e-9);
+        desk.click(labels[axis]);
+        EXPECT_NEAR(offset()[axis], -distance, 1e-9) << labels[axis] << ", from behind";
+    }
+    EXPECT_FALSE(ui.find("camera/Level").enabled);
+}
+
+class ObserverHandles : public ViewsTest {
+protected:
+    ObserverHandles() { desk.settle(); }
+    HandlePlaces::Camera places() const { return *observer_handle_places(params, desk.derived).camera; }
+    void drag(const glm::dvec3& from, float dx, float dy) { desk.drag_from(desk.in_observer_view(from), dx, dy); }
+};
+
+TEST_F(ObserverHandles, TheCameraIsMoved) {
+    const Params before = params;
+    const ImVec2 at = desk.in_observer_view(places().eye);
+    drag(places().eye, -60.0F, 25.0F);
+    EXPECT_EQ(differing_fields(before, params), Paths{"camera.position"});
+    const ImVec2 now = desk.in_observer_view(places().eye);
+    EXPECT_NEAR(now.x - at.x, -60.0F, 1.0F);
+    EXPECT_NEAR(now.y - at.y, 25.0F, 1.0F);
+    desk.undo();
+    EXPECT_EQ(params, before);
+}
+
+TEST_F(ObserverHandles, ItsDirectionIsTurned) {
+    params.camera.roll = 5.0;
+    desk.settle();
+    const Params before = params;
+    const glm::dvec3 tip = places().direction_tip;
+    const ImVec2 at = desk.in_observer_view(tip);
+    drag(tip, 0.0F, -30.0F);
+    EXPECT_EQ(differing_fields(before, params), (Paths{"camera.yaw", "camera.pitch"}));
+    EXPECT_LT(desk.in_observer_view(places().direction_tip).y, at.y - 5.0F);
+}
+
+TEST_F(ObserverHandles, NearAndFarArePulledAlongTheView) {
+    params.projection.far = 12.0;
+    params.projection.near = 2.0;
+    desk.settle();
+    const Params before = params;
+    const glm::dvec3 near = places().near[0];
+    const ImVec2 eye = desk.in_observer_view(places().eye), from = desk.in_observer_view(near);
+    drag(near, 0.5F * (from.x - eye.x), 0.5F * (from.y - eye.y));  // away from the eye along the frustum's edge
+    EXPECT_EQ(differing_fields(before, params), Paths{"projection.near"});
+    EXPECT_GT(params.projection.near, 2.2);
+    EXPECT_LT(params.projection.near, 4.5);
+    desk.undo();
+    const ImVec2 far = desk.in_observer_view(places().far[4]);
+    drag(places().far[4], 0.3F * (eye.x - far.x), 0.3F * (eye.y - far.y));
+    EXPECT_EQ(differing_fields(before, params), Paths{"projection.far"});
+    EXPECT_LT(params.projection.far, 11.0);
+    EXPECT_GT(params.projection.far, 4.0);
+}
+
+TEST_F(ViewsTest, ALampOutsideThePictureIsAnArrowAtItsEdge) {
+    const Rect rect{{100.0F, 50.0F}, {500.0F, 350.0F}};
+    const glm::dmat4 clip_from_world = clip_from_view({}, 4.0 / 3.0);  // looks along −z
+    const auto edge_of = [&](const glm::dvec3& point) -> std::optional<ImVec2> {
+        ImGui::NewFrame();
+        ImDrawList list(ImGui::GetDrawListSharedData());
+        list._ResetForNewFrame();
+        list.PushClipRect({0.0F, 0.0F}, {1000.0F, 1000.0F});
+        list.PushTextureID(ImGui::GetIO().Fonts->TexID);
+        std::optional<ImVec2> tip;
+        {
+            Overlay overlay(&list, rect, clip_from_world);
+            if (overlay.arrow_at_edge(point, "l", IM_COL32_WHITE)) tip = list.VtxBuffer[0].pos;
+        }
+        ImGui::EndFrame();
+        return tip;
+    };
+    EXPECT_FALSE(edge_of({0.0, 0.0, -5.0})) << "it is in the picture";
+    const std::optional<ImVec2> above = edge_of({0.0, 9.0, -5.0}), right_behind = edge_of({9.0, 0.0, 5.0});
+    ASSERT_TRUE(above && right_behind);
+    EXPECT_NEAR(above->x, 300.0F, 3.0F);
+    EXPECT_LT(above->y, 70.0F);
+    EXPECT_GT(right_behind->x, 480.0F) << "what is behind the eye on the right is to the right";
+    EXPECT_NEAR(right_behind->y, 200.0F, 3.0F);
+    EXPECT_TRUE(edge_of({0.0, 0.0, 5.0})) << "straight behind";
 }
 
 }  // namespace

@@ -127,13 +127,6 @@ Reach reach_of(const PlanePatch& patch, const glm::dmat4& view_from_world, View&
     return reach;
 }
 
-/// Down to two significant digits; positive.
-double rounded_down(double value) {
-    const double unit = std::floor(std::log10(value)) - 1.0;
-    const double digits = std::floor(value * std::pow(10.0, -unit) * (1.0 + 1e-12));
-    return unit < 0.0 ? digits / std::round(std::pow(10.0, -unit)) : digits * std::pow(10.0, unit);
-}
-
 struct Change {
     double now = 0.0, then = 0.0;  ///< the smallest gap that depth is sure to tell at `z`
     double z = 0.0;
@@ -174,6 +167,12 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
 }
 
 }  // namespace
+
+double rounded_down(double value) {
+    const double unit = std::floor(std::log10(value)) - 1.0;
+    const double digits = std::floor(value * std::pow(10.0, -unit) * (1.0 + 1e-12));
+    return unit < 0.0 ? digits / std::round(std::pow(10.0, -unit)) : digits * std::pow(10.0, unit);
+}
 
 std::vector<SeenThing> seen_things(const Params& params, const Derived& derived, const Scene& scene) {
     View view(params, derived);

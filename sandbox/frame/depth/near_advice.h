@@ -43,4 +43,7 @@ struct NearAdvice {
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen);
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene);
 
+/// Down to two significant digits; `value` is above 0.
+double rounded_down(double value);
+
 }  // namespace viewing

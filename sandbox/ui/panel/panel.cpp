@@ -42,6 +42,48 @@ void camera_lamps(const Session& session) {
                      "pan about y and walk forward or back.");
 }
 
+/// Ways to a view that is known; each is a key, too.
+void known_views(Session& session, const Derived& derived) {
+    const float gap = px(4.0F);
+    const auto next = [gap](const char* label) {
+        const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+        if (ImGui::GetItemRectMax().x + gap + widgets::SmallButtonWidth(label) <= right) ImGui::SameLine(0.0F, gap);
+    };
+    if (widgets::SmallButton("Home")) session.go_home();
+    widgets::Tooltip("Home", "Back to where the camera was when this state was opened. Key: Home");
+    next("Frame all");
+    if (widgets::SmallButton("Frame all")) session.frame_all(derived.aspect);
+    widgets::Tooltip("Frame all",
+                     "Goes back or forward until the whole scene is in the picture; directions stay. Key: G");
+    next("Level");
+    if (widgets::SmallButton("Level", session.params.camera.roll != 0.0, "The roll is 0.")) session.level();
+    widgets::Tooltip("Level", "Takes the roll out. Key: L");
+    static constexpr const char* axes[] = {"x", "y", "z"};
+    for (int axis = 0; axis < 3; ++axis) {
+        next(axes[axis]);
+        if (widgets::SmallButton(axes[axis])) session.look_along(axis);
+        widgets::Tooltip("Look along an axis",
+                         "At the target, from the positive side of the axis; once more: from the negative one. "
+                         "Keys: X, Y, Z");
+    }
+}
+
+/// Of flight and walk: it belongs to the person, not to the state.
+void speed_control(Session& session) {
+    double speed = session.speed();
+    const widgets::NumberStyle style{.min = Session::least_speed,
+                                     .max = Session::greatest_speed,
+                                     .decimals = 2,
+                                     .logarithmic = true,
+                                     .default_value = MotionTuning{}.speed};
+    ImGui::BeginDisabled(session.params.camera.navigation == Navigation::orbit);
+    if (widgets::Slider("speed", speed, style)) session.set_speed(speed);
+    ImGui::EndDisabled();
+    widgets::Tooltip("Speed",
+                     "World units a second, in flight and walk, not in orbit; Shift: a quarter. Ctrl and the wheel in the "
+                     "camera view change it, too.");
+}
+
 void slips(Params& params) {
     control(params, "slips.walk_slows", {.label = marked("walking slows (walk)")});
     control(params, "slips.creeping_roll", {.label = marked("creeping roll (walk, orbit)")});
@@ -50,7 +92,7 @@ void slips(Params& params) {
     control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
-void camera_section(Session& session, const std::vector<Problem>& problems) {
+void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
     if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
     const widgets::Group group("camera");
     Params& params = session.params;
@@ -78,7 +120,9 @@ void camera_section(Session& session, const std::vector<Problem>& problems) {
                      "Heading about y, then nodding about the camera's x, then tilting about its z.",
                      "C = T R_y R_x R_z");
     camera_lamps(session);
+    known_views(session, derived);
     control(params, "camera.target", {.label = marked("target")});
+    speed_control(session);
 
     if (details("Famous slips")) slips(params);
 }
@@ -165,7 +209,7 @@ void observer_section(Session& session) {
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
     ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
-    camera_section(session, problems);
+    camera_section(session, derived, problems);
     projection_section(session, derived, problems);
     hidden_surfaces_section(session, problems, hidden_state, hidden);
     draw_depth_section(session);

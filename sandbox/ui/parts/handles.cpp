@@ -1,5 +1,6 @@
 #include "ui/parts/handles.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -15,6 +16,12 @@ constexpr double parallel_light_distance = 5.0;  ///< where a parallel light's l
 bool is_far_away(const glm::dvec4& light) {
     const double length = glm::length(glm::dvec3(light));
     return length > 0.0 && length >= 1e3 * light.w;
+}
+
+/// On screen; very far for what is behind the eye.
+float distance_px(const Overlay& overlay, const glm::dvec3& point, ImVec2 place) {
+    const std::optional<ImVec2> there = overlay.project(point);
+    return there ? std::hypot(there->x - place.x, there->y - place.y) : 1e9F;
 }
 
 /// "ℓ", "ℓ₂", …
@@ -35,9 +42,37 @@ std::string light_label(const Derived& derived) {
 void draw_lamp(Overlay& overlay, const glm::dvec4& light, const Derived& derived, const char* name, float radius) {
     const ImU32 color = widgets::CurrentContext().palette.light;
     const glm::dvec3 place = lamp_place(light, derived);
+    if (overlay.arrow_at_edge(place, name, color)) return;
     if (is_far_away(light)) overlay.arrow(place, place + 0.25 * (derived.chosen_plane().patch.center - place), color);
     overlay.dot(place, color, radius);
     overlay.label(place, name, color);
+}
+
+/// Where a grip took hold.
+glm::dvec3 place_of(const HandlePlaces& places, Handle handle, const Overlay& overlay, ImVec2 place) {
+    const auto nearest = [&](const std::array<glm::dvec3, 5>& points) {
+        return *std::min_element(points.begin(), points.end(), [&](const glm::dvec3& a, const glm::dvec3& b) {
+            return distance_px(overlay, a, place) < distance_px(overlay, b, place);
+        });
+    };
+    switch (handle) {
+        case Handle::light:
+            return places.light;
+        case Handle::plane_tilt:
+            return places.normal_tip;
+        case Handle::camera:
+            return places.camera->eye;
+        case Handle::direction:
+            return places.camera->direction_tip;
+        case Handle::near_plane:
+            return nearest(places.camera->near);
+        case Handle::far_plane:
+            return nearest(places.camera->far);
+        case Handle::none:
+        case Handle::plane_offset:
+            break;
+    }
+    return places.plane;
 }
 
 /// Where a ray meets the plane through `point` that faces the eye.
@@ -63,14 +98,29 @@ HandlePlaces handle_places(const Derived& derived) {
     return places;
 }
 
+HandlePlaces observer_handle_places(const Params& params, const Derived& derived) {
+    HandlePlaces places = handle_places(derived);
+    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
+    const glm::dvec3 eye(derived.world_from_view[3]);
+    const auto middles = [&corners](std::size_t first) {
+        std::array<glm::dvec3, 5> found{};
+        for (std::size_t edge = 0; edge < 4; ++edge)
+            found[edge] = 0.5 * (corners[first + edge] + corners[first + (edge + 1) % 4]);
+        found[4] = 0.5 * (found[0] + found[2]);
+        return found;
+    };
+    constexpr double share = 0.14;  // of the observer's distance: about as long in any picture
+    const glm::dvec3 forward = -glm::dvec3(derived.world_from_view[2]);
+    places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
+    return places;
+}
+
 Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 place) {
     const float reach = 14.0F * widgets::CurrentContext().scale;
     float nearest = reach;
     Handle found = Handle::none;
     const auto look = [&](const glm::dvec3& point, Handle handle) {
-        const std::optional<ImVec2> there = overlay.project(point);
-        if (!there) return;
-        const float distance = std::hypot(there->x - place.x, there->y - place.y);
+        const float distance = distance_px(overlay, point, place);
         if (distance >= nearest) return;
         nearest = distance;
         found = handle;
@@ -78,21 +128,44 @@ Handle handle_at(const Overlay& overlay, const HandlePlaces& places, ImVec2 plac
     look(places.light, Handle::light);
     look(places.normal_tip, Handle::plane_tilt);
     look(places.plane, Handle::plane_offset);
+    if (!places.camera) return found;
+    look(places.camera->eye, Handle::camera);
+    look(places.camera->direction_tip, Handle::direction);
+    for (const glm::dvec3& point : places.camera->near) look(point, Handle::near_plane);
+    for (const glm::dvec3& point : places.camera->far) look(point, Handle::far_plane);
     return found;
 }
 
 Grip take(const Overlay& overlay, const HandlePlaces& places, Handle handle, const Params& params, ImVec2 place) {
     Grip grip;
     grip.handle = handle;
-    grip.grabbed_world = handle == Handle::light        ? places.light
-                         : handle == Handle::plane_tilt ? places.normal_tip
-                                                        : places.plane;
+    grip.grabbed_world = place_of(places, handle, overlay, place);
     grip.center_world = places.plane;
     grip.equation = params.planes[params.chosen().plane].equation;
     const Ray ray = overlay.ray_at(place);
     grip.offset_world = grip.grabbed_world - in_picture_plane(ray, grip.grabbed_world, ray.direction);
     return grip;
 }
+
+namespace {
+
+/// The eye distance to which a point of the near or far plane is pulled along the frustum.
+std::optional<double> pulled_distance(const Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place) {
+    const glm::dvec3 eye = params.camera.position;
+    const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(params.camera.angles())[2]);
+    const double distance = glm::dot(forward, grip.grabbed_world - eye);
+    if (!(distance > 0.0)) return std::nullopt;
+    const bool is_pyramid = params.projection.type == ProjectionType::perspective;
+    const glm::dvec3 along = is_pyramid ? (grip.grabbed_world - eye) / distance : forward;
+    const Ray now = overlay.ray_at(place);
+    const glm::dvec3 pressed = grip.grabbed_world - grip.offset_world;
+    const auto to = closest_point_parameter_on_line(now, grip.grabbed_world, along);
+    const auto from = closest_point_parameter_on_line({now.origin, pressed - now.origin}, grip.grabbed_world, along);
+    if (!to || !from) return std::nullopt;
+    return distance + *to - *from;
+}
+
+}  // namespace
 
 void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place, bool along_y) {
     const Ray ray = overlay.ray_at(place);
@@ -104,6 +177,28 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
     switch (grip.handle) {
         case Handle::none:
             return;
+        case Handle::camera:
+            params.camera.position = along_y ? glm::dvec3(grip.grabbed_world.x, point.y, grip.grabbed_world.z) : point;
+            break;
+        case Handle::direction: {
+            if (glm::distance(point, params.camera.position) < 1e-3) return;
+            const Angles angles = angles_looking_at(params.camera.position, point);
+            params.camera.yaw = angles.yaw_deg;
+            params.camera.pitch = angles.pitch_deg;
+            break;
+        }
+        case Handle::near_plane:
+        case Handle::far_plane: {
+            ProjectionParams& projection = params.projection;
+            const std::optional<double> distance = pulled_distance(params, overlay, grip, place);
+            if (!distance) return;
+            constexpr double least = 1e-3;
+            if (grip.handle == Handle::near_plane)
+                projection.near = std::clamp(*distance, least, projection.far * 0.999);
+            else
+                projection.far = std::max(*distance, projection.near * 1.001);
+            break;
+        }
         case Handle::light: {
             glm::dvec4& light = params.lights[chosen.light].position;
             params.animation.light_orbit = false;  // it stays where it is put
@@ -138,10 +233,26 @@ void drag(Params& params, const Overlay& overlay, const Grip& grip, ImVec2 place
     clamp_to_ranges(params);
 }
 
+namespace {
+
+/// The camera is drawn already: what can be taken of it, and what is about to be.
+void draw_camera_handles(Overlay& overlay, const HandlePlaces::Camera& camera, Handle hovered) {
+    const ImU32 color = widgets::CurrentContext().palette.camera;
+    overlay.arrow(camera.eye, camera.direction_tip, color);
+    if (hovered == Handle::camera) overlay.ring(camera.eye, color, 9.0F);
+    if (hovered == Handle::direction) overlay.ring(camera.direction_tip, color, 9.0F);
+    for (const glm::dvec3& point : camera.near)
+        overlay.square(point, color, hovered == Handle::near_plane ? 4.0F : 1.5F);
+    for (const glm::dvec3& point : camera.far) overlay.square(point, color, hovered == Handle::far_plane ? 4.0F : 2.0F);
+}
+
+}  // namespace
+
 void draw_handles(Overlay& overlay, const HandlePlaces& places, const Derived& derived, Handle hovered) {
     const widgets::Palette& palette = widgets::CurrentContext().palette;
     const auto radius = [hovered](Handle handle, float usual) { return hovered == handle ? usual + 2.0F : usual; };
 
+    if (places.camera) draw_camera_handles(overlay, *places.camera, hovered);
     overlay.arrow(places.plane, places.normal_tip, palette.plane);
     overlay.square(places.plane, palette.plane, radius(Handle::plane_offset, 4.0F));
     overlay.label(places.normal_tip, "n", palette.plane);

@@ -124,4 +124,31 @@ void Overlay::label(const glm::dvec3& point, const char* text, ImU32 color) {
     if (const auto place = project(point)) labels_.push_back({*place, text, color});
 }
 
+bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color) {
+    const std::optional<ImVec2> place = project(point);
+    if (place && rect_.contains(*place)) return false;
+    const glm::dvec4 clip = clip_from_world_ * glm::dvec4(point, 1.0);  // before the division: behind the eye, too
+    const ImVec2 half(0.5F * rect_.width(), 0.5F * rect_.height());
+    const float inset = 14.0F * scale_;
+    if (half.x <= inset || half.y <= inset) return true;
+    ImVec2 way(static_cast<float>(clip.x) * half.x, -static_cast<float>(clip.y) * half.y);
+    if (const float length = std::hypot(way.x, way.y); length > 0.0F)
+        way = {way.x / length, way.y / length};
+    else
+        way = {0.0F, 1.0F};  // straight behind
+    const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
+                                   (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
+    const ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);
+    const float size = 9.0F * scale_;
+    const ImVec2 tip(at.x + way.x * size, at.y + way.y * size);
+    const ImVec2 left(at.x - way.x * size * 0.4F - way.y * size * 0.7F,
+                      at.y - way.y * size * 0.4F + way.x * size * 0.7F);
+    const ImVec2 right(at.x - way.x * size * 0.4F + way.y * size * 0.7F,
+                       at.y - way.y * size * 0.4F - way.x * size * 0.7F);
+    draw_->AddTriangleFilled(tip, left, right, color);
+    draw_->AddTriangle(tip, left, right, widgets::CurrentContext().palette.view_ground, 1.0F * stroke_);
+    labels_.push_back({at, text, color});
+    return true;
+}
+
 }  // namespace viewing

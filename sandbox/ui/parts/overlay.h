@@ -34,6 +34,9 @@ public:
     void arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness = 2.0F);
     /// Labels are placed when the overlay ends, beside their points and not over each other.
     void label(const glm::dvec3& point, const char* text, ImU32 color);
+    /// An arrow at the picture's edge that shows the way to a point outside it, with a label; true when the point is
+    /// there.
+    bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
     /// No label covers this part of the picture.
     void keep_labels_off(const Rect& taken) { taken_.push_back(taken); }
 

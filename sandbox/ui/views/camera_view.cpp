@@ -112,33 +112,6 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
     }
 }
 
-/// The vertex of the front-most object under a place on screen that is nearest to it there.
-std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
-    const Ray ray = overlay.ray_at(place);
-    std::optional<Follow> found;
-    double nearest = 1e300;
-    for (const SceneObject& object : scene.objects) {
-        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
-        const Ray ray_model{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1.0)),
-                            glm::dvec3(model_from_world * glm::dvec4(ray.direction, 0.0))};
-        const std::optional<MeshHit> hit = intersect_mesh(ray_model, *object.mesh);
-        if (!hit || hit->t >= nearest) continue;
-        nearest = hit->t;
-        float nearest_px = 1e30F;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const std::uint32_t vertex = object.mesh->indices[3 * hit->triangle + corner];
-            const glm::dvec3 world(object.world_from_model * glm::dvec4(object.mesh->positions[vertex], 1.0));
-            const std::optional<ImVec2> there = overlay.project(world);
-            if (!there) continue;
-            const float distance = std::hypot(there->x - place.x, there->y - place.y);
-            if (distance >= nearest_px) continue;
-            nearest_px = distance;
-            found = Follow{object.description.name, static_cast<int>(vertex)};
-        }
-    }
-    return found;
-}
-
 /// Why the picture is broken, or what is odd about the state, over it, and a button that mends it. Returns where the
 /// next sentence has room. Drawn before the picture takes the mouse.
 float tell_why(Session& session, const Problem& problem, const Rect& rect, float top) {
@@ -188,55 +161,6 @@ void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
     if (!rect.contains(at)) return;
     overlay.draw()->AddCircle(at, px(7.0F), palette().ground, 0, px(4.0F));
     overlay.draw()->AddCircle(at, px(7.0F), palette().point, 0, px(2.0F));
-}
-
-/// Pressing takes a handle or begins to look; dragging moves it; a click that stayed in place picks a vertex.
-void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
-                  const FrameInput& input, MotionInput& motion) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool over = ImGui::IsItemHovered();
-    const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
-    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        state.dragged_px = 0.0F;
-        if (hovered != Handle::none)
-            state.grip = take(overlay, handle_places(derived), hovered, session.params, io.MousePos);
-        else
-            state.looking = true;
-    }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
-        const bool is_drag = state.dragged_px > px(3.0F);
-        if (is_drag && state.grip.handle != Handle::none)
-            drag(session.params, overlay, state.grip, io.MousePos, input.is_down(Key::shift));
-        else if (is_drag && state.looking)
-            motion.look_deg -= glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * static_cast<double>(degrees_per_px);
-    }
-    if (ImGui::IsItemActive() &&
-        (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
-        motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) / static_cast<double>(overlay.rect().height()) *
-                      derived.facts.target_distance;
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
-        if (state.looking && state.dragged_px <= px(3.0F)) {
-            PolygonLinks& links = state.hidden.links;
-            links.next.selected_fragment = links.now.hovered_fragment;
-            links.next.selected_node = links.tree.node_of(links.next.selected_fragment);
-            if (state.hovered_pixel &&
-                (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
-                pin(session.params, *state.hovered_pixel);
-            else if (const auto follow = vertex_at(overlay, session.scene(), io.MousePos))
-                session.params.follow = follow;
-        }
-        state.grip = {};
-        state.looking = false;
-    }
-    if (over && io.MouseWheel != 0.0F) {
-        if (session.params.camera.navigation == Navigation::orbit) {
-            motion.zoom *= std::pow(0.88, io.MouseWheel);
-        } else {
-            session.scale_speed(std::pow(1.2, io.MouseWheel));
-            session.message = {say("speed {speed} units/s", "speed"_a = number_text(session.speed(), 2)), false};
-        }
-    }
 }
 
 }  // namespace

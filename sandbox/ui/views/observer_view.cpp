@@ -54,10 +54,11 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
 
     const ObserverView observer = derive_observer(session.params.observer, {rect.size_px()});
     Overlay overlay(ImGui::GetWindowDrawList(), rect, observer.clip_from_world);
-    const HandlePlaces places = handle_places(derived);
+    const HandlePlaces places = observer_handle_places(session.params, derived);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     Handle hovered = state.grip.handle;
     if (hovered == Handle::none && over) hovered = handle_at(overlay, places, mouse);
+    if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && hovered != Handle::none)
         state.grip = take(overlay, places, hovered, session.params, mouse);
     if (ImGui::IsItemActive() && state.grip.handle != Handle::none)

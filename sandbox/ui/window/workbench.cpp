@@ -89,7 +89,7 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
     if (key == Key::zero) choose_scale(session, 1.0, requests);
 }
 
-void Workbench::handle_keys(Session& session, const FrameInput& input, Requests& requests) {
+void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput alone still says yes in the frame after the typing has ended.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
     const bool in_dialog = help_open_ || file_dialog_.is_open();
@@ -113,6 +113,12 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, Requests&
         if (key == Key::n)
             session.params.camera.navigation =
                 static_cast<Navigation>((static_cast<int>(session.params.camera.navigation) + 1) % 3);
+        if (key == Key::home) session.go_home();
+        if (key == Key::g) session.frame_all(aspect);
+        if (key == Key::l) session.level();
+        if (key == Key::x) session.look_along(0);
+        if (key == Key::y) session.look_along(1);
+        if (key == Key::z) session.look_along(2);
         if (key == Key::b) views.handles = !views.handles;
         if (key == Key::c) caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
         if (key == Key::page_down || key == Key::page_up)
@@ -228,7 +234,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     Requests requests;
     session.message.shown_s += input.dt_s;
     if (message_ends_in_s(session.message) == 0.0) session.message = {};
-    handle_keys(session, input, requests);
+    handle_keys(session, input, derived.aspect, requests);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
 
     const bool keys_move =

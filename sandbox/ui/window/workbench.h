@@ -58,7 +58,7 @@ public:
                   const FrameInput& input);
 
 private:
-    void handle_keys(Session& session, const FrameInput& input, Requests& requests);
+    void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
     void draw_presets(Session& session, float width, bool has_steps, const PresetPicture& picture);

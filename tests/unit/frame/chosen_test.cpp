@@ -45,7 +45,8 @@ void expect_same_told(const Params& both, const Params& only) {
     EXPECT_EQ(of_both.followed->plane_distance, of_only.followed->plane_distance);
     EXPECT_EQ(of_both.followed->mirrored_world, of_only.followed->mirrored_world);
 
-    const ObserverView light = derive_light_view(of_both, viewport), only_light = derive_light_view(of_only, viewport);
+    const ObserverView light = derive_light_view(of_both, scene, viewport),
+                       only_light = derive_light_view(of_only, scene, viewport);
     EXPECT_EQ(light.view_from_world, only_light.view_from_world);
     EXPECT_EQ(light.clip_from_world, only_light.clip_from_world);
 

@@ -11,7 +11,7 @@ ObserverView light_view(const glm::dvec4& light, const glm::dvec4& plane, glm::i
     Params params;
     params.lights.front().position = light;
     params.planes.front().equation = plane;
-    return derive_light_view(derive(params, testing::box_scene(), {}), {size_px});
+    return derive_light_view(derive(params, testing::box_scene(), {}), testing::box_scene(), {size_px});
 }
 
 bool is_finite(const ObserverView& view) {
@@ -46,15 +46,27 @@ TEST(LightView, HidesEveryShadowBehindItsCaster) {
     EXPECT_GT(seen, 300);
 }
 
-TEST(LightView, ShowsTheWholePatchFromAbove) {
-    for (const glm::dvec4& light : {glm::dvec4(0, 8, 0, 1), glm::dvec4(0, 1, 0, 0), glm::dvec4(2, 6, 1, 1)}) {
-        const ObserverView view = light_view(light, {0, 1, 0, 0});
-        for (const glm::dvec3& corner : plane_patch({0, 1, 0, 0}, PlaneParams{}.extent).corners()) {
-            const glm::dvec4 clip = view.clip_from_world * glm::dvec4(corner, 1.0);
-            EXPECT_LT(std::abs(clip.x), 1.05 * clip.w);
-            EXPECT_LT(std::abs(clip.y), 1.05 * clip.w);
-            EXPECT_LT(std::abs(clip.z), clip.w);
-        }
+TEST(LightView, IsFramedOnWhatCastsWhereverTheLightIs) {
+    const Scene scene = testing::box_scene();
+    Random random(seed);
+    for (int i = 0; i < 300; ++i) {
+        const double w = i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : 1e-4;
+        const glm::dvec3 center = scene.bounds_world.center();
+        const double radius = 0.5 * glm::length(scene.bounds_world.size());
+        const glm::dvec3 way = random.direction() * radius * random.number(1.2, 40.0);
+        const glm::dvec4 light = w == 0.0 ? glm::dvec4(way, 0.0) : glm::dvec4((center + way) * w, w);
+        const ObserverView view = light_view(light, {random.direction(), random.number(-3, 3)});
+        double farthest = 0.0;
+        for (const SceneObject& object : scene.objects)
+            for (const glm::vec3& vertex : object.mesh->positions) {
+                const glm::dvec4 clip = view.clip_from_world * (object.world_from_model * glm::dvec4(vertex, 1.0));
+                ASSERT_GT(clip.w, 0.0) << "case " << i;
+                ASSERT_LT(glm::length(glm::dvec2(clip.x, clip.y)) / clip.w, 1.5) << "case " << i;
+                farthest = std::max({farthest, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+                ASSERT_LT(std::abs(clip.z), clip.w) << "case " << i;
+            }
+        EXPECT_LE(farthest, 1.0) << "case " << i << ": cut off";
+        EXPECT_GT(farthest, 0.4) << "case " << i << ": lost in the picture";
     }
 }
 

@@ -240,6 +240,10 @@ TEST(Orbit, ZoomScalesTheDistanceAndPanShiftsBoth) {
         << "never onto the target";
 
     MotionInput pan;
+    EXPECT_TRUE(pan.idle());
+    pan.dolly = 1.0;
+    EXPECT_FALSE(pan.idle());
+    pan.dolly = 0.0;
     pan.pan = {1, 2};
     const Pose panned = step(start, motion, pan, Navigation::orbit, {}, tuning, 0.01);
     expect_near(panned.position, {1, 2, 5}, 1e-12);
@@ -406,6 +410,26 @@ TEST(Lamps, AvailableAndMoving) {
     EXPECT_EQ(moving_freedoms({}, {}, Navigation::orbit), MovingFreedoms{});
     EXPECT_TRUE(MotionInput{}.idle());
     EXPECT_FALSE(drag.idle());
+}
+
+TEST(Navigation, FlightIsShiftedAndDolliedAtOnceAlongItsOwnAxes) {
+    const Pose start{{1, 2, 3}, {90, 0, 0}, {0, 0, 0}};  // looks along −x: right is −z
+    MotionInput input;
+    input.pan = {1, 2};
+    input.dolly = 4.0;
+    Motion motion;
+    const Pose flown = step(start, motion, input, Navigation::fly, {}, {}, 0.0);
+    EXPECT_LT(glm::distance(flown.position, glm::dvec3(1 - 4, 2 + 2, 3 - 1)), 1e-12);
+    EXPECT_EQ(flown.target, start.target);
+    EXPECT_TRUE(motion.at_rest());
+    const MovingFreedoms moving = moving_freedoms(motion, input, Navigation::fly);
+    EXPECT_TRUE(moving.forward && moving.strafe && moving.lift);
+
+    const Pose below{{1, 2, 3}, {90, -40, 0}, {0, 0, 0}};
+    const Pose walked = step(below, motion, input, Navigation::walk, {}, {}, 0.0);
+    EXPECT_LT(glm::distance(walked.position, glm::dvec3(1 - 4, 2, 3)), 1e-12) << "on the ground, and not sideways";
+    const MovingFreedoms on_foot = moving_freedoms(motion, input, Navigation::walk);
+    EXPECT_TRUE(on_foot.forward && !on_foot.strafe && !on_foot.lift);
 }
 
 }  // namespace

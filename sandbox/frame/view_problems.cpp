@@ -1,0 +1,105 @@
+// What is to be said of a picture that shows none of the scene's objects: which way they lie, or what cuts them away.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "frame/depth/near_advice.h"
+#include "frame/say.h"
+
+namespace viewing {
+namespace {
+
+/// Said over the picture alone: in the panel a sentence that comes and goes would move what is being dragged.
+constexpr std::string_view group = "view";
+
+/// Whether a few of its vertices tell that an object is in the picture, between near and far.
+bool is_soon_found(const SceneObject& object, const Params& params, const Derived& derived) {
+    constexpr std::size_t tried = 64;
+    const glm::dmat4 clip_from_model =
+        clip_from_view(params.projection.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
+    const std::size_t count = object.mesh->positions.size(), step = std::max<std::size_t>(1, count / tried);
+    for (std::size_t i = 0; i < count; i += step) {
+        const glm::dvec4 clip = clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0);
+        if (clip.w > 0.0 && glm::all(glm::lessThan(glm::abs(glm::dvec3(clip)), glm::dvec3(clip.w)))) return true;
+    }
+    return false;
+}
+
+/// Corners of what bounds the objects, in view space.
+std::array<glm::dvec3, 8> corners_view(const Bounds& bounds, const Derived& derived) {
+    std::array<glm::dvec3, 8> corners{};
+    for (std::size_t corner = 0; corner < 8; ++corner)
+        corners[corner] = derived.view_from_world * glm::dvec4(corner & 1U ? bounds.max.x : bounds.min.x,
+                                                               corner & 2U ? bounds.max.y : bounds.min.y,
+                                                               corner & 4U ? bounds.max.z : bounds.min.z, 1.0);
+    return corners;
+}
+
+/// Objects that the sides of the view leave out.
+std::string beside_the_view(const Params& params, const Derived& derived, const Scene& scene) {
+    const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
+    if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
+        return tr("every object lies behind the camera: the key G frames them all, Home goes back");
+    const Lens lens = params.projection.lens();
+    const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * lens.fovy_deg));
+    const glm::dvec2 edge(y * derived.aspect, y);
+    const auto beyond = [&](int axis, double sign) {
+        return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {
+            return sign * corner[axis] > edge[axis] * (lens.orthographic ? 1.0 : -corner.z);
+        });
+    };
+    const char* const sentence =
+        beyond(0, -1.0) ? marked(
+                              "every object lies beyond the left edge of the view: the key G frames them all, Home "
+                              "goes back")
+        : beyond(0, 1.0)
+            ? marked("every object lies beyond the right edge of the view: the key G frames them all, Home goes back")
+        : beyond(1, 1.0)  ? marked("every object lies above the view: the key G frames them all, Home goes back")
+        : beyond(1, -1.0) ? marked("every object lies below the view: the key G frames them all, Home goes back")
+                          : marked("every object lies outside the view: the key G frames them all, Home goes back");
+    return tr(sentence);
+}
+
+}  // namespace
+
+void find_view_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived,
+                        const Scene& scene) {
+    const auto is_there = [&](const SceneObject& object) { return is_soon_found(object, params, derived); };
+    if (scene.objects.empty() || std::any_of(scene.objects.begin(), scene.objects.end(), is_there)) return;
+    Params unlimited = params;
+    unlimited.projection.far = 1e12;
+    std::vector<SeenThing> seen = seen_things(unlimited, derived, scene);
+    std::erase_if(seen, [](const SeenThing& thing) { return thing.is_plane; });
+    if (seen.empty()) return Sayer(problems, group).broken(true, beside_the_view(params, derived, scene));
+
+    const double near = params.projection.near, far = params.projection.far;
+    const auto is_before = [near](const SeenThing& thing) { return thing.farthest < near; };
+    const auto is_beyond = [far](const SeenThing& thing) { return thing.nearest > far; };
+    const auto before = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_before));
+    const auto beyond = static_cast<std::size_t>(std::count_if(seen.begin(), seen.end(), is_beyond));
+    if (before + beyond < seen.size()) return;
+    double nearest = seen.front().nearest, farthest = seen.front().farthest;
+    for (const SeenThing& thing : seen) {
+        nearest = std::min(nearest, thing.nearest);
+        farthest = std::max(farthest, thing.farthest);
+    }
+    constexpr double least_near = 1e-6;  // of its range
+    const double nearer =
+        rounded_down(std::max(least_near, nearest > 0.01 * farthest ? 0.9 * nearest : 0.01 * farthest));
+    const double farther = 2.0 * rounded_down(farthest);
+    const std::string near_now = figures(near, 3), far_now = figures(far, 3);
+    Sayer tell(problems, group);
+    tell.broken(beyond == 0,
+                say("every object in the view is closer than near = {near}: the farthest ends at z = {z}",
+                    "near"_a = near_now, "z"_a = figures(farthest, 3)),
+                "projection.near=" + plain_number(nearer));
+    tell.broken(before == 0,
+                say("every object in the view is beyond far = {far}: the nearest begins at z = {z}", "far"_a = far_now,
+                    "z"_a = figures(nearest, 3)),
+                "projection.far=" + plain_number(farther));
+    tell.broken(before > 0 && beyond > 0,
+                say("every object in the view is closer than near = {near} or beyond far = {far}", "near"_a = near_now,
+                    "far"_a = far_now));
+}
+
+}  // namespace viewing

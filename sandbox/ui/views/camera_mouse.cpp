@@ -1,0 +1,133 @@
+// What the mouse does in the camera's view: handles, looking, shifting, the wheel, picking.
+#include <cmath>
+
+#include "state/fields.h"
+#include "text/catalogue.h"
+#include "text/numbers.h"
+#include "ui/parts/look.h"
+#include "ui/views/views.h"
+
+namespace viewing {
+namespace {
+
+/// The front-most object under a place on screen; t counts along the overlay's ray there.
+struct ObjectHit {
+    const SceneObject* object = nullptr;
+    MeshHit hit{};
+};
+std::optional<ObjectHit> object_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
+    const Ray ray = overlay.ray_at(place);
+    std::optional<ObjectHit> found;
+    for (const SceneObject& object : scene.objects) {
+        const glm::dmat4 model_from_world = glm::inverse(object.world_from_model);
+        const Ray ray_model{glm::dvec3(model_from_world * glm::dvec4(ray.origin, 1.0)),
+                            glm::dvec3(model_from_world * glm::dvec4(ray.direction, 0.0))};
+        const std::optional<MeshHit> hit = intersect_mesh(ray_model, *object.mesh);
+        if (hit && (!found || hit->t < found->hit.t)) found = ObjectHit{&object, *hit};
+    }
+    return found;
+}
+
+/// The vertex of the front-most object under a place on screen that is nearest to it there.
+std::optional<Follow> vertex_at(const Overlay& overlay, const Scene& scene, ImVec2 place) {
+    const std::optional<ObjectHit> under = object_at(overlay, scene, place);
+    if (!under) return std::nullopt;
+    const SceneObject& object = *under->object;
+    std::optional<Follow> found;
+    float nearest_px = 1e30F;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = object.mesh->indices[3 * under->hit.triangle + corner];
+        const glm::dvec3 world(object.world_from_model * glm::dvec4(object.mesh->positions[vertex], 1.0));
+        const std::optional<ImVec2> there = overlay.project(world);
+        if (!there) continue;
+        const float distance = std::hypot(there->x - place.x, there->y - place.y);
+        if (distance >= nearest_px) continue;
+        nearest_px = distance;
+        found = Follow{object.description.name, static_cast<int>(vertex)};
+    }
+    return found;
+}
+
+/// The eye distance of what lies under a place: an object, else the chosen plane's patch, else the target.
+double distance_at(const Overlay& overlay, const Scene& scene, const Derived& derived, ImVec2 place) {
+    const Ray ray = overlay.ray_at(place);
+    std::optional<double> t;
+    if (const auto under = object_at(overlay, scene, place)) t = under->hit.t;
+    if (!t) t = intersect_plane(ray, derived.chosen_plane().unit_plane);
+    const double distance = t ? -(derived.view_from_world * glm::dvec4(ray.at(*t), 1.0)).z : 0.0;
+    const double farthest = 10.0 * derived.facts.target_distance;
+    return distance > 0.0 ? std::min(distance, farthest) : derived.facts.target_distance;
+}
+
+/// World units that a pixel is wide at an eye distance.
+double world_per_px(const ProjectionParams& projection, double distance, float height_px) {
+    const double height = projection.type == ProjectionType::orthographic
+                              ? projection.height
+                              : 2.0 * distance * std::tan(glm::radians(0.5 * projection.fovy));
+    return height / static_cast<double>(height_px);
+}
+
+/// Nearer and farther, as far as the mode goes; with Ctrl the speed.
+void turn_wheel(Session& session, const FrameInput& input, float lines, MotionInput& motion) {
+    constexpr double seconds_a_line = 0.15;  // of flight
+    Params& params = session.params;
+    const bool has_speed = params.camera.navigation != Navigation::orbit;
+    if (has_speed && input.is_down(Key::ctrl)) {
+        session.set_speed(session.speed() * std::pow(1.2, lines));
+        session.message = {say("speed {speed} units/s", "speed"_a = number_text(session.speed(), 2)), false};
+    } else if (params.projection.type == ProjectionType::orthographic) {
+        params.projection.height *= std::pow(0.88, lines);  // distance alone would change nothing
+        clamp_to_ranges(params);
+    } else if (has_speed) {
+        motion.dolly += seconds_a_line * session.speed() * static_cast<double>(lines);
+    } else {
+        motion.zoom *= std::pow(0.88, lines);
+    }
+}
+
+}  // namespace
+
+void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
+                  const FrameInput& input, MotionInput& motion) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool over = ImGui::IsItemHovered();
+    const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
+    if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        state.dragged_px = 0.0F;
+        if (hovered != Handle::none)
+            state.grip = take(overlay, handle_places(derived), hovered, session.params, io.MousePos);
+        else
+            state.looking = true;
+    }
+    if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+        state.dragged_px += std::hypot(io.MouseDelta.x, io.MouseDelta.y);
+        const bool is_drag = state.dragged_px > px(3.0F);
+        if (is_drag && state.grip.handle != Handle::none)
+            drag(session.params, overlay, state.grip, io.MousePos, input.is_down(Key::shift));
+        else if (is_drag && state.looking)
+            motion.look_deg -= glm::dvec2(io.MouseDelta.x, io.MouseDelta.y) * static_cast<double>(degrees_per_px);
+    }
+    if (over && (ImGui::IsMouseClicked(ImGuiMouseButton_Right) || ImGui::IsMouseClicked(ImGuiMouseButton_Middle)))
+        state.pan_distance = distance_at(overlay, session.scene(), derived, io.MousePos);
+    if (ImGui::IsItemActive() &&
+        (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
+        motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) *
+                      world_per_px(session.params.projection, state.pan_distance, overlay.rect().height());
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
+        if (state.looking && state.dragged_px <= px(3.0F)) {
+            PolygonLinks& links = state.hidden.links;
+            links.next.selected_fragment = links.now.hovered_fragment;
+            links.next.selected_node = links.tree.node_of(links.next.selected_fragment);
+            if (state.hovered_pixel &&
+                (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
+                pin(session.params, *state.hovered_pixel);
+            else
+                session.params.follow = vertex_at(overlay, session.scene(), io.MousePos);
+        }
+        state.grip = {};
+        state.looking = false;
+    }
+    if (over && io.MouseWheel != 0.0F) turn_wheel(session, input, io.MouseWheel, motion);
+}
+
+}  // namespace viewing

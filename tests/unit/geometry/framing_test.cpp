@@ -1,0 +1,54 @@
+// Framing: the whole box is in the picture, and could not be any nearer.
+#include "geometry/framing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+/// How far the box reaches in the picture: 1 is its edge.
+double reach_of(const Bounds& box, const glm::dvec3& eye, const Angles& angles, const Lens& lens, double aspect) {
+    const glm::dmat4 clip_from_world = clip_from_view(lens, aspect) * view_from_world(world_from_view(eye, angles));
+    double reach = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 clip =
+            clip_from_world * glm::dvec4(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y,
+                                         corner & 4 ? box.max.z : box.min.z, 1.0);
+        if (clip.w <= 0.0) return 1e9;
+        reach = std::max({reach, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+    }
+    return reach;
+}
+
+TEST(Framing, HoldsTheWholeBoxAndNotMuchMore) {
+    Random random(11);
+    for (int i = 0; i < 400; ++i) {
+        Bounds box;
+        box.add(random.vec3(8.0));
+        box.add(random.vec3(8.0));
+        const Angles angles{random.number(-180, 180), random.number(-90, 90), random.number(-180, 180)};
+        Lens lens{.orthographic = i % 4 == 0, .fovy_deg = random.number(5, 120)};
+        const double aspect = random.number(0.3, 3.0);
+        const Framing found = framing(box, angles, lens, aspect);
+        lens.height = found.height;
+        const double reach = reach_of(box, found.eye, angles, lens, aspect);
+        EXPECT_LE(reach, 0.95) << i;
+        EXPECT_GE(reach, 0.7) << i;  // less than the room only just in front of a deep box
+    }
+}
+
+TEST(Framing, IsDefinedForPointsAndForNothing) {
+    Bounds point;
+    point.add({1, 2, 3});
+    EXPECT_LT(glm::distance(framing(point, {}, {}, 1.0).eye, glm::dvec3(1, 2, 4)), 1e-12);
+    EXPECT_EQ(framing({}, {}, {}, 1.0).eye, glm::dvec3(0, 0, 1));
+    EXPECT_GT(framing(point, {}, {.orthographic = true}, 1.0).height, 0.0);
+}
+
+}  // namespace
+}  // namespace viewing
