@@ -7,6 +7,7 @@
 #include "frame/hidden/hidden_views.h"
 #include "gl/gl_test.h"
 #include "state/fields.h"
+#include "state/presets.h"
 
 namespace viewing {
 namespace {
