@@ -15,6 +15,15 @@ Json onset_as_json(const FightingOnset& onset, double slant) {
             {"predicted_onset_gap", onset.is_reachable ? Json(onset.gap() * slant) : Json()}};
 }
 
+Json share_as_json(const ShareInterval& share) {
+    return {{"least", share.least}, {"most", share.most}};
+}
+
+Json spread_as_json(const ShareSpread& spread) {
+    if (spread.cameras == 0) return nullptr;
+    return {{"cameras", spread.cameras}, {"mean", spread.mean()}, {"least", spread.least}, {"most", spread.most}};
+}
+
 Json pair_as_json(const CountedPair& counted, const FightingReport::Row& row) {
     const PairPrediction& predicted = row.predicted;
     Json json{{"objects", {row.first, row.second}},
@@ -22,8 +31,10 @@ Json pair_as_json(const CountedPair& counted, const FightingReport::Row& row) {
               {"gap", counted.pair.gap()},
               {"step", predicted.step},
               {"wrong", counted.wrong},
+              {"vanished", counted.vanished},
               {"pixels", counted.pixels},
-              {"predicted_wrong_fraction", predicted.wrong_share ? Json(*predicted.wrong_share) : Json()}};
+              {"predicted_wrong_fraction", predicted.wrong_share ? share_as_json(*predicted.wrong_share) : Json()},
+              {"trembling_wrong_fraction", spread_as_json(row.spread)}};
     json.update(onset_as_json(predicted.onset, predicted.slant));
     return json;
 }
@@ -42,9 +53,10 @@ Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene&
     const Params& params = state.params;
     Renderer& renderer = headless.renderer();
     const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
-    const FightingReport report =
+    FightingReport report =
         fighting_report(headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
                         params, derived, scene, size_px);
+    headless.drawn(count_spread(report, renderer, params, scene));
     const FightingCounts& counts = report.counts;
     const MinimumGap found = headless.drawn(find_minimum_gap(renderer, params, derived.facts.target_distance));
     Json pairs = Json::array();
@@ -53,7 +65,11 @@ Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene&
             {"size", as_json(size_px)},
             {"pairs", std::move(pairs)},
             {"wrong_fraction", counts.wrong_fraction()},
-            {"elsewhere", {{"wrong", counts.wrong_elsewhere}, {"pixels", counts.pixels_elsewhere}}},
+            {"elsewhere",
+             {{"wrong", counts.wrong_elsewhere},
+              {"bleeding", counts.bleeding_elsewhere},
+              {"vanished", counts.vanished_elsewhere},
+              {"pixels", counts.pixels_elsewhere}}},
             {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
             {"search", search_as_json(found)}};
 }

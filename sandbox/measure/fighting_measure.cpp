@@ -124,6 +124,7 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
                 if (!is_inside(met, seen, x, y)) continue;
                 ++counted.pixels;
                 counted.wrong += drawn.ids[pixel] != seen.ids[pixel] ? 1 : 0;
+                counted.vanished += drawn.ids[pixel] == IdImage::background ? 1 : 0;
             }
         }
         counts.pairs.push_back(counted);
@@ -131,11 +132,37 @@ Result<FightingCounts> count_wrong(const IdImage& drawn, const Params& state, co
     const IdDifference elsewhere = difference(seen, drawn);
     for (std::size_t pixel = 0; pixel < of_pairs.size(); ++pixel) {
         if (of_pairs[pixel] != 0) continue;
+        const bool has_seen = seen.ids[pixel] != IdImage::background,
+                   has_drawn = drawn.ids[pixel] != IdImage::background;
         counts.wrong_elsewhere += elsewhere.differs[pixel];
-        const bool is_empty = seen.ids[pixel] == IdImage::background && drawn.ids[pixel] == IdImage::background;
-        counts.pixels_elsewhere += is_empty ? 0 : 1;
+        counts.bleeding_elsewhere += has_seen && has_drawn ? elsewhere.differs[pixel] : 0;
+        counts.vanished_elsewhere += has_drawn ? 0 : elsewhere.differs[pixel];
+        counts.pixels_elsewhere += has_seen || has_drawn ? 1 : 0;
     }
     return counts;
+}
+
+glm::ivec2 spread_size(glm::ivec2 size_px) {
+    constexpr int widest_px = 480;
+    if (size_px.x <= widest_px) return size_px;
+    return {widest_px, std::max(size_px.y * widest_px / size_px.x, 1)};
+}
+
+void take_spread(FightingReport& report, const FightingCounts& counts) {
+    for (std::size_t i = 0; i < report.rows.size() && i < counts.pairs.size(); ++i)
+        if (counts.pairs[i].pixels > 0) report.rows[i].spread.take(counts.pairs[i].wrong_fraction());
+}
+
+Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
+                    WorkProgress* progress) {
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    for (int camera = 0; camera < spread_cameras; ++camera) {
+        const Result<FightingCounts> counts =
+            count_fighting(renderer, trembling(state, camera), scene, pairs, spread_size(report.size_px), progress);
+        if (!counts) return Error{counts.error()};
+        take_spread(report, *counts);
+    }
+    return std::monostate{};
 }
 
 Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, const Scene& scene,

@@ -29,4 +29,14 @@ Result<FightingCounts> count_fighting(Renderer& renderer, const Params& state, c
                                       std::span<const FlatPair> pairs, glm::ivec2 size_px,
                                       WorkProgress* progress = nullptr);
 
+/// The size of the pictures that a spread is counted in: that of the report's, but no wider than 480 pixels.
+glm::ivec2 spread_size(glm::ivec2 size_px);
+
+/// Adds what was counted from one of the trembling() cameras to the rows' spreads.
+void take_spread(FightingReport& report, const FightingCounts& counts);
+
+/// Counts from all of them. The error is GL's, or says that the work was cancelled.
+Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
+                    WorkProgress* progress = nullptr);
+
 }  // namespace viewing

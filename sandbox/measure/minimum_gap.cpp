@@ -139,7 +139,9 @@ struct MinimumGapSearch::Implementation {
         Scene scene;
         scene.objects = {quad(distance), quad(distance - gap)};
         if (next_picture % 2 == 1) std::swap(scene.objects[0], scene.objects[1]);
-        const FlatPair pair{.first = 0, .second = 1, .offset = gap};
+        FlatPair pair;
+        pair.second = 1;
+        pair.offset = gap;
         const auto counts = count_fighting(renderer, params, scene, {&pair, 1}, size_px, progress);
         if (!counts) return Error{counts.error()};
         ++found.pictures;

@@ -1,6 +1,11 @@
 // The switches of the depth buffer, each with the sentence that says what it does to the picture. Part of problems.h.
+#include <cmath>
+
 #include "frame/depth/decals.h"
+#include "frame/depth/near_advice.h"
+#include "frame/planes/object_reach.h"
 #include "frame/say.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -48,7 +53,47 @@ void say_clears(Sayer& tell, const DepthParams& depth) {
                 "depth.write_while_clearing");
 }
 
-void say_mappings(Sayer& tell, const DepthParams& depth, const Derived& derived) {
+/// From which eye distance on depth is stored as the code that the buffer is cleared to.
+double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
+    const double farthest = depth.mapping == DepthMapping::reversed ? 0.0 : 1.0;
+    const double half = 0.5 * code_width(precision_of(depth.format), farthest);
+    return distance_of_window_depth(lens, depth.mapping, std::abs(farthest - half));
+}
+
+/// What has the depth of the background is not nearer than it.
+void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const bool is_cleared_to_farthest =
+        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
+    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
+    if (!depth.test || depth.func != CompareFunc::less || !is_cleared_to_farthest || has_bent_depth) return;
+    const double start = start_of_cleared_code(depth, params.projection.lens());
+    // Nearly at far: it is cut there, and rounding decides.
+    if (start > params.projection.far * (1.0 - 1e-3)) return;
+    if (objects_at_most(scene, glm::transpose(derived.view_from_world)[2], -start).empty()) return;
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    std::vector<const char*> names;
+    for (const SeenThing& thing : seen)
+        if (!thing.is_plane && thing.farthest > start) names.push_back(thing.name.c_str());
+    tell.broken(!names.empty(),
+                say("from z = {z} on depth has the very code that the buffer is cleared to: GL_LESS lets nothing of "
+                    "{objects} pass there",
+                    "z"_a = figures(start, 3), "objects"_a = joined(names)),
+                "depth.format");
+}
+
+/// Whether a polygon offset moves anything, decals or shadows.
+bool has_offset(const Params& params, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    const ShadowParams& shadow = params.shadow;
+    const bool moves_decals = depth.offset != DepthOffset{} && depth.decals == DecalMethod::offset && has_decals(scene);
+    const bool moves_shadows = shadow.enabled && shadow.offset == ShadowOffset::polygon_offset &&
+                               (shadow.offset_factor != 0.0 || shadow.offset_units != 0.0);
+    return moves_decals || moves_shadows;
+}
+
+void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthParams& depth = params.depth;
     tell.broken(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
                 tr("the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide "
                    "or show what they should not"),
@@ -64,7 +109,7 @@ void say_mappings(Sayer& tell, const DepthParams& depth, const Derived& derived)
                 tr("reversed depth has 0 at the far plane, but the buffer is cleared to 1: nothing is nearer, and "
                    "nothing is drawn"),
                 "depth.reversed_clear");
-    tell.broken(!depth.reversed_offset,
+    tell.broken(!depth.reversed_offset && has_offset(params, scene),
                 tr("with reversed depth nearer is greater, but the offset keeps its sign: it pushes away what it "
                    "should pull nearer"),
                 "depth.reversed_offset");
@@ -104,7 +149,8 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     if (params.visibility.method != VisibilityMethod::depth_buffer) return;
     say_tests(tell, params.depth);
     say_clears(tell, params.depth);
-    say_mappings(tell, params.depth, derived);
+    say_cleared_code(tell, params, derived, scene);
+    say_mappings(tell, params, derived, scene);
     say_decals(tell, params, derived, scene);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 
 #include "frame/hidden/scene_surface.h"
 
@@ -14,7 +16,6 @@ constexpr double parallel_sine = 0.01745;  ///< of one degree
 constexpr double largest_gap_share = 0.1;  ///< of the smaller object's size
 constexpr double coplanar_share = 1e-9;    ///< of the same: below it the gap counts as none
 constexpr std::size_t most_triangles = 2;
-constexpr double rounding_beside_ties = 4.0;  ///< codes; beyond, whose codes are the same says little of who wins
 
 /// An object as a pair may have it.
 struct FlatObject {
@@ -67,22 +68,24 @@ Polygon part_within(Polygon polygon, const Polygon& triangle, double epsilon) {
     return polygon;
 }
 
-/// The centre of what of the first object has the second one before or behind it; none without overlap.
-std::optional<glm::dvec3> overlap_center(const FlatObject& first, const FlatObject& second) {
+/// What of the first object has the second one before or behind it; none without overlap.
+std::vector<Polygon> overlap_of(const FlatObject& first, const FlatObject& second) {
     const double epsilon = 1e-9 * std::min(first.size(), second.size());
-    glm::dvec3 weighted(0.0);
-    double sum = 0.0;
+    std::vector<Polygon> parts;
     for (const Polygon& of_first : first.triangles) {
         for (const Polygon& of_second : second.triangles) {
-            const Polygon part = part_within(of_first, of_second, epsilon);
-            if (part.vertices.size() < 3) continue;
-            const double part_area = area(part);
-            weighted += part_area * centroid(part);
-            sum += part_area;
+            Polygon part = part_within(of_first, of_second, epsilon);
+            if (part.vertices.size() >= 3) parts.push_back(std::move(part));
         }
     }
-    if (!(sum > 1e-9 * std::min(first.area, second.area))) return std::nullopt;
-    return weighted / sum;
+    if (!(total_area(parts) > 1e-9 * std::min(first.area, second.area))) parts.clear();
+    return parts;
+}
+
+glm::dvec3 center_of(std::span<const Polygon> parts) {
+    glm::dvec3 weighted(0.0);
+    for (const Polygon& part : parts) weighted += area(part) * centroid(part);
+    return weighted / total_area(parts);
 }
 
 /// The distance of the farthest corner.
@@ -95,20 +98,23 @@ double radius_about(const glm::dvec3& center, const FlatObject& flat) {
 
 std::optional<FlatPair> pair_of(const Scene& scene, const FlatObject& first, const FlatObject& second) {
     if (glm::length(glm::cross(first.normal_world, second.normal_world)) > parallel_sine) return std::nullopt;
-    const std::optional<glm::dvec3> center = overlap_center(first, second);
-    if (!center) return std::nullopt;
+    std::vector<Polygon> overlap = overlap_of(first, second);
+    if (overlap.empty()) return std::nullopt;
+    const glm::dvec3 center = center_of(overlap);
     const double size = std::min(first.size(), second.size());
-    const glm::dvec4& plane = second.triangles.front().plane;
     const double same_way = glm::dot(first.normal_world, second.normal_world) < 0.0 ? -1.0 : 1.0;
-    const double offset = -same_way * glm::dot(plane, glm::dvec4(*center, 1.0));
+    const glm::dvec4 plane = same_way * second.triangles.front().plane;
+    const double offset = -glm::dot(plane, glm::dvec4(center, 1.0));
     if (std::abs(offset) > largest_gap_share * size) return std::nullopt;
     const auto is_decal = [&](int object) { return scene.objects[static_cast<std::size_t>(object)].description.decal; };
     return FlatPair{.first = first.object,
                     .second = second.object,
                     .offset = std::abs(offset) > coplanar_share * size ? offset : 0.0,
-                    .center_world = *center,
+                    .center_world = center,
                     .normal_world = first.normal_world,
-                    .radius = std::max(radius_about(*center, first), radius_about(*center, second)),
+                    .second_plane_world = plane,
+                    .overlap = std::move(overlap),
+                    .radius = std::max(radius_about(center, first), radius_about(center, second)),
                     .first_is_decal = is_decal(first.object),
                     .second_is_decal = is_decal(second.object)};
 }
@@ -155,64 +161,6 @@ private:
     std::vector<FlatPair> pairs_;
 };
 
-/// Whether every pass begins with the farthest depth, and nearer surfaces replace farther ones.
-bool goes_by_nearness(const DepthParams& depth) {
-    const bool is_cleared =
-        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
-    const bool has_func = depth.func == CompareFunc::less || depth.func == CompareFunc::lequal;
-    return depth.test && depth.write && is_cleared && has_func;
-}
-
-/// A decal drawn where the stencil says that what it lies on is seen.
-std::optional<double> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right, const std::vector<int>& marks) {
-    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
-    const bool belong_together = pair.has_one_decal() && std::max(first, second) < marks.size() && marks[first] != 0 &&
-                                 marks[first] == marks[second];
-    if (!belong_together) return std::nullopt;
-    return decal_is_right ? 0.0 : 1.0;
-}
-
-/// One of the two is moved by a polygon offset. A unit is at least a code; GL leaves open how many, except that the
-/// sandbox itself moves depths of few bits, by one. `lead` is how many codes the right one is nearer without it.
-std::optional<double> wrong_share_with_offset(const DepthParams& depth, bool decal_is_right, bool tie_is_wrong,
-                                              double lead, double rounding_codes) {
-    const bool turns = depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
-    const double to_right_one = (turns ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
-    const double units = depth.offset.units * to_right_one, factor = depth.offset.factor * to_right_one;
-    if (precision_of(depth.format).bits < 16 && factor == 0.0)
-        return std::clamp((tie_is_wrong ? 1.0 : 0.0) - lead - units, 0.0, 1.0);
-    const double surely = 1.0 + rounding_codes;
-    if (factor >= 0.0 && units > 0.0 && lead + units >= surely) return 0.0;
-    if (factor <= 0.0 && units < 0.0 && lead + units <= -surely) return 1.0;
-    return std::nullopt;
-}
-
-/// `gap` is in eye distance; `towards_eye` is the normal's part that points towards the eye.
-std::optional<double> wrong_share_of(const FlatPair& pair, const Params& params, const Derived& derived,
-                                     const FightingOnset& onset, double gap, double towards_eye) {
-    const DepthParams& depth = params.depth;
-    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
-    if (!goes_by_nearness(depth) || has_bent_depth) return std::nullopt;
-    const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top() : pair.offset * towards_eye > 0.0;
-    const bool decal_is_right = second_is_right == pair.second_is_decal;
-    const bool has_decal = pair.first_is_decal || pair.second_is_decal;
-    if (has_decal && depth.decals == DecalMethod::equal) return std::nullopt;
-    if (has_decal && depth.decals == DecalMethod::stencil)
-        return wrong_share_by_stencil(pair, decal_is_right, derived.object_marks);
-
-    const bool tie_is_wrong = second_is_right != (depth.func == CompareFunc::lequal);
-    if (pair.has_one_decal() && depth.offset != DepthOffset{}) {
-        if (!(onset.quantisation > 0.0)) return std::nullopt;
-        return wrong_share_with_offset(depth, decal_is_right, tie_is_wrong, gap / onset.quantisation,
-                                       onset.arithmetic / onset.quantisation);
-    }
-    if (onset.is_reachable && gap >= onset.gap()) return 0.0;
-    const bool goes_by_ties = tie_is_wrong && pair.offset != 0.0;
-    const double most_rounding_codes = goes_by_ties ? rounding_beside_ties : 1.0;
-    if (onset.arithmetic >= most_rounding_codes * onset.quantisation) return std::nullopt;
-    return tie_is_wrong ? share_of_ties(onset, gap) : 0.0;
-}
-
 /// How far apart the window depths of two surfaces may come although they should be the same, in units of 2⁻²⁴. Each of
 /// the two is off by half a unit in the last place of whatever is rounded to float32 on the way, so together by one:
 /// clip z and clip w, which both move their quotient, and the depth as it is made of it and interpolated. The matrix is
@@ -243,15 +191,20 @@ DepthCoding depth_coding(const Params& params, const Derived& derived) {
             derived.clip_zero_to_one};
 }
 
+double depth_rounding(const DepthCoding& coding, double distance, double span) {
+    const double z = std::clamp(distance, coding.lens.near, coding.lens.far);
+    const double nearest = std::max(z - span, coding.lens.near);
+    return std::exp2(-24) * std::max(rounded_terms(coding, z), rounded_terms(coding, nearest));
+}
+
 FightingOnset fighting_onset(const DepthCoding& coding, double distance, double span) {
     const Lens& lens = coding.lens;
     const double z = std::clamp(distance, lens.near, lens.far);
-    const double nearest = std::max(z - span, lens.near);
     // Width in distance over width in codes of any integer format: how far a change of depth reaches.
     constexpr DepthPrecision any_bits{24, false};
     const double distance_per_depth = depth_step(lens, coding.mapping, any_bits, z) * (std::exp2(24) - 1.0);
     const double code = depth_step(lens, coding.mapping, coding.precision, z) / distance_per_depth;
-    const double rounding = std::exp2(-24) * std::max(rounded_terms(coding, z), rounded_terms(coding, nearest));
+    const double rounding = depth_rounding(coding, distance, span);
 
     // The slope changes within a wide code, so the way is found from its two ends.
     const double towards_eye = coding.mapping == DepthMapping::reversed ? 1.0 : -1.0;
@@ -266,31 +219,6 @@ FightingOnset fighting_onset(const DepthCoding& coding, double distance, double 
     onset.arithmetic = way_of(code + rounding) - onset.quantisation;
     onset.is_reachable = end >= 0.0 && end <= 1.0;
     return onset;
-}
-
-double share_of_ties(const FightingOnset& onset, double gap) {
-    return onset.quantisation > 0.0 ? std::clamp(1.0 - gap / onset.quantisation, 0.0, 1.0) : 0.0;
-}
-
-PairPrediction predict_pair(const FlatPair& pair, const Params& params, const Derived& derived) {
-    const DepthCoding coding = depth_coding(params, derived);
-    const glm::dvec3 center_view(derived.view_from_world * glm::dvec4(pair.center_world, 1.0));
-    const glm::dvec3 normal_view(derived.view_from_world * glm::dvec4(pair.normal_world, 0.0));
-    PairPrediction made;
-    made.distance = -center_view.z;
-    made.step = resolvable_depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
-    // How far it reaches towards the eye, which looks along −z: nothing where the pair faces the view direction.
-    const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
-    made.onset = fighting_onset(coding, made.distance, span);
-    // Along the line of sight through the centre, for each unit of eye distance.
-    const glm::dvec3 sight =
-        coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
-    const double towards_eye = -glm::dot(normal_view, sight);
-    made.slant = std::abs(towards_eye);
-    const double gap = pair.gap() / std::max(made.slant, 1e-12);  // in eye distance
-    if (made.distance >= coding.lens.near && made.distance <= coding.lens.far)
-        made.wrong_share = wrong_share_of(pair, params, derived, made.onset, gap, towards_eye);
-    return made;
 }
 
 }  // namespace viewing

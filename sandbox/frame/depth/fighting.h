@@ -1,12 +1,12 @@
 // Which flat objects of a scene can fight over the depth buffer, and from which gap on the formulas say that they do.
-// Pure: measure/fighting_measure.h counts what GL makes of them.
+// Pure. Read pair_prediction.h next; measure/fighting_measure.h counts what GL makes of them.
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <vector>
 
 #include "frame/derive.h"
+#include "visibility/polygons.h"
 
 namespace viewing {
 
@@ -15,9 +15,11 @@ namespace viewing {
 struct FlatPair {
     int first = 0, second = 0;  ///< indices of the objects, in drawing order
     double offset = 0.0;        ///< from the first to the second along the normal, at the overlap's centre; 0: coplanar
-    glm::dvec3 center_world{0.0};  ///< of the overlap, on the first object
-    glm::dvec3 normal_world{0.0};  ///< unit, of the first object
-    double radius = 0.0;           ///< of the farthest corner of the two about the centre
+    glm::dvec3 center_world{0.0};        ///< of the overlap, on the first object
+    glm::dvec3 normal_world{0.0};        ///< unit, of the first object
+    glm::dvec4 second_plane_world{0.0};  ///< unit, turned as the first one's normal
+    std::vector<Polygon> overlap;        ///< what of the first object has the second one before or behind it
+    double radius = 0.0;                 ///< of the farthest corner of the two about the centre
     bool first_is_decal = false, second_is_decal = false;
 
     /// Where they are coplanar: the only decal of the two, else the second one.
@@ -39,6 +41,12 @@ struct DepthCoding {
 };
 DepthCoding depth_coding(const Params& params, const Derived& derived);
 
+/// How far apart the window depths of two surfaces may come although they should be the same, at an eye distance
+/// between near and far, before they are stored: what is rounded to float32 on the way. `span` is how much nearer to
+/// the eye the surfaces reach: depth is interpolated across them, so that the larger numbers at their near ends are
+/// rounded too. Source: facts §3, with float32's roundings added up where each is largest.
+double depth_rounding(const DepthCoding& coding, double distance, double span = 0.0);
+
 /// From which gap on depth tells two surfaces apart whatever codes they meet: below the sum they fight. Eye distance,
 /// from a surface towards the eye.
 struct FightingOnset {
@@ -49,28 +57,8 @@ struct FightingOnset {
     double gap() const { return quantisation + arithmetic; }
 };
 
-/// At an eye distance between near and far: what is nearer counts as at near, what is farther as at far.
-/// `span` is how much nearer to the eye the surfaces reach: depth is interpolated across them, so that the larger
-/// numbers at their near ends are rounded too. Source: facts §3, with float32's roundings added up where each is
-/// largest.
+/// At an eye distance between near and far: what is nearer counts as at near, what is farther as at far. `span` as
+/// for depth_rounding().
 FightingOnset fighting_onset(const DepthCoding& coding, double distance, double span = 0.0);
-
-/// The share of pixels that have the same code on two surfaces `gap` apart in eye distance, where codes meet them at
-/// random: 1 for a gap of 0, 0 from one code on. Arithmetic is left out.
-double share_of_ties(const FightingOnset& onset, double gap);
-
-/// What the formulas say of a pair, from where the camera is.
-struct PairPrediction {
-    double distance = 0.0;  ///< eye distance of the overlap's centre
-    double step = 0.0;      ///< resolvable_depth_step() there
-    FightingOnset onset;    ///< in eye distance
-    double slant = 1.0;     ///< a gap along the normal divided by it is the gap in eye distance; 0: seen edge-on
-    /// Of the pair's pixels. None where the formulas do not say: out of the lens's range, a depth function that does
-    /// not go by nearness, a depth buffer that is not cleared to what is farthest, logarithms at the corners, surfaces
-    /// that the rounding before the store decides between, decals by GL_EQUAL, and a polygon offset that is not sure to
-    /// be more than a code.
-    std::optional<double> wrong_share;
-};
-PairPrediction predict_pair(const FlatPair& pair, const Params& params, const Derived& derived);
 
 }  // namespace viewing

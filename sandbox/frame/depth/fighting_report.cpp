@@ -1,5 +1,9 @@
 #include "frame/depth/fighting_report.h"
 
+#include <algorithm>
+
+#include "frame/animation.h"
+
 namespace viewing {
 namespace {
 
@@ -22,6 +26,28 @@ double FightingCounts::wrong_fraction() const {
     return share(wrong, pixels);
 }
 
+std::int64_t FightingCounts::vanished() const {
+    std::int64_t sum = vanished_elsewhere;
+    for (const CountedPair& pair : pairs) sum += pair.vanished;
+    return sum;
+}
+
+void ShareSpread::take(double share) {
+    ++cameras;
+    sum += share;
+    least = std::min(least, share);
+    most = std::max(most, share);
+}
+
+Params trembling(const Params& state, int camera) {
+    constexpr double between_s = 0.83;  // no beat with the tremor's two tones
+    Params params = state;
+    params.animation.jiggle = true;
+    params = animated(params, {.time_s = (camera + 1) * between_s});
+    params.animation = state.animation;
+    return params;
+}
+
 FightingReport fighting_report(FightingCounts counts, const Params& params, const Derived& derived, const Scene& scene,
                                glm::ivec2 size_px) {
     FightingReport made;
@@ -29,8 +55,10 @@ FightingReport fighting_report(FightingCounts counts, const Params& params, cons
         return scene.objects.at(static_cast<std::size_t>(object)).description.name;
     };
     for (const CountedPair& counted : counts.pairs)
-        made.rows.push_back(
-            {name_of(counted.pair.first), name_of(counted.pair.second), predict_pair(counted.pair, params, derived)});
+        made.rows.push_back({name_of(counted.pair.first),
+                             name_of(counted.pair.second),
+                             predict_pair(counted.pair, params, derived, size_px),
+                             {}});
     made.counts = std::move(counts);
     made.size_px = size_px;
     return made;

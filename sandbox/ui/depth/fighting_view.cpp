@@ -15,7 +15,7 @@ namespace {
 
 constexpr float bar_room = 30.0F;  ///< design pixels
 
-enum Column { names, distance, gap, step, onset, predicted, counted, pixels, column_count };
+enum Column { names, distance, gap, step, onset, predicted, trembling_mean, counted, pixels, column_count };
 
 struct ColumnText {
     const char *title, *explanation;
@@ -31,8 +31,11 @@ constexpr std::array<ColumnText, column_count> columns = {{
      marked("The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
             "arithmetic adds to it. A gap that is narrower is red.")},
     {marked("predicted"),
-     marked("The share of the pair's pixels where both have the same code and the wrong one wins. Rounding in "
-            "arithmetic is left out; – where the formulas do not say.")},
+     marked("Between which shares of the pair's pixels show the wrong surface, whatever float32 arithmetic before the "
+            "store does; – where that cannot be said: with 24 bits and floats it is as coarse as the codes.")},
+    {marked("trembling"),
+     marked("Which codes meet the pixels goes by chance: the mean over 12 cameras that tremble by a thousandth of the "
+            "target's distance, and between which shares they lie.")},
     {marked("counted"), marked("The share of the pair's pixels that show the wrong surface.")},
     {marked("wrong pixels"),
      marked("Pixels that show the wrong surface, and all that the pair has, away from its edges.")},
@@ -52,6 +55,12 @@ std::string pair_name(const std::string& first, const std::string& second) {
     return first + " / " + second;
 }
 
+/// "29–71 %", "0 %".
+std::string percents(double least, double most) {
+    const std::string low = percent(least), high = percent(most);
+    return low == high ? low : say("{least} – {most}", "least"_a = low, "most"_a = high);
+}
+
 PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) {
     const FightingOnset& gap_needed = row.predicted.onset;
     const double needed = gap_needed.gap() * row.predicted.slant;
@@ -60,12 +69,16 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
     made.fights = counted_pair.wrong > 0;
     made.counted_share = static_cast<float>(counted_pair.wrong_fraction());
     const auto& share = row.predicted.wrong_share;
+    const ShareSpread& spread = row.spread;
     made.texts = {pair_name(row.first, row.second),
                   number_text(row.predicted.distance, 2),
                   figures(counted_pair.pair.gap()),
                   figures(row.predicted.step),
                   gap_needed.is_reachable ? figures(needed) : "–",
-                  share ? percent(*share) : "–",
+                  share ? percents(share->least, share->most) : "–",
+                  spread.cameras > 0 ? say("{mean} ({range})", "mean"_a = percent(spread.mean()),
+                                           "range"_a = percents(spread.least, spread.most))
+                                     : "–",
                   counted_pair.pixels > 0 ? percent(counted_pair.wrong_fraction()) : "–",
                   say("{wrong} of {all}", "wrong"_a = grouped_number(counted_pair.wrong),
                       "all"_a = grouped_number(counted_pair.pixels))};
@@ -91,7 +104,7 @@ Widths widths_of(const std::vector<PairRow>& rows, float room) {
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
     widths[counted] = std::max(widths[counted], width_of("100.0 %", fonts.small_number)) + px(bar_room);
-    for (const Column left_out : {names, pixels, step, gap, onset, predicted})
+    for (const Column left_out : {names, pixels, step, gap, onset, trembling_mean, predicted})
         if (widths.sum() > room) widths[left_out] = 0.0F;
     return widths;
 }
@@ -111,7 +124,8 @@ void draw_bar(float share, ImU32 color) {
 
 ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
     if (is_behind) return palette().quiet;
-    if (column == counted || column == pixels) return row.fights ? palette().trouble : palette().text;
+    if (column == counted || column == pixels || column == trembling_mean)
+        return row.fights ? palette().trouble : palette().text;
     if (column == onset && row.is_below_onset) return palette().trouble;
     return palette().text;
 }
@@ -184,6 +198,7 @@ void line(const std::vector<LinePart>& parts) {
     float end = left - between;
     ImGui::PushTextWrapPos(0.0F);
     for (const auto& [text, color] : parts) {
+        if (text.empty()) continue;
         const float width = ImGui::CalcTextSize(text.c_str()).x;
         const bool goes_on = end > left && end + between + width <= right;
         if (goes_on) ImGui::SameLine(0.0F, between);
@@ -202,19 +217,27 @@ LinePart told(std::string text, bool is_wrong) {
     return {std::move(text), is_wrong ? palette().trouble : palette().text};
 }
 
+/// Only what lies behind what is seen can bleed through it.
+LinePart elsewhere(const FightingCounts& counts) {
+    if (counts.bleeding_elsewhere > 0)
+        return told(say("elsewhere {count} bleed through", "count"_a = grouped_number(counts.bleeding_elsewhere)),
+                    true);
+    return told(say("elsewhere {count} wrong pixels", "count"_a = grouped_number(counts.wrong_elsewhere)),
+                counts.wrong_elsewhere > 0);
+}
+
 void draw_totals(const FightingReport& report) {
     const FightingCounts& counts = report.counts;
     ImGui::Dummy({0.0F, px(2.0F)});
     if (report.counts_are_behind) {
         line({{tr("counting…"), palette().quiet}});
     } else {
-        const bool bleeds = counts.wrong_elsewhere > 0;
-        const std::string elsewhere = grouped_number(counts.wrong_elsewhere);
+        const std::int64_t vanished = counts.vanished();
         line({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
                    counts.wrong_fraction() > 0.0),
-              told(bleeds ? say("elsewhere {count} bleed through", "count"_a = elsewhere)
-                          : say("elsewhere {count} wrong pixels", "count"_a = elsewhere),
-                   bleeds),
+              elsewhere(counts),
+              vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
+                           : LinePart{},
               {say("in {width} × {height} pixels", "width"_a = report.size_px.x, "height"_a = report.size_px.y),
                palette().quiet}});
     }

@@ -2,6 +2,8 @@
 // properties that hold for any lens.
 #include "frame/depth/fighting.h"
 
+#include "frame/depth/pair_prediction.h"
+
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
@@ -127,49 +129,80 @@ TEST(FightingOnset, OfDistancesOutsideIsThatOfTheNearestInside) {
     EXPECT_FALSE(fighting_onset(coding, 1.0).is_reachable) << "nothing is nearer than near";
 }
 
-TEST(FightingShare, OfTiesFallsWithTheGap) {
-    const FightingOnset onset{.quantisation = 0.2, .arithmetic = 0.1, .is_reachable = true};
-    EXPECT_EQ(share_of_ties(onset, 0.0), 1.0);
-    EXPECT_NEAR(share_of_ties(onset, 0.05), 0.75, 1e-12);
-    EXPECT_EQ(share_of_ties(onset, 0.2), 0.0);
-    EXPECT_EQ(share_of_ties(onset, 5.0), 0.0);
-    EXPECT_EQ(share_of_ties({}, 0.0), 0.0);
+TEST(FightingShare, OfTiesFallsWithTheGapAndWidensWithArithmetic) {
+    const auto expect = [](const ShareInterval& share, double least, double most) {
+        EXPECT_NEAR(share.least, least, 1e-12);
+        EXPECT_NEAR(share.most, most, 1e-12);
+    };
+    expect(share_of_random_codes(0.0, 0.0, 0.0, true), 1.0, 1.0);
+    expect(share_of_random_codes(0.25, 0.5, 0.0, true), 0.5, 0.75);
+    expect(share_of_random_codes(0.25, 0.25, 0.125, true), 0.625, 0.875);
+    expect(share_of_random_codes(1.0, 5.0, 0.0, true), 0.0, 0.0);
+    expect(share_of_random_codes(0.25, 0.25, 0.125, false), 0.0, 0.0);
+    expect(share_of_random_codes(0.25, 0.25, 0.5, false), 0.0, 0.25);
+    expect(share_of_random_codes(0.5, 0.5, 3.0, true), 0.0, 1.0);
+}
+
+/// What share a simulation of rounding finds: depths that are spread over some codes, the farther one behind by `gap`,
+/// both moved at random by arithmetic.
+TEST(FightingShare, HoldsWhateverArithmeticDoes) {
+    Random random(seed);
+    for (int trial = 0; trial < 300; ++trial) {
+        const double gap = random.number(0.0, 1.5), most = random.number(0.0, 0.6), bias = random.number(-most, most);
+        const ShareInterval said[2] = {share_of_random_codes(gap, gap, most, false),
+                                       share_of_random_codes(gap, gap, most, true)};
+        int reversed = 0, not_nearer = 0;
+        constexpr int samples = 4000;
+        for (int i = 0; i < samples; ++i) {
+            const double farther = 0.6180339887 * i;  // every phase of a code
+            const long code = std::lround(farther), nearer = std::lround(farther - gap + bias);
+            reversed += nearer > code ? 1 : 0;
+            not_nearer += nearer >= code ? 1 : 0;
+        }
+        for (const auto& [share, interval] : {std::pair{reversed, said[0]}, std::pair{not_nearer, said[1]}}) {
+            const double part = static_cast<double>(share) / samples;
+            EXPECT_GE(part, interval.least - 1e-2) << "seed " << seed << " trial " << trial;
+            EXPECT_LE(part, interval.most + 1e-2) << "seed " << seed << " trial " << trial;
+        }
+    }
+}
+
+std::optional<ShareInterval> share_of(const Scene& scene, const Params& params) {
+    return predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}), Viewport{}.size_px)
+        .wrong_share;
 }
 
 TEST(FightingPrediction, CountsTiesAsWrongWhereTheWrongOneWinsThem) {
-    // Seen from above, from 20 units; 8 bits, so that a gap of 0.1 is far below a code.
-    const std::vector<std::string> above{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0",
-                                         "depth.format=d8", "projection.far=100"};
-    const auto share_of = [&](const Scene& scene, const char* setting) {
-        std::vector<std::string> settings = above;
-        settings.emplace_back(setting);
-        const Params params = params_with(settings);
-        return predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {})).wrong_share;
+    // Seen from above, from 20 units; 8 bits, so that a gap of 0.1 is far below a code, and all of it has the same one.
+    const auto share_with = [](const Scene& scene, const char* setting) {
+        return share_of(scene, params_with({"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0",
+                                            "depth.format=d8", "projection.far=100", setting}));
     };
     const Scene back_first = scene_of({square(0.0), square(0.1)}), front_first = scene_of({square(0.1), square(0.0)});
-    EXPECT_GT(*share_of(back_first, "depth.func=less"), 0.9);
-    EXPECT_EQ(share_of(back_first, "depth.func=lequal"), 0.0);
-    EXPECT_EQ(share_of(front_first, "depth.func=less"), 0.0);
-    EXPECT_GT(*share_of(front_first, "depth.func=lequal"), 0.9);
-    for (const char* const undecided : {"depth.func=always", "depth.test=false", "depth.write=false"})
-        EXPECT_FALSE(share_of(back_first, undecided)) << undecided;
+    EXPECT_EQ(share_with(back_first, "depth.func=less")->least, 1.0);
+    EXPECT_EQ(share_with(back_first, "depth.func=lequal")->most, 0.0);
+    EXPECT_EQ(share_with(front_first, "depth.func=less")->most, 0.0);
+    EXPECT_EQ(share_with(front_first, "depth.func=lequal")->least, 1.0);
+    for (const char* const undecided : {"depth.test=false", "depth.func=always", "depth.write=false"})
+        EXPECT_FALSE(share_with(back_first, undecided)) << undecided;
 }
 
-/// A poster on a wall, seen from above, from 20 units; 8 bits unless the settings say otherwise.
-std::optional<double> share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
+/// A poster on a wall, seen from above, from 20 units, or with a pitch of its own; 8 bits unless the settings say
+/// otherwise. −1 where nothing is said, −2 where it is said no better than to a fifth.
+double share_of_decal(const std::vector<std::string>& settings, double height = 0.0) {
     std::vector<std::string> all{"camera.position=[0,20,0]", "camera.pitch=-90", "camera.yaw=0", "depth.format=d8",
                                  "projection.far=100"};
     all.insert(all.end(), settings.begin(), settings.end());
-    const Params params = params_with(all);
     SceneObject poster = square(height);
     poster.description.decal = true;
-    const Scene scene = scene_of({square(0.0), poster});
-    return predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {})).wrong_share;
+    const std::optional<ShareInterval> share = share_of(scene_of({square(0.0), poster}), params_with(all));
+    if (!share) return -1.0;
+    return share->most - share->least > 0.2 ? -2.0 : 0.5 * (share->least + share->most);
 }
 
 TEST(FightingPrediction, OfDecalsKnowsTheCures) {
     EXPECT_EQ(share_of_decal({}), 1.0);
-    EXPECT_FALSE(share_of_decal({"depth.decals=equal"}));
+    EXPECT_EQ(share_of_decal({"depth.decals=equal"}), -1.0);
     EXPECT_EQ(share_of_decal({"depth.decals=stencil"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, 0.1), 0.0);
     EXPECT_EQ(share_of_decal({"depth.decals=stencil"}, -0.1), 1.0) << "painted over the wall that hides it";
@@ -177,19 +210,24 @@ TEST(FightingPrediction, OfDecalsKnowsTheCures) {
 
 TEST(FightingPrediction, OfAnOffsetIsThatOfItsCodes) {
     // Of 8 bits the sandbox moves depth by itself: a unit is a code.
-    EXPECT_NEAR(*share_of_decal({"depth.offset.units=-0.25"}), 0.75, 1e-9);
+    const auto seen_aslant = [](const char* units) {  // over some twenty codes
+        return share_of_decal({"camera.position=[0,1.2,3.2]", "camera.pitch=-20", units});
+    };
+    EXPECT_NEAR(seen_aslant("depth.offset.units=-0.25"), 0.75, 0.05);
+    EXPECT_NEAR(seen_aslant("depth.offset.units=-0.75"), 0.25, 0.05);
+    EXPECT_EQ(share_of_decal({"depth.offset.units=-0.25"}), -1.0) << "all of it has the same code";
     EXPECT_EQ(share_of_decal({"depth.offset.units=-1"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.offset.units=1"}), 1.0);
-    EXPECT_FALSE(share_of_decal({"depth.offset.factor=-1"})) << "which goes by the slope";
+    EXPECT_EQ(share_of_decal({"depth.offset.factor=-1"}), -1.0) << "which goes by the slope";
     // GL leaves open how many codes a unit is, at least one.
-    EXPECT_FALSE(share_of_decal({"depth.format=d16", "depth.offset.units=-0.5"}));
+    EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-0.5"}), -1.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=2"}), 1.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2", "depth.mapping=reversed"}), 0.0);
     EXPECT_EQ(share_of_decal({"depth.format=d16", "depth.offset.units=-2", "depth.mapping=reversed",
                               "depth.reversed_offset=false"}),
               1.0);
-    EXPECT_FALSE(share_of_decal({"depth.format=d24", "depth.offset.units=-1"})) << "rounding may take it away";
+    EXPECT_EQ(share_of_decal({"depth.format=d24", "depth.offset.units=-1"}), -1.0) << "rounding may take it away";
 }
 
 TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
@@ -200,16 +238,17 @@ TEST(FightingPrediction, IsAbsentWhereTheFormulasDoNotSay) {
                                                {"depth.clear=false"},
                                                {"depth.write_while_clearing=false"},
                                                {"projection.far=15"}})
-        EXPECT_FALSE(share_of_decal(settings)) << settings.front();
-    EXPECT_TRUE(share_of_decal({"depth.mapping=logarithmic"}));
-    EXPECT_TRUE(share_of_decal({"depth.mapping=reversed"}));
+        EXPECT_EQ(share_of_decal(settings), -1.0) << settings.front();
+    EXPECT_EQ(share_of_decal({"depth.mapping=logarithmic"}), 1.0);
+    EXPECT_EQ(share_of_decal({"depth.mapping=reversed"}), 1.0);
 }
 
 TEST(FightingPrediction, MeasuresAlongTheLineOfSight) {
     const Scene scene = scene_of({square(0.0), square(0.1)});
     // 45° above the horizon: the same gap is √2 as long along the line of sight.
     const Params params = params_with({"camera.position=[0,10,10]", "camera.pitch=-45", "camera.yaw=0"});
-    const PairPrediction predicted = predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}));
+    const PairPrediction predicted =
+        predict_pair(near_coplanar_pairs(scene).at(0), params, derive(params, scene, {}), Viewport{}.size_px);
     EXPECT_NEAR(predicted.distance, 10.0 * std::sqrt(2.0), 1e-9);
     EXPECT_NEAR(predicted.slant, 1.0 / std::sqrt(2.0), 1e-9);
 }

@@ -1,0 +1,222 @@
+#include "frame/depth/pair_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace viewing {
+namespace {
+
+constexpr double says_nothing = 0.9;  ///< an interval as wide as this
+constexpr double fewest_codes = 2.0;  ///< that a surface crosses, for its pixels to meet a code at any place
+constexpr double most_codes_a_pixel = 0.5;
+
+ShareInterval certainly(double share) {
+    return {share, share};
+}
+
+/// What of the overlap lies within the view, in view space.
+std::vector<Polygon> seen_part(const FlatPair& pair, const Derived& derived, const Lens& lens) {
+    const glm::dmat4 rows = glm::transpose(derived.clip_from_view);
+    const glm::dvec4 planes[] = {{0.0, 0.0, -1.0, -lens.near},
+                                 {0.0, 0.0, 1.0, lens.far},
+                                 rows[3] + rows[0],
+                                 rows[3] - rows[0],
+                                 rows[3] + rows[1],
+                                 rows[3] - rows[1]};
+    std::vector<Polygon> seen;
+    for (Polygon part : pair.overlap) {
+        for (glm::dvec3& corner : part.vertices) corner = glm::dvec3(derived.view_from_world * glm::dvec4(corner, 1.0));
+        bool is_seen = true;
+        for (const glm::dvec4& plane : planes) {
+            const glm::dvec4 unit = plane / glm::length(glm::dvec3(plane));
+            const PlaneSide side = side_of_plane(part, unit, 1e-12 * lens.far);
+            if (side == PlaneSide::spanning) part = split(part, unit, 1e-12 * lens.far).first;
+            is_seen = is_seen && side != PlaneSide::back && side != PlaneSide::coplanar;
+        }
+        if (is_seen) seen.push_back(std::move(part));
+    }
+    return seen;
+}
+
+/// Where lines of sight meet a plane.
+class SeenPlane {
+public:
+    SeenPlane(const glm::dvec4& plane_world, const Derived& derived, const Lens& lens)
+        : plane_(plane_world * derived.world_from_view), clip_from_view_(derived.clip_from_view), lens_(lens) {}
+
+    /// Eye distance along the line of sight through a point in normalized device coordinates.
+    double distance(const glm::dvec2& ndc) const {
+        const glm::dvec2 scale(clip_from_view_[0][0], clip_from_view_[1][1]);
+        const glm::dvec3 normal(plane_);
+        if (lens_.orthographic) return (glm::dot(glm::dvec2(normal), ndc / scale) + plane_.w) / normal.z;
+        return -plane_.w / glm::dot(normal, glm::dvec3(ndc / scale, -1.0));
+    }
+
+private:
+    glm::dvec4 plane_;  ///< in view space
+    glm::dmat4 clip_from_view_;
+    Lens lens_;
+};
+
+/// How two surfaces lie to each other and to the codes, over all corners of what is seen of them. In codes; of a float,
+/// whose codes differ in width, by the width at each corner.
+struct SeenCodes {
+    double least_lead = 1e300, most_lead = -1e300;  ///< by how much the second one is nearer
+    double arithmetic = 0.0;
+    bool has_cleared_code = false;                    ///< so that GL_LESS lets none of it pass
+    double least_place = 1e300, most_place = -1e300;  ///< of the depths of both, as codes before they are rounded
+    glm::dvec2 least_slope{1e300}, most_slope{0.0};   ///< of the first one's depth, a pixel, along x and y
+    glm::dvec2 least_ndc{1e300}, most_ndc{-1e300};
+    glm::dvec2 size_px{1.0};
+
+    /// Both have one and the same code everywhere.
+    bool is_one_code() const { return std::round(least_place - arithmetic) == std::round(most_place + arithmetic); }
+
+    /// How far the share of the pixels can be from the share of all phases of a code: a depth that is linear over a
+    /// polygon has a density with one maximum, of twice the mean at most, and is sampled once a pixel.
+    ShareInterval widened(const ShareInterval& share) const {
+        double deviation = 1e300;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double codes = least_slope[axis] * 0.5 * (most_ndc[axis] - least_ndc[axis]) * size_px[axis];
+            if (codes >= fewest_codes && most_slope[axis] <= most_codes_a_pixel)
+                deviation = std::min(deviation, 2.0 / codes + 2.0 * most_slope[axis]);
+        }
+        const auto of = [deviation](double s) { return s > 0.0 && s < 1.0 ? deviation * s * (1.0 - s) : 0.0; };
+        return {std::max(share.least - of(share.least), 0.0), std::min(share.most + of(share.most), 1.0)};
+    }
+};
+
+SeenCodes seen_codes(const FlatPair& pair, std::span<const Polygon> seen, const DepthCoding& coding,
+                     const Derived& derived, double span, glm::ivec2 size_px) {
+    const Lens& lens = coding.lens;
+    const SeenPlane first(glm::dvec4(pair.normal_world, -glm::dot(pair.normal_world, pair.center_world)), derived,
+                          lens);
+    const SeenPlane second(pair.second_plane_world, derived, lens);
+    const double towards_eye = coding.mapping == DepthMapping::reversed ? 1.0 : -1.0;
+    const auto depth_of = [&](const SeenPlane& plane, const glm::dvec2& ndc) {
+        return window_depth(lens, coding.mapping, plane.distance(ndc));
+    };
+    SeenCodes made;
+    made.size_px = size_px;
+    for (const Polygon& part : seen) {
+        for (const glm::dvec3& corner : part.vertices) {
+            const glm::dvec4 clip = derived.clip_from_view * glm::dvec4(corner, 1.0);
+            const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
+            const double depth = depth_of(first, ndc), second_depth = depth_of(second, ndc);
+            const double code = code_width(coding.precision, depth);
+            const double lead = pair.offset == 0.0 ? 0.0 : towards_eye * (second_depth - depth) / code;
+            made.least_lead = std::min(made.least_lead, lead);
+            made.most_lead = std::max(made.most_lead, lead);
+            made.least_place = std::min({made.least_place, depth / code, second_depth / code});
+            made.most_place = std::max({made.most_place, depth / code, second_depth / code});
+            const double rounding = depth_rounding(coding, -corner.z, span);
+            made.arithmetic = std::max(made.arithmetic, rounding / code);
+            const double farthest = towards_eye < 0.0 ? 1.0 : 0.0;
+            made.has_cleared_code |= std::min(std::abs(depth - farthest), std::abs(second_depth - farthest)) <=
+                                     0.5 * code_width(coding.precision, farthest) + rounding;
+            for (int axis = 0; axis < 2; ++axis) {
+                glm::dvec2 beside = ndc;
+                beside[axis] += 2.0 / made.size_px[axis];
+                const double slope = std::abs(depth_of(first, beside) - depth) / code;
+                made.least_slope[axis] = std::min(made.least_slope[axis], slope);
+                made.most_slope[axis] = std::max(made.most_slope[axis], slope);
+            }
+            made.least_ndc = glm::min(made.least_ndc, ndc);
+            made.most_ndc = glm::max(made.most_ndc, ndc);
+        }
+    }
+    return made;
+}
+
+/// Whether every pass begins with the farthest depth, and nearer surfaces replace farther ones.
+bool goes_by_nearness(const DepthParams& depth) {
+    const bool is_cleared =
+        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
+    const bool has_func = depth.func == CompareFunc::less || depth.func == CompareFunc::lequal;
+    return depth.test && depth.write && is_cleared && has_func;
+}
+
+/// A decal drawn where the stencil says that what it lies on is seen.
+std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right,
+                                                    const std::vector<int>& marks) {
+    const auto first = static_cast<std::size_t>(pair.first), second = static_cast<std::size_t>(pair.second);
+    const bool belong_together = pair.has_one_decal() && std::max(first, second) < marks.size() && marks[first] != 0 &&
+                                 marks[first] == marks[second];
+    if (!belong_together) return std::nullopt;
+    return certainly(decal_is_right ? 0.0 : 1.0);
+}
+
+/// One of the two is moved by a polygon offset. A unit is at least a code; GL leaves open how many, except that the
+/// sandbox itself moves depths of few bits, by one. `lead` and `most_lead` are how many codes the right one is nearer
+/// without it.
+std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, bool decal_is_right, bool tie_is_wrong,
+                                                     double lead, double most_lead, const SeenCodes& codes) {
+    const bool turns = depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
+    const double to_right_one = (turns ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
+    const double units = depth.offset.units * to_right_one, factor = depth.offset.factor * to_right_one;
+    const bool moves_codes = precision_of(depth.format).bits < 16 && factor == 0.0;
+    if (moves_codes && codes.is_one_code() && units == std::round(units))
+        return certainly(units >= (tie_is_wrong ? 1.0 : 0.0) ? 0.0 : 1.0);
+    if (moves_codes)
+        return codes.widened(share_of_random_codes(lead + units, most_lead + units, codes.arithmetic, tie_is_wrong));
+    const double surely = 1.0 + codes.arithmetic;
+    if (factor >= 0.0 && units > 0.0 && lead + units >= surely) return certainly(0.0);
+    if (factor <= 0.0 && units < 0.0 && most_lead + units <= -surely) return certainly(1.0);
+    return std::nullopt;
+}
+
+std::optional<ShareInterval> wrong_share_of(const FlatPair& pair, const Params& params, const Derived& derived,
+                                            const SeenCodes& codes) {
+    const DepthParams& depth = params.depth;
+    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
+    if (!goes_by_nearness(depth) || has_bent_depth) return std::nullopt;
+    const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top() : codes.most_lead > 0.0;
+    const double lead = second_is_right ? codes.least_lead : -codes.most_lead;
+    const double most_lead = second_is_right ? codes.most_lead : -codes.least_lead;
+    if (lead < 0.0) return std::nullopt;  // they cross
+    const bool decal_is_right = second_is_right == pair.second_is_decal;
+    const bool has_decal = pair.first_is_decal || pair.second_is_decal;
+    if (has_decal && depth.decals == DecalMethod::equal) return std::nullopt;
+    if (has_decal && depth.decals == DecalMethod::stencil)
+        return wrong_share_by_stencil(pair, decal_is_right, derived.object_marks);
+    if (depth.func == CompareFunc::less && codes.has_cleared_code) return std::nullopt;
+
+    const bool tie_is_wrong = second_is_right != (depth.func == CompareFunc::lequal);
+    if (pair.has_one_decal() && depth.offset != DepthOffset{})
+        return wrong_share_with_offset(depth, decal_is_right, tie_is_wrong, lead, most_lead, codes);
+    if (codes.is_one_code()) return certainly(tie_is_wrong ? 1.0 : 0.0);
+    return codes.widened(share_of_random_codes(lead, most_lead, codes.arithmetic, tie_is_wrong));
+}
+
+}  // namespace
+
+ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, double arithmetic_codes,
+                                    bool tie_is_wrong) {
+    const double tie = tie_is_wrong ? 1.0 : 0.0;
+    return {std::clamp(tie - most_gap_codes - arithmetic_codes, 0.0, 1.0),
+            std::clamp(tie - gap_codes + arithmetic_codes, 0.0, 1.0)};
+}
+
+PairPrediction predict_pair(const FlatPair& pair, const Params& params, const Derived& derived, glm::ivec2 size_px) {
+    const DepthCoding coding = depth_coding(params, derived);
+    const glm::dvec3 center_view(derived.view_from_world * glm::dvec4(pair.center_world, 1.0));
+    const glm::dvec3 normal_view(derived.view_from_world * glm::dvec4(pair.normal_world, 0.0));
+    PairPrediction made;
+    made.distance = -center_view.z;
+    made.step = resolvable_depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
+    // How far it reaches towards the eye, which looks along −z: nothing where the pair faces the view direction.
+    const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
+    made.onset = fighting_onset(coding, made.distance, span);
+    // Along the line of sight through the centre, for each unit of eye distance.
+    const glm::dvec3 sight =
+        coding.lens.orthographic || made.distance == 0.0 ? glm::dvec3(0.0, 0.0, -1.0) : center_view / made.distance;
+    made.slant = std::abs(glm::dot(normal_view, sight));
+    const std::vector<Polygon> seen = seen_part(pair, derived, coding.lens);
+    if (seen.empty()) return made;
+    const auto share = wrong_share_of(pair, params, derived, seen_codes(pair, seen, coding, derived, span, size_px));
+    if (share && share->most - share->least < says_nothing) made.wrong_share = share;
+    return made;
+}
+
+}  // namespace viewing
