@@ -1,20 +1,26 @@
 // Colours a fragment: lit, ambient only, one flat colour, front and back told apart, or an identity to read back.
 // Light is added in linear space and converted to sRGB here, so that no sRGB target is needed.
 //
-// FROM_PICTURE: the surface point comes from textures, one for each pixel, as a method in software found it.
+// FROM_PICTURE: the surface point comes from textures, one for each pixel, as a method in software found it, and so does
+// its depth.
 #ifdef FROM_PICTURE
 in vec2 position_texture;
-uniform highp sampler2D surface_positions;  // xyz world; w 2 where nothing is seen
+uniform highp sampler2D surface_positions;  // xyz world; w standard window depth, 2 where nothing is seen
 uniform highp sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
 uniform highp sampler2D surface_colors;     // linear; w the object's number from 1 on
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
-uniform mat4 world_from_model;
+uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[CLIP_PLANES];
-vec3 position_world = vec3(0.0), normal_world = vec3(0.0), albedo = vec3(0.0);
+uniform vec4 view_z_of_model;
+uniform vec4 view_w_of_model;
+uniform bool reverses_depth;
+vec3 position_relative = vec3(0.0), normal_world = vec3(0.0), albedo = vec3(0.0);
+float found_depth = 0.0;
+vec2 view_zw = vec2(-1.0, 1.0);
 bool is_front = false;
 #else
-in vec3 position_world;
+in vec3 position_relative;
 in vec3 normal_world;
 in vec2 position_patch;
 #endif
@@ -29,10 +35,10 @@ flat in vec2 ids;
 // one that can do everything. So are all constants that C++ has too: render/shader_constants.cpp.
 
 #ifdef LIGHTS
-uniform vec4 lights_world[LIGHTS];  // w = 1 point light, w = 0 parallel light
+uniform vec4 lights_relative[LIGHTS];  // w = 1 point light, w = 0 parallel light
 uniform float light_strength;       // of each
 #endif
-uniform vec4 eye_world;     // w = 0: parallel lines of sight, from this direction
+uniform vec4 eye_relative;     // w = 0: parallel lines of sight, from this direction
 uniform vec3 sky_world;     // unit: where ambient light is strongest
 uniform vec4 base_color;    // linear; flat shading: sRGB
 uniform float alpha;
@@ -46,16 +52,16 @@ uniform vec3 caster_tones[CASTER_COLORS];  // sRGB: casts a shadow, behind the p
 
 // The gap to the surface next to this one, against the gap that the depth buffer tells apart: frame/depth/heat_map.h.
 #if SHADING == SHADING_HEAT
-uniform mat4 heat_view_from_world;
+uniform mat4 heat_view_from_relative;
 uniform vec2 heat_near_far;
 uniform vec4 heat_onsets[HEAT_ENTRIES / 4];  // logarithms, by the logarithm of the eye distance from near to far
 uniform vec3 heat_tones[HEAT_COLORS];       // sRGB: one half from ratio 0 to below 1, the other by its powers of 2
 uniform vec4 heat_gap;                       // the unit normal in view space, and the gap along it; below 0: none
 
 vec3 heat_color() {
-    vec3 position_view = (heat_view_from_world * vec4(position_world, 1.0)).xyz;
+    vec3 position_view = (heat_view_from_relative * vec4(position_relative, 1.0)).xyz;
     float distance = max(-position_view.z, heat_near_far.x);
-    vec3 sight = eye_world.w == 0.0 ? vec3(0.0, 0.0, -1.0) : position_view / distance;
+    vec3 sight = eye_relative.w == 0.0 ? vec3(0.0, 0.0, -1.0) : position_view / distance;
     float gap = heat_gap.w / max(abs(dot(heat_gap.xyz, sight)), 1e-6);  // in eye distance
 
     float last = float(HEAT_ENTRIES - 1);
@@ -78,7 +84,9 @@ in vec2 clip_distance;
 #endif
 
 #ifdef WRITE_DEPTH
+#ifndef FROM_PICTURE
 in vec2 view_zw;
+#endif
 uniform float depth_levels;      // 2^bits - 1; 0: as precise as the buffer
 uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic
 uniform vec2 depth_offset;       // glPolygonOffset's factor, and units times the smallest step
@@ -152,12 +160,12 @@ float pow48(float x) {
 }
 
 vec3 lit_color(vec3 surface_albedo) {
-    vec3 eye = eye_world.xyz - eye_world.w * position_world;
+    vec3 eye = eye_relative.xyz - eye_relative.w * position_relative;
     // The side of the surface that is seen, from its geometry: it must not depend on winding or culling.
 #if defined(IS_PATCH)
     vec3 face = normal_world;  // it is flat
 #elif !defined(FROM_PICTURE)
-    vec3 face = cross(dFdx(position_world), dFdy(position_world));
+    vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
 #endif
     vec3 normal = normalize(normal_world);
 #ifndef FROM_PICTURE  // where it was turned already
@@ -170,8 +178,8 @@ vec3 lit_color(vec3 surface_albedo) {
 #else
     vec3 lit = surface_albedo * ambient;
     for (int light = 0; light < LIGHTS; ++light) {
-        vec4 position = lights_world[light];
-        vec3 to_light = normalize(position.xyz - position.w * position_world);
+        vec4 position = lights_relative[light];
+        vec3 to_light = normalize(position.xyz - position.w * position_relative);
         float diffuse = max(dot(normal, to_light), 0.0);
         lit += surface_albedo * (0.78 * light_strength * diffuse);
 #if !defined(IS_PATCH) || defined(HAS_GLOSS)
@@ -197,14 +205,18 @@ void fetch_surface() {
     vec4 scene = vec4(position.xyz, 1.0);
     if (position.w > 1.5) discard;
     if (dot(clip_plane_model[0], scene) < 0.0 || dot(clip_plane_model[1], scene) < 0.0) discard;
-    position_world = (world_from_model * scene).xyz;
+    position_relative = (relative_from_model * scene).xyz;
     normal_world = world_from_normal * normal.xyz;
     albedo = texelFetch(surface_colors, texel, 0).rgb;
     is_front = normal.w > 0.5;
+    found_depth = reverses_depth ? 1.0 - position.w : position.w;
+    view_zw = vec2(dot(view_z_of_model, scene), dot(view_w_of_model, scene));
 }
 #define FRONT_FACING is_front
+#define WINDOW_DEPTH found_depth
 #else
 #define FRONT_FACING gl_FrontFacing
+#define WINDOW_DEPTH gl_FragCoord.z
 #endif
 
 #if defined(FROM_PICTURE)
@@ -247,7 +259,7 @@ void main() {
     float shade = 0.30 + 0.16 * abs(normal.y * 0.35 + normal.z * 0.65);
     color = vec4(heat_gap.w < 0.0 ? vec3(shade) : heat_color(), alpha);
 #elif SHADING == SHADING_CASTER_W
-    vec4 point = vec4(position_world, 1.0);
+    vec4 point = vec4(position_relative, 1.0);
     vec3 normal = normalize(normal_world);
     float shade = 0.62 + 0.38 * abs(normal.y * 0.35 + normal.z * 0.65);
     int kind = dot(caster_w, point) <= 0.0 ? 2 : dot(caster_side, point) < 0.0 ? 1 : 0;
@@ -258,7 +270,7 @@ void main() {
     color = vec4(srgb_from_linear(lit_color(ALBEDO)), alpha);
 #endif
 #ifdef WRITE_DEPTH
-    float depth = gl_FragCoord.z;
+    float depth = WINDOW_DEPTH;
     if (logarithmic_range.x > 0.0) {
         float distance = max(-view_zw.x / view_zw.y, 1e-30);
         depth = log(distance / logarithmic_range.x) / log(logarithmic_range.y / logarithmic_range.x);

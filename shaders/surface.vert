@@ -1,5 +1,6 @@
 // Every surface of the scene: objects, their shadow, their mirror image and the plane's patch.
-// The matrices arrive complete (S and R already multiplied in, in double precision on the CPU).
+// The matrices arrive complete (S and R already multiplied in, in double precision on the CPU). What is shaded is given
+// relative to the eye, along the world's axes: far from the world's origin float32 has no places left for slopes.
 layout(location = 0) in vec3 position_model;
 layout(location = 1) in vec3 normal_model;
 #ifdef PER_VERTEX
@@ -13,10 +14,10 @@ flat out vec2 ids;
 invariant gl_Position;
 
 uniform mat4 clip_from_model;
-uniform mat4 world_from_model;
+uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 
-out vec3 position_world;
+out vec3 position_relative;
 out vec3 normal_world;
 out vec2 position_patch;
 
@@ -51,8 +52,8 @@ float logarithmic_depth(float distance) {
 void main() {
     vec4 position = vec4(position_model, 1.0);
     gl_Position = clip_from_model * position;
-    vec4 placed = world_from_model * position;
-    position_world = placed.w == 0.0 ? placed.xyz : placed.xyz / placed.w;
+    vec4 placed = relative_from_model * position;
+    position_relative = placed.w == 0.0 ? placed.xyz : placed.xyz / placed.w;
     normal_world = world_from_normal * normal_model;
     position_patch = position_model.xz;
 #ifdef PER_VERTEX

@@ -28,7 +28,49 @@ Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Sc
     return picture;
 }
 
+/// ImGui's context of the window, out of the way of another studio's.
+class OtherContext {
+public:
+    OtherContext() { ImGui::SetCurrentContext(nullptr); }
+    ~OtherContext() { ImGui::SetCurrentContext(of_window_); }
+    OtherContext(const OtherContext&) = delete;
+    OtherContext& operator=(const OtherContext&) = delete;
+
+private:
+    ImGuiContext* of_window_ = ImGui::GetCurrentContext();
+};
+
 }  // namespace
+
+Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, const GrowthViewState& shown) {
+    constexpr glm::ivec2 size_px(1920, 1200);
+    LoadedState state;
+    state.params.scene = session.params.scene;
+    state.params.coplanar = session.params.coplanar;
+    state.params.ui = session.params.ui;
+    state.params.ui.scale = 2.0;
+    state.params.view.lower_left = Topic::growth;
+    const OtherContext apart;
+    Studio studio(renderer, Session(state, session.scene()));
+    studio.workbench.arrangement.maximised = ViewName::lower_left;
+    studio.workbench.arrangement.bare = true;
+    ImGui::GetIO().MousePos = {-1e6F, -1e6F};
+    GrowthViewState& growth = studio.workbench.views.hidden.growth;
+    growth.rows = shown.rows;
+    growth.scene = shown.scene;
+    growth.of_version = studio.session.scene_version();
+    growth.shows_operations = shown.shows_operations;
+    const Studio::Surroundings surroundings{.size_px = size_px, .input = {}};
+    for (int frame = 0; frame < most_frames; ++frame) {
+        growth.wants_picture = frame == most_frames - 2;  // everything has its place by then
+        const Requests requests = studio.frame(surroundings);
+        if (!requests.view_picture) continue;
+        const Rect& rect = requests.view_picture->rect;
+        return cropped(studio.read(), static_cast<int>(rect.min.x), static_cast<int>(rect.min.y),
+                       static_cast<int>(rect.max.x), static_cast<int>(rect.max.y));
+    }
+    return Error{studio.session.message.text};
+}
 
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request) {

@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "render/renderer.h"
+#include "session/session.h"
 #include "state/presets.h"
 #include "state/scene.h"
+#include "ui/hidden/growth_view.h"
 
 namespace viewing {
 
@@ -21,5 +23,8 @@ struct PictureRequest {
 /// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);
+
+/// The chart of the costs that a view shows, drawn anew at a size that can be printed: 1920 pixels wide.
+Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, const GrowthViewState& shown);
 
 }  // namespace viewing

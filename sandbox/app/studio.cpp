@@ -80,6 +80,8 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     const HiddenPictures found = shown_.hidden ? shown_.hidden->pictures : HiddenPictures{};
     shown_.plan = plan(shown_.params, shown_.derived, found);
     shown_.problems = find_problems(shown_.params, shown_.derived, session.scene(), shown_.plan);
+    if (shown_.hidden && !answer_.is_behind())
+        if (const std::optional<Problem> wrong = painter_problem(*shown_.hidden)) shown_.problems.push_back(*wrong);
     shown_.inspected = plan(probed(shown_.params), shown_.derived, found);
     session.report(draw_views(layout, is_interactive));
     drawn_ = wanted;

@@ -14,6 +14,7 @@
 
 #include "app/events.h"
 #include "app/lost_display.h"
+#include "app/picture.h"
 #include "app/studio.h"
 #include "image/png.h"
 #include "text/catalogue.h"
@@ -140,13 +141,10 @@ void write_snapshot(const Renderer& renderer, Studio& studio) {
                 : Message{written.error(), true};
 }
 
-/// A part of the window as it was just drawn.
-void write_view_picture(Studio& studio, const ViewPicture& wanted) {
-    const Rect& rect = wanted.rect;
-    const Image part = cropped(studio.read(), static_cast<int>(rect.min.x), static_cast<int>(rect.min.y),
-                               static_cast<int>(rect.max.x), static_cast<int>(rect.max.y));
-    const Status written = write_png(wanted.file, part);
-    studio.session.message = written ? Message{say("picture written to {file}", "file"_a = wanted.file.string()), false}
+void write_view_picture(Renderer& renderer, Studio& studio, const std::filesystem::path& file) {
+    const Result<Image> chart = draw_growth_chart(renderer, studio.session, studio.workbench.views.hidden.growth);
+    const Status written = chart ? write_png(file, *chart) : Status(Error{chart.error()});
+    studio.session.message = written ? Message{say("picture written to {file}", "file"_a = file.string()), false}
                                      : Message{written.error(), true};
 }
 
@@ -189,7 +187,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             events.any = true;
         }
         if (requests.view_picture) {
-            write_view_picture(studio, *requests.view_picture);
+            write_view_picture(renderer, studio, requests.view_picture->file);
             events.any = true;
         }
         Remembered looks = memory.remembered();

@@ -25,7 +25,8 @@ Json report_as_json(const PixelReport& report) {
               {"bits", report.precision.is_float ? 32 : report.precision.bits},
               {"ndc", report.ndc_z},
               {"eye_z", of_depth(report.eye_z)},
-              {"step", of_depth(report.step)}}},
+              {"step", of_depth(report.step)},
+              {"resolvable_step", of_depth(report.resolvable_step)}}},
             {"stencil", report.stencil},
             {"object", of_surface(report.object)},
             {"facing", of_surface(report.front_facing ? "front" : "back")},
@@ -36,9 +37,13 @@ Json report_as_json(const PixelReport& report) {
 Json as_json(const std::vector<Fragment>& fragments) {
     Json list = Json::array();
     for (const Fragment& fragment : fragments) {
-        Json entry = {{"object", fragment.object}, {"eye_z", fragment.eye_z},
-                      {"stored", fragment.stored}, {"facing", fragment.front_facing ? "front" : "back"},
-                      {"passes", fragment.passes}, {"drawn", fragment.drawn}};
+        Json entry = {{"object", fragment.object},
+                      {"eye_z", fragment.eye_z},
+                      {"stored", fragment.stored},
+                      {"within", fragment.within},
+                      {"facing", fragment.front_facing ? "front" : "back"},
+                      {"passes", fragment.passes},
+                      {"drawn", fragment.drawn}};
         if (fragment.culled) entry["culled"] = true;
         if (fragment.tie) entry["tie"] = true;
         if (fragment.decided_by_rounding) entry["rounding"] = true;
@@ -76,7 +81,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     headless.require_no_errors();
     Json json = report_as_json(report);
     std::vector<Fragment> fragments = FragmentFinder(scene).at(*frame, pixel, size_px);
-    reconcile(fragments, report);
+    reconcile(fragments, report, frame->clears_depth());
     json["fragments"] = as_json(fragments);
     print(print_document(json) + "\n");
     return ExitStatus::done;
@@ -90,12 +95,14 @@ constinit const Command inspect_command{
     "colour, depth, stencil, object and all fragments at one pixel, as JSON",
     "Draws the camera view without multisampling and reads one pixel back: its "
     "colour, the depth as stored and as it is in "
-    "the eye's space, the width of one stored code there (step), the stencil "
+    "the eye's space, the width of one stored code there (step) and what can be told apart there, which for a float is "
+    "often more (resolvable_step), the stencil "
     "value, and whose surface it is. \"object\" is "
-    "null for the background and \"plane\" for the plane's patch; eye_z, step and world "
+    "null for the background, \"plane\" for the plane's patch and \"plane 2\" for a further one's; eye_z, step and "
+    "world "
     "are null where the depth is that of a cleared buffer. "
     "\"fragments\" are all surfaces on the pixel's ray in drawing order, computed: "
-    "the code that each stores, whether it "
+    "the code that each stores, how far GL's may be from it, in codes or a float's last places (within), whether it "
     "passes the tests at its turn and whether its colour is drawn; the last one "
     "drawn is what is seen. \"culled\", \"tie\" "
     "(the same code as the one it is compared with) and \"rounding\" (surfaces so close that GL's "

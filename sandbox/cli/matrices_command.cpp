@@ -25,6 +25,7 @@ Json facts_as_json(const Facts& facts, const glm::dmat4& mirror, const CastShado
             {"det_mirror", glm::determinant(mirror)},
             {"rank_shadow", rank_of(shadow)},
             {"depth_step_at_target", facts.depth_step_at_target},
+            {"resolvable_step_at_target", facts.resolvable_step_at_target},
             {"target_distance", facts.target_distance},
             {"det_shadow", glm::determinant(shadow) + 0.0},
             {"shadow_residual", shadow_residual(shadow, cast.plane_dot_light)},

@@ -1,6 +1,7 @@
 // measure: numbers measured in a frame, or on more and more polygons. Read measure_visibility.h and
 // measure_fighting.h next.
 #include <array>
+#include <limits>
 
 #include "cli/as_json.h"
 #include "cli/commands.h"
@@ -26,6 +27,7 @@ constexpr std::array<const char*, 2> format_names{"json", "csv"};
 /// The options as they were typed.
 struct Typed {
     std::optional<std::string> what, size, device, max, polygons, format, timeout;
+    bool no_times = false;
 };
 
 void declare(Options& options, Typed& typed) {
@@ -39,6 +41,8 @@ void declare(Options& options, Typed& typed) {
         "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
         "1280x720, for growth 320x240");
     options.text("--timeout", "S", typed.timeout, "Exit 8 when the measurement is not done after so many seconds");
+    options.flag("--no-times", typed.no_times,
+                 "Leave out what a clock says: the same numbers whenever they are measured, byte for byte");
     options.group("Of visibility, fighting and mirror");
     add_device_option(options, typed.device);
     options.group("Of growth");
@@ -73,6 +77,10 @@ GrowthRequest growth_request(const Options& options, const Typed& typed) {
     request.counts = counts_up_to(typed.max ? whole_option(options, "--max", *typed.max, 1, 1'000'000) : 10'000);
     const std::string kind = typed.polygons.value_or(polygon_kinds.front());
     request.scene = static_cast<GrowthScene>(choice_option(options, "--polygons", kind, polygon_kinds));
+    if (typed.no_times) {  // so that counts alone stop a method
+        request.time_budget_ms = std::numeric_limits<double>::infinity();
+        request.max_pairs = 100'000'000;
+    }
     if (typed.size) {
         const glm::ivec2 size_px = size_option(options, typed.size);
         request.width = size_px.x;
@@ -81,26 +89,48 @@ GrowthRequest growth_request(const Options& options, const Typed& typed) {
     return request;
 }
 
-Json growth_as_json(const LoadedState& state, const GrowthRequest& request, const std::vector<GrowthRow>& measured) {
+Json growth_as_json(const LoadedState& state, const GrowthRequest& request, const std::vector<GrowthRow>& measured,
+                    bool with_times) {
     Json rows = Json::array();
     for (const GrowthRow& row : measured)
         rows.push_back({{"method", growth_method_name(row.method)},
                         {"polygons", row.polygons},
                         {"time_ms", row.time_ms},
+                        {"time_least_ms", row.time_least_ms},
+                        {"time_most_ms", row.time_most_ms},
+                        {"runs", row.runs},
                         {"operation", row.operation_name},
                         {"operations", row.operations},
+                        {"pixels_painted", row.pixels_painted},
                         {"painting_ms", row.painting_ms},
                         {"build_ms", row.build_ms},
                         {"problem", row.problem.empty() ? Json() : Json(row.problem)}});
     const bool is_own = request.scene == GrowthScene::own_polygons;
-    return {{"polygons", polygon_kinds[static_cast<std::size_t>(request.scene)]},
-            {"scene", is_own ? Json(scene_name(state.params)) : Json()},
-            {"size", as_json(glm::ivec2(request.width, request.height))},
-            {"rows", std::move(rows)},
-            {"summary", growth_summary(measured)}};
+    Json json{{"polygons", polygon_kinds[static_cast<std::size_t>(request.scene)]},
+              {"scene", is_own ? Json(scene_name(state.params)) : Json()},
+              {"size", as_json(glm::ivec2(request.width, request.height))},
+              {"rows", std::move(rows)},
+              {"summary", growth_summary(measured)}};
+    if (with_times) json["times"] = growth_times(measured);
+    return json;
 }
 
-std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequest request, bool as_csv) {
+/// Without what a clock has said, at any depth.
+Json without_times(Json json) {
+    if (json.is_object())
+        for (const char* const key : {"time_ms", "time_least_ms", "time_most_ms", "runs", "painting_ms", "build_ms"})
+            json.erase(key);
+    if (json.is_structured())
+        for (Json& part : json) part = without_times(std::move(part));
+    return json;
+}
+
+std::string document(Json json, bool with_times) {
+    return print_document(with_times ? std::move(json) : without_times(std::move(json))) + "\n";
+}
+
+std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequest request, bool as_csv,
+                        bool with_times) {
     if (request.scene == GrowthScene::own_polygons) {
         const glm::ivec2 size_px(request.width, request.height);
         request.own_polygons = surface_of(scene).polygons;
@@ -108,7 +138,8 @@ std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequ
             hidden_request(state.params, derive(state.params, scene, Viewport{size_px}), size_px).viewpoint;
     }
     const std::vector<GrowthRow> rows = measure_growth(request);
-    return as_csv ? growth_csv(rows) : print_document(growth_as_json(state, request, rows)) + "\n";
+    return as_csv ? growth_csv(rows, with_times)
+                  : document(growth_as_json(state, request, rows, with_times), with_times);
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
@@ -131,13 +162,13 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     std::string text;
     if (typed.what == "growth") {
-        text = growth_text(state, scene, growth, as_csv);
+        text = growth_text(state, scene, growth, as_csv, !typed.no_times);
     } else {
         Headless headless(device_option(options, typed.device));
         const auto measure = typed.what == "fighting" ? fighting_as_json
                              : typed.what == "mirror" ? mirror_as_json
                                                       : visibility_as_json;
-        text = print_document(measure(headless, state, scene, size_px)) + "\n";
+        text = document(measure(headless, state, scene, size_px), !typed.no_times);
     }
     print(text);
     return ExitStatus::done;
@@ -154,12 +185,17 @@ constinit const Command measure_command{
     "triangles sees nowhere within a pixel. A number that a method does not have is null; problem is a sentence when "
     "it stopped at a budget. painter_keys has the wrong pixels of each sort key. culling counts fronts and backs by "
     "the eye's side of each plane and by the winding on the screen, as GL does, and what culling leaves. growth runs "
-    "the methods on more and more polygons; summary says who wins where. fighting counts, for every pair of flat "
+    "the methods on more and more polygons; summary says who does fewest operations where, times how long they took. "
+    "time_ms is without painting_ms for visibility (in the order that a method has found), for growth with it. "
+    "fighting counts, for every pair of flat "
     "objects that are nearly coplanar (parallel to a degree, a tenth of their size apart at most), the pixels where GL "
     "shows the wrong one, beside what the formulas predict: step is the width of a depth code in eye distance, "
     "quantisation one code along the pair's normal, arithmetic what float32 adds, predicted_onset_gap their sum, below "
     "which fighting begins. elsewhere has the wrong pixels outside the pairs: what a polygon offset that is too large "
-    "lets through. minimum_gap is found by drawing quads nearer and nearer to each other at the target's distance; "
+    "lets through (bleeding) and what has the cleared code (vanished). predicted_wrong_fraction is an interval that "
+    "holds whatever arithmetic does, or null; trembling_wrong_fraction is counted from 12 cameras that tremble by a "
+    "thousandth of the target's distance. minimum_gap is found by drawing quads nearer and nearer to each other at the "
+    "target's distance; "
     "null when no gap is wide enough. mirror draws the mirror image with clip distance, without clipping, with an "
     "oblique near plane, and with the camera mirrored in place of the scene: different counts the pixels without a "
     "like within 2 levels next to them in the first one's picture, worst is their largest difference, and the depths "

@@ -53,6 +53,11 @@ bool has_build(VisibilityMethod method) {
     return method == VisibilityMethod::bsp || method == VisibilityMethod::ray_cast;
 }
 
+/// Finds an order first and paints in it then; the others do both at once.
+bool has_order(VisibilityMethod method) {
+    return method == VisibilityMethod::painter || method == VisibilityMethod::newell || method == VisibilityMethod::bsp;
+}
+
 Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std::vector<Polygon>& polygons) {
     const CullCounts counts = count_facing(polygons, viewpoint, params.cull.front_face);
     const std::size_t left = culled(polygons, viewpoint, params.cull.face, params.cull.front_face).size();
@@ -109,7 +114,9 @@ private:
             params.visibility = request_.visibility;
             time_ms = time_of_gl_ms(headless_, params, derived_, scene_, request_.size_px);
         }
-        Json row{{"time_ms", time_ms}, {"build_ms", has_build(method) ? Json(result->build_ms) : Json()}};
+        Json row{{"time_ms", time_ms},
+                 {"painting_ms", has_order(method) ? Json(result->painting_ms) : Json()},
+                 {"build_ms", has_build(method) ? Json(result->build_ms) : Json()}};
         row.update(counters_as_json(result->counters));
         row["wrong_pixels"] = wrong_pixels(*result);
         row["problem"] = result->problem.empty() ? Json() : Json(result->problem);
@@ -129,11 +136,8 @@ private:
 
     /// Exact curves have numbers of their own, so there objects are compared, not polygons.
     std::int64_t wrong_pixels(const HiddenResult& result) {
-        const VisibilityParams& visibility = result.request.visibility;
         const IdImage image =
-            is_drawn_by_gl_alone(visibility.method)
-                ? headless_.drawn(polygon_ids_by_gl(headless_.renderer(), params_, derived_, scene_, result))
-                : result.image;
+            headless_.drawn(polygon_ids_drawn(headless_.renderer(), params_, derived_, scene_, result));
         if (!uses_exact_curves(result.request)) return difference(reference_, image).different;
         return difference(with_ids(reference_, objects_), with_ids(image, objects_)).different;
     }

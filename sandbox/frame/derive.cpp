@@ -49,8 +49,11 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
 
     const glm::dvec4 target_view = derived.view_from_world * glm::dvec4(camera.target, 1.0);
     derived.facts.target_distance = std::clamp(-target_view.z, lens.near, lens.far);
-    derived.facts.depth_step_at_target = resolvable_depth_step(
-        lens, params.depth.mapping, precision_of(params.depth.format), derived.facts.target_distance);
+    const DepthPrecision precision = precision_of(params.depth.format);
+    Facts& facts = derived.facts;
+    facts.depth_step_at_target = depth_step(lens, params.depth.mapping, precision, facts.target_distance);
+    facts.resolvable_step_at_target =
+        resolvable_depth_step(lens, params.depth.mapping, precision, facts.target_distance);
 }
 
 CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, ShadowSign sign,

@@ -128,6 +128,28 @@ void offset_and_clip_calls(Calls& calls, const Pass& pass, const Pass& before) {
     }
 }
 
+bool is_lit(const Pass& pass) {
+    return pass.shading == Shading::lit && pass.color_write;
+}
+
+/// What colours it: lights, where the scene is lit, the colour of a shadow, what of its colour a patch keeps.
+void color_calls(Calls& calls, const Pass& pass, const Pass& before) {
+    if (!pass.color_write) return;
+    if (is_lit(pass))
+        for (std::size_t light = 0; light < pass.lights_world.size(); ++light) {
+            const bool is_known = is_lit(before) && light < before.lights_world.size() &&
+                                  before.lights_world[light] == pass.lights_world[light];
+            if (!is_known)
+                calls.add("glUniform4f(light" + std::to_string(light + 1) + ", " +
+                          vector_text(pass.lights_world[light]) + ")");
+        }
+    const bool has_color = before.color_write && before.shading == pass.shading && before.color == pass.color;
+    if (pass.shading == Shading::flat && !has_color) calls.add("glUniform4f(color, " + vector_text(pass.color) + ")");
+    const bool is_patch = pass.subject == Subject::patch, was_patch = before.subject == Subject::patch;
+    if (is_patch && pass.shading != Shading::flat && !(was_patch && has_color))
+        calls.add("glUniform1f(alpha, " + number(pass.color.a) + ")");
+}
+
 /// What the frame before left on is put back, masks above all: glClear obeys them. The first frame finds it so anyway.
 void take_back(Calls& calls, const std::vector<Pass>& passes) {
     if (passes.empty()) return;
@@ -175,6 +197,7 @@ std::vector<std::string> gl_calls(const Pass& pass, const Pass& before) {
     offset_and_clip_calls(calls, pass, before);
     if (!pass.matrices.empty() && pass.matrices != before.matrices)
         calls.add("glUniformMatrix4fv(clip_from_world, " + pass.matrices + ")");
+    color_calls(calls, pass, before);
     static constexpr const char* draws[] = {"drawObjects()", "drawPatch()",  "drawFarSquare()",
                                             "drawInOrder()", "drawPixels()", "drawDifference()"};
     calls.add(pass.chosen == Chosen::bases    ? "drawObjectsButDecals()"

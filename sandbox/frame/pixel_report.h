@@ -23,8 +23,9 @@ struct PixelReport {
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
     DepthPrecision precision;
     double ndc_z = 0.0;
-    double eye_z = 0.0;  ///< negative in front of the camera; like step and world 0 without depth
-    double step = 0.0;   ///< width in eye z that can be told apart there: resolvable_depth_step()
+    double eye_z = 0.0;            ///< negative in front of the camera; like step and world 0 without depth
+    double step = 0.0;             ///< width in eye z of one code there: depth_step()
+    double resolvable_step = 0.0;  ///< what can be told apart there: resolvable_depth_step()
     int stencil = 0;
     glm::dvec3 world{0.0};
 };

@@ -9,6 +9,7 @@
 
 #include "frame/ground.h"
 #include "frame/plan_parts.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -125,6 +126,18 @@ std::vector<std::size_t> Level::casting_lights(std::size_t index) const {
     for (std::size_t light = 0; light < plane(index).shadows.size(); ++light)
         if (plane(index).shadows[light].reaches(eye_side(index))) lights.push_back(light);
     return lights;
+}
+
+std::string Level::mirror_symbol(std::size_t plane_index) const {
+    const bool is_turned = params.reflection.printed_by_rows && !plane(plane_index).mirror_by_hand;
+    const std::string number = derived.planes.size() > 1 ? lowered_text({plane_index + 1}) : "";
+    return "R" + number + (is_turned ? "ᵀ" : "");
+}
+
+std::string Level::shadow_symbol(std::size_t plane_index, std::size_t light) const {
+    const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
+    const std::string symbol = "S" + (has_several ? lowered_text({plane_index + 1, light + 1}) : "");
+    return plane(plane_index).shadows[light].sign < 0.0 ? "(−" + symbol + ")" : symbol;
 }
 
 int Level::region_of(std::size_t index) const {

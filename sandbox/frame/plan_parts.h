@@ -27,6 +27,7 @@ struct Level {
     glm::dmat4 scene_from_world{1.0};  ///< of the true mirrors, whatever has been put in the place of R
     std::string mirrors_name{};    ///< "2, 1": those it is seen in, the last one last; empty where there is one plane
     std::string matrices = "P V";  ///< "P V R" inside a mirror, "F P F V R" if it is the camera that is mirrored
+    std::string mirror_symbols{};  ///< " R₂ R₁": those it is seen in, the last one last
     glm::dvec4 eye_world{}, eye_scene{};  ///< w = 0: parallel lines of sight, from this direction
     std::vector<glm::dvec4> lights_world;
     glm::dvec3 sky_world = sky_scene;
@@ -42,6 +43,10 @@ struct Level {
     double eye_side(std::size_t index) const { return glm::dot(plane(index).unit_plane, eye_scene); }
     glm::dvec4 plane_towards_eye(std::size_t index) const { return plane_facing(plane(index).unit_plane, eye_scene); }
     bool is_real() const { return mirrors_met == 0; }
+    /// What is uploaded for a plane, or a light and a plane, in the lecture's letters, numbered where there are
+    /// several: "R₂", "Rᵀ" as its code fills it, "(−S₁₂)" of plane 1 and light 2 with the sign that makes w positive.
+    std::string mirror_symbol(std::size_t plane_index) const;
+    std::string shadow_symbol(std::size_t plane_index, std::size_t light) const;
     bool mirrors(std::size_t index) const;                             ///< an image is drawn for it
     std::vector<std::size_t> casting_lights(std::size_t index) const;  ///< whose shadows are drawn on it
     int region_of(std::size_t index) const;                            ///< the stencil's low bits inside its patch

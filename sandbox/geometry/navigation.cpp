@@ -194,10 +194,10 @@ Pose step(const Pose& pose, Motion& motion, const MotionInput& input, Navigation
     keep_available(motion.velocity, motion.turn_rate_deg, mode, slips);
     motion.past_pole = motion.past_pole && mode == Navigation::orbit && slips.pole_flip;
 
-    Vec3 path(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
-    if (mode != Navigation::orbit) path = Vec3(input.pan, input.dolly);
-    keep_available(path, look, mode, slips);
-    Pose result = moved(pose, motion, path, look, mode, slips);
+    Vec3 dragged(0.0), look(input.look_deg.y, input.look_deg.x, 0.0);
+    if (mode != Navigation::orbit) dragged = Vec3(input.pan, input.dolly);
+    keep_available(dragged, look, mode, slips);
+    Pose result = moved(pose, motion, dragged, look, mode, slips);
     if (mode == Navigation::orbit) {
         zoom(result, input.zoom);
         pan(result, input.pan);

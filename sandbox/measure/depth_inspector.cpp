@@ -76,7 +76,7 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
         data_.pixel = now_.at(*wishes.pixel, scene);
         if (wishes.fragments) {
             data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
-            reconcile(data_.fragments, *data_.pixel);
+            reconcile(data_.fragments, *data_.pixel, frame.clears_depth());
         }
         if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
     }

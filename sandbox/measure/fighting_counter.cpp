@@ -34,7 +34,12 @@ void FightingCounter::start(Renderer& renderer, const Scene& scene, const Questi
 }
 
 void FightingCounter::take(Result<FightingCounts> counts, const Scene& scene) {
-    if (camera_ >= 0 && counts) return take_spread(*report_, *counts);
+    if (camera_ >= 0) {
+        if (counts) return take_spread(*report_, *counts);
+        report_->problem = counts.error();
+        camera_ = spread_cameras;
+        return;
+    }
     const std::optional<MinimumGap> gap = report_ ? report_->minimum_gap : std::nullopt;
     std::string problem = counts ? "" : counts.error();
     report_ = std::make_shared<FightingReport>(fighting_report(counts ? *std::move(counts) : FightingCounts{},

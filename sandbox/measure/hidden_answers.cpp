@@ -1,18 +1,9 @@
 #include "measure/hidden_answers.h"
 
 namespace viewing {
-namespace {
-
-Result<IdImage> ids_of(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
-                       const HiddenResult& result) {
-    if (!is_drawn_by_gl_alone(result.request.visibility.method)) return result.image;
-    return polygon_ids_by_gl(renderer, params, derived, scene, result);
-}
-
-}  // namespace
-
-Result<IdImage> polygon_ids_by_gl(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+Result<IdImage> polygon_ids_drawn(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                                   const HiddenResult& result) {
+    if (draws_pixels(result.request.visibility)) return result.image;
     View view;
     return renderer.read_polygon_ids(plan_polygon_ids(params, derived, result), scene, result.request.size_px, view);
 }
@@ -20,9 +11,9 @@ Result<IdImage> polygon_ids_by_gl(Renderer& renderer, const Params& params, cons
 Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                            HiddenAnswer& answer) {
     if (!answer.other || answer.pictures.difference) return std::monostate{};
-    const Result<IdImage> camera = ids_of(renderer, params, derived, scene, *answer.camera);
+    const Result<IdImage> camera = polygon_ids_drawn(renderer, params, derived, scene, *answer.camera);
     if (!camera) return Error{camera.error()};
-    const Result<IdImage> other = ids_of(renderer, params, derived, scene, *answer.other);
+    const Result<IdImage> other = polygon_ids_drawn(renderer, params, derived, scene, *answer.other);
     if (!other) return Error{other.error()};
     add_difference(answer, *camera, *other);
     return std::monostate{};

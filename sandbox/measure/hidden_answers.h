@@ -11,8 +11,9 @@ namespace viewing {
 Status complete_difference(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                            HiddenAnswer& answer);
 
-/// The polygons that a result shows, drawn by GL with the state's depth buffer where that is its method.
-Result<IdImage> polygon_ids_by_gl(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
+/// The polygons that a result shows, as they are drawn: by GL, with the state's depth buffer where that is the method,
+/// or pixel by pixel as the method found them.
+Result<IdImage> polygon_ids_drawn(Renderer& renderer, const Params& params, const Derived& derived, const Scene& scene,
                                   const HiddenResult& result);
 
 /// The camera view's frame with everything that its method finds; takes as long as the method does.

@@ -51,7 +51,8 @@ PixelReport PixelProbe::at(glm::ivec2 pixel, const Scene& scene) const {
     const Lens& lens = plan_.lens;
     const double distance = distance_of_window_depth(lens, plan_.depth_mapping, report.window_depth);
     report.eye_z = -distance;
-    report.step = resolvable_depth_step(lens, plan_.depth_mapping, report.precision, distance);
+    report.step = depth_step(lens, plan_.depth_mapping, report.precision, distance);
+    report.resolvable_step = resolvable_depth_step(lens, plan_.depth_mapping, report.precision, distance);
     const glm::dvec2 ndc = (glm::dvec2(at) + 0.5) / glm::dvec2(size_px) * 2.0 - 1.0;
     const double half_height =
         lens.orthographic ? lens.height * 0.5 : std::tan(glm::radians(lens.fovy_deg) * 0.5) * distance;

@@ -35,16 +35,18 @@ struct SurfaceKind {
     auto operator<=>(const SurfaceKind&) const = default;
 };
 
-/// shaders/surface.*: `WRITE_DEPTH` is for depths the fixed pipeline cannot store by itself (few bits, logarithmic).
+/// shaders/surface.*: relative means along the world's axes, from relative_origin() in surface_uniforms.h on.
+/// `WRITE_DEPTH` is for depths the fixed pipeline cannot store by itself (few bits, logarithmic,
+/// found by a method in software).
 struct SurfaceProgram : ShaderProgram {
     Uniform<glm::mat4> clip_from_model{*this, "clip_from_model"};
-    Uniform<glm::mat4> world_from_model{*this, "world_from_model"};
+    Uniform<glm::mat4> relative_from_model{*this, "relative_from_model"};
     Uniform<glm::mat3> world_from_normal{*this, "world_from_normal"};
     Uniform<glm::vec4, most_clip_planes> clip_plane_model{*this, "clip_plane_model"};
 
-    Uniform<glm::vec4, most_lights> lights_world{*this, "lights_world"};
+    Uniform<glm::vec4, most_lights> lights_relative{*this, "lights_relative"};
     Uniform<float> light_strength{*this, "light_strength"};
-    Uniform<glm::vec4> eye_world{*this, "eye_world"};
+    Uniform<glm::vec4> eye_relative{*this, "eye_relative"};
     Uniform<glm::vec3> sky_world{*this, "sky_world"};
     Uniform<glm::vec4> base_color{*this, "base_color"};
     Uniform<float> alpha{*this, "alpha"};
@@ -58,6 +60,7 @@ struct SurfaceProgram : ShaderProgram {
     Uniform<float> depth_levels{*this, "depth_levels"};
     Uniform<glm::vec2> logarithmic_range{*this, "logarithmic_range"};
     Uniform<glm::vec2> depth_offset{*this, "depth_offset"};
+    Uniform<bool> reverses_depth{*this, "reverses_depth"};
     Uniform<glm::vec2> vertex_near_far{*this, "vertex_near_far"};
 
     Uniform<Sampler> surface_positions{*this, "surface_positions"};
@@ -76,7 +79,7 @@ struct SurfaceProgram : ShaderProgram {
     Uniform<glm::vec4> caster_side{*this, "caster_side"};
     Uniform<glm::vec3, caster_colors.size()> caster_tones{*this, "caster_tones"};
 
-    Uniform<glm::mat4> heat_view_from_world{*this, "heat_view_from_world"};
+    Uniform<glm::mat4> heat_view_from_relative{*this, "heat_view_from_relative"};
     Uniform<glm::vec2> heat_near_far{*this, "heat_near_far"};
     Uniform<glm::vec4, HeatMap::entry_count / 4> heat_onsets{*this, "heat_onsets"};
     Uniform<glm::vec3, heat_colors.size()> heat_tones{*this, "heat_tones"};

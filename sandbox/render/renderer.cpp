@@ -131,7 +131,7 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
         programs.surface({.shading = shading,
                           .is_patch = is_patch,
                           .clips = !pass.clip_planes.empty(),
-                          .write_depth = frame.writes_depth && has_vertices,
+                          .write_depth = frame.writes_depth || !has_vertices,
                           .source = source,
                           .mask_test = mask.tests,
                           .mask_write = mask.writes,

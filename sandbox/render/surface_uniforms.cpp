@@ -9,19 +9,32 @@
 namespace viewing {
 namespace {
 
+/// The translation that brings a point to the origin.
+glm::dmat4 moved_to_origin(const glm::dvec3& point) {
+    glm::dmat4 made(1.0);
+    made[3] = glm::dvec4(-point, 1.0);
+    return made;
+}
+
+/// A plane of the world, to be multiplied by relative points.
+glm::dvec4 for_relative(const glm::dvec4& plane_world, const Pass& pass) {
+    return {glm::dvec3(plane_world), glm::dot(plane_world, glm::dvec4(relative_origin(pass), 1.0))};
+}
+
 void set_lights(const SurfaceProgram& program, const Pass& pass) {
+    const glm::dmat4 relative_from_world = moved_to_origin(relative_origin(pass));
     std::array<glm::vec4, most_lights> lights;
     const std::size_t count = pass.lights_world.size();
-    std::copy(pass.lights_world.begin(), pass.lights_world.end(), lights.begin());
-    program.lights_world.set_first(std::span(lights).first(count));
+    for (std::size_t light = 0; light < count; ++light) lights[light] = relative_from_world * pass.lights_world[light];
+    program.lights_relative.set_first(std::span(lights).first(count));
     program.light_strength.set(pass.light_strength);
-    program.eye_world.set(pass.eye_world);
+    program.eye_relative.set(relative_from_world * pass.eye_world);
     program.sky_world.set(pass.sky_world);
 }
 
 /// A plan without a heat map has no pairs either. Read frame/depth/heat_map.h for its numbers.
 void set_heat(const SurfaceProgram& program, const FramePlan& plan, const Pass& pass) {
-    program.heat_view_from_world.set(pass.view_from_world);
+    program.heat_view_from_relative.set(pass.view_from_world * glm::inverse(moved_to_origin(relative_origin(pass))));
     program.heat_tones.set_first(srgb(heat_colors));
     if (!plan.heat) return;
     program.heat_near_far.set(glm::dvec2(plan.heat->near, plan.heat->far));
@@ -36,9 +49,17 @@ void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
     const double levels = precision_of(plan.depth_format).greatest_code();
     program.depth_levels.set(stores_fewer_bits(plan.depth_format) ? static_cast<int>(levels) : 0);
     program.logarithmic_range.set(glm::dvec2(logarithmic ? plan.lens.near : 0.0, plan.lens.far));
+    program.reverses_depth.set(plan.depth_mapping == DepthMapping::reversed);
 }
 
 }  // namespace
+
+glm::dvec3 relative_origin(const Pass& pass) {
+    if (pass.eye_world.w != 0.0) return glm::dvec3(pass.eye_world) / pass.eye_world.w;
+    const glm::dmat3 turned(pass.view_from_world);
+    if (glm::determinant(turned) == 0.0) return glm::dvec3(0.0);
+    return glm::inverse(turned) * -glm::dvec3(pass.view_from_world[3]);
+}
 
 bool stores_fewer_bits(DepthFormat format) {
     return precision_of(format).bits < 16;
@@ -56,27 +77,27 @@ void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const 
     program.back_color.set(srgb(back_color));
     if (pass.subject == Subject::patch) program.patch_extent.set(plan.patches[pass.plane].extent);
     if (pass.shading == Shading::caster_w) {
-        program.caster_w.set(plan.caster_w);
-        program.caster_side.set(plan.caster_side);
+        program.caster_w.set(for_relative(plan.caster_w, pass));
+        program.caster_side.set(for_relative(plan.caster_side, pass));
         program.caster_tones.set_first(srgb(caster_colors));
     }
     program.vertex_near_far.set(glm::dvec2(plan.lens.near, plan.lens.far));
     if (frame.shading_of(pass) == Shading::heat) set_heat(program, plan, pass);
-    if (frame.writes_depth) set_depth(program, plan);
+    if (frame.writes_depth || pass.subject == Subject::pixels) set_depth(program, plan);
 }
 
 void set_placement(const SurfaceProgram& program, const FrameState& frame, const Pass& pass,
                    const glm::dmat4& world_from_model) {
     const glm::dmat4 placed_from_model = pass.world_from_scene * world_from_model;
     program.clip_from_model.set(pass.clip_from_world * placed_from_model);
-    program.world_from_model.set(placed_from_model);
+    program.relative_from_model.set(moved_to_origin(relative_origin(pass)) * placed_from_model);
     if (pass.shading != Shading::flat) program.world_from_normal.set(normal_matrix(glm::dmat3(placed_from_model)));
     std::array<glm::vec4, most_clip_planes> planes_model;
     planes_model.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));  // which nothing lies behind
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
         planes_model[plane] = glm::vec4(pass.clip_planes[plane] * world_from_model);
     program.clip_plane_model.set_first(planes_model);
-    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex()) return;
+    if (!frame.writes_depth && !frame.plan.has_logarithm_per_vertex() && pass.subject != Subject::pixels) return;
     const glm::dmat4 rows = glm::transpose(pass.view_from_world * placed_from_model);
     program.view_z_of_model.set(rows[2]);
     program.view_w_of_model.set(rows[3]);

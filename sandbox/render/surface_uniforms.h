@@ -18,6 +18,10 @@ struct FrameState {
     Shading shading_of(const Pass& pass) const { return identify.value_or(pass.shading); }
 };
 
+/// What relative positions are relative to, world space: the eye, of an orthographic camera its place. Any point near
+/// what is seen would do; the origin for a view without an inverse.
+glm::dvec3 relative_origin(const Pass& pass);
+
 /// Formats that GL does not have are kept exactly inside 24 bits.
 bool stores_fewer_bits(DepthFormat format);
 

@@ -784,6 +784,14 @@ const Field all_fields[] = {
      .step = 1,
      .help = "Stops the frame after this pass, from 0 on, to see what each one leaves in colour, depth and stencil; −1 "
              "draws all of them."},
+    {.path = "view.derivation_step",
+     .place = IN(view.derivation_step),
+     .label = "derivation step",
+     .min = -1,
+     .max = 1000,
+     .step = 1,
+     .help =
+         "How many lines of the derivation of shadow or mirror image are written, from 0 on; −1 writes all of them."},
     {.path = "view.lower_left",
      .place = IN(view.lower_left),
      .label = "lower left",

@@ -59,6 +59,7 @@ struct ViewParams {
     int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them
     int triangle = -1;                ///< and after so many of its triangles; −1: all of them
     int pass = -1;                    ///< the frame stops after this pass, from 0 on; −1: it does not
+    int derivation_step = -1;         ///< lines of a derivation that are written, from 0 on; −1: all of them
     Topic lower_left = Topic::automatic, lower_right = Topic::automatic;
     bool operator==(const ViewParams&) const = default;
 };

@@ -116,6 +116,14 @@ std::string raised_text(int value) {
     return text;
 }
 
+std::string lowered_text(std::initializer_list<std::size_t> indices) {
+    static constexpr std::string_view digits[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    std::string text;
+    for (const std::size_t index : indices)
+        for (const char digit : std::to_string(index)) text += digits[digit - '0'];
+    return text;
+}
+
 std::string number_text(double value, int decimals) {
     return std::string(number_chars(value, decimals, Tiny::exponent).view());
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,9 @@ std::string grouped_number(std::int64_t number);
 
 /// A whole number raised: 24 → "²⁴", −5 → "⁻⁵".
 std::string raised_text(int value);
+
+/// Indices lowered: "₁₂" for 1 and 2.
+std::string lowered_text(std::initializer_list<std::size_t> indices);
 
 // ---- for code and files --------------------------------------------------------------------------------------------
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <utility>
 
 namespace viewing {
 namespace {
@@ -31,6 +33,35 @@ IdDifference difference(const IdImage& reference, const IdImage& image) {
         }
     }
     return result;
+}
+
+std::optional<WrongPair> worst_pair(const IdImage& reference, const IdImage& image) {
+    const IdDifference found = difference(reference, image);
+    std::map<std::pair<int, int>, WrongPair> pairs;
+    std::int64_t all = 0;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const std::size_t pixel = image.index(x, y);
+            const int seen = reference.ids[pixel], drawn = image.ids[pixel];
+            if (found.differs[pixel] == 0 || seen == IdImage::background || drawn == IdImage::background) continue;
+            WrongPair& pair = pairs[{seen, drawn}];
+            pair.seen = seen;
+            pair.drawn = drawn;
+            pair.x += x + 0.5;
+            pair.y += y + 0.5;
+            ++pair.pixels;
+            ++all;
+        }
+    }
+    if (pairs.empty()) return std::nullopt;
+    WrongPair worst = std::max_element(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
+                          return a.second.pixels < b.second.pixels;
+                      })->second;
+    worst.all_pixels = all;
+    worst.compared = found.compared;
+    worst.x /= static_cast<double>(worst.pixels * image.width);
+    worst.y /= static_cast<double>(worst.pixels * image.height);
+    return worst;
 }
 
 IdImage with_ids(IdImage image, std::span<const int> new_id) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,18 @@ struct IdDifference {
 
 /// Compares ids. Both images have the same size.
 IdDifference difference(const IdImage& reference, const IdImage& image);
+
+/// The two polygons of which the one that is hidden was drawn over the other one in most of the pixels that differ.
+struct WrongPair {
+    int seen = -1, drawn = -1;    ///< sources: what the reference shows, and what was drawn there
+    std::int64_t pixels = 0;      ///< of this pair
+    std::int64_t all_pixels = 0;  ///< of all pairs
+    std::int64_t compared = 0;    ///< of the picture
+    double x = 0.0, y = 0.0;      ///< the middle of the pair's pixels, as shares of the picture from the top left
+};
+
+/// None where no polygon was drawn over one that is seen.
+std::optional<WrongPair> worst_pair(const IdImage& reference, const IdImage& image);
 
 /// The same picture with `new_id[id]` in place of every id, such as objects for polygons.
 IdImage with_ids(IdImage image, std::span<const int> new_id);

@@ -133,15 +133,17 @@ std::string sentence_of(const FailureView& result, PainterKey key) {
                    "views"_a = result.views_tried);
     const char* const sentence = result.cancelled
                                      ? marked(
-                                           "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
-                                           "{pitch}°. Views tried before the search was cancelled: {views}.")
+                                           "Sorting by {key} draws about {share} of the picture wrong at yaw {yaw}°, "
+                                           "pitch {pitch}°. Views tried before the search was cancelled: {views}.")
                                      : marked(
-                                           "Sorting by {key} draws {wrong} of {all} pixels wrong at yaw {yaw}°, pitch "
-                                           "{pitch}°. Views tried: {views}.");
-    return say_with(sentence, fmt::make_format_args(
-                                  "key"_a = key_name, "wrong"_a = result.wrong_pixels, "all"_a = result.compared,
-                                  "yaw"_a = number_text(result.view.yaw_deg, 1),
-                                  "pitch"_a = number_text(result.view.pitch_deg, 1), "views"_a = result.views_tried));
+                                           "Sorting by {key} draws about {share} of the picture wrong at yaw {yaw}°, "
+                                           "pitch {pitch}°. Views tried: {views}.");
+    // Searched in small pictures: a count of their pixels would stand beside the count of the view's.
+    const double share = static_cast<double>(result.wrong_pixels) / static_cast<double>(result.compared);
+    return say_with(sentence, fmt::make_format_args("key"_a = key_name, "share"_a = percent(share),
+                                                    "yaw"_a = number_text(result.view.yaw_deg, 1),
+                                                    "pitch"_a = number_text(result.view.pitch_deg, 1),
+                                                    "views"_a = result.views_tried));
 }
 
 }  // namespace

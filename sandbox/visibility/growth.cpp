@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -14,11 +15,12 @@ namespace viewing {
 namespace {
 
 constexpr int most_polygons = 1'000'000;
-constexpr std::size_t most_runs = 99;
+constexpr std::size_t fewest_runs = 3, most_runs = 99;
 constexpr double repeat_until_ms = 40.0;
 
 WorkProgress::Clock::time_point in_ms(double ms) {
     using Clock = WorkProgress::Clock;
+    if (!std::isfinite(ms)) return Clock::time_point::max();
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(ms));
 }
 
@@ -86,7 +88,7 @@ private:
         return true;
     }
 
-    /// The median of some runs when they are short.
+    /// The median of some runs; of one where another would not fit into the budget.
     GrowthRow measure(GrowthBench& bench, GrowthMethod method, const Share& share) const {
         WorkProgress progress{.whole = progress_,
                               .begin = share.begin,
@@ -100,10 +102,15 @@ private:
             spent_ms += row.time_ms;
             if (is_late(progress) && !runs.empty()) break;  // a run that was cut short
             runs.push_back(std::move(row));
-        } while (spent_ms < enough_ms && runs.size() < most_runs && runs.back().problem.empty());
+        } while (runs.back().problem.empty() && spent_ms + runs.back().time_ms < request_.time_budget_ms &&
+                 (runs.size() < fewest_runs || (spent_ms < enough_ms && runs.size() < most_runs)));
         const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
-        std::nth_element(runs.begin(), middle, runs.end(),
-                         [](const GrowthRow& a, const GrowthRow& b) { return a.time_ms < b.time_ms; });
+        const auto is_faster = [](const GrowthRow& a, const GrowthRow& b) { return a.time_ms < b.time_ms; };
+        std::nth_element(runs.begin(), middle, runs.end(), is_faster);
+        const auto [least, most] = std::minmax_element(runs.begin(), runs.end(), is_faster);
+        middle->time_least_ms = least->time_ms;
+        middle->time_most_ms = most->time_ms;
+        middle->runs = static_cast<int>(runs.size());
         if (runs.size() == 1 && is_late(progress)) middle->problem = stopped(*middle);
         return std::move(*middle);
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 
 #include "geometry/camera.h"
 #include "geometry/projection.h"
@@ -84,9 +83,8 @@ void GrowthBench::run_painter(GrowthRow& row, WorkProgress* progress) const {
 }
 
 void GrowthBench::run_newell(GrowthRow& row, WorkProgress* progress) const {
-    const NewellOptions options{.max_fragments = request_.max_fragments,
-                                .max_pairs = std::numeric_limits<std::int64_t>::max(),  // the time is budget enough
-                                .max_steps = 0};
+    const NewellOptions options{
+        .max_fragments = request_.max_fragments, .max_pairs = request_.max_pairs, .max_steps = 0};
     const NewellOrder sorted = newell_order(polygons_, viewpoint_, options, progress);
     row.operations = sorted.counters.pairs;
     row.problem = sorted.problem;
@@ -123,8 +121,10 @@ void GrowthBench::run_ray_casting(GrowthRow& row, WorkProgress* progress) const 
 void GrowthBench::paint(std::span<const Polygon> drawn, std::span<const int> order, GrowthRow& row,
                         WorkProgress* progress) const {
     const Stopwatch painting;
-    rasterise(drawn, order, viewpoint_.clip_from_world(),
-              {.rule = PaintRule::overwrite, .width = width_, .height = height_}, progress);
+    const RasterResult painted =
+        rasterise(drawn, order, viewpoint_.clip_from_world(),
+                  {.rule = PaintRule::overwrite, .width = width_, .height = height_}, progress);
+    row.pixels_painted = painted.counters.pixels_written;
     row.painting_ms = painting.ms();
 }
 

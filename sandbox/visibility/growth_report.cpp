@@ -10,8 +10,6 @@
 namespace viewing {
 namespace {
 
-constexpr double clearly_slower = 1.25;
-
 std::string csv_field(std::string_view text) {
     if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
     std::string quoted = "\"";
@@ -40,12 +38,6 @@ struct Reign {
     int first, last;  ///< polygons
 };
 
-/// A winner keeps its place while no other is clearly faster: measured times tremble.
-bool keeps_place(std::span<const GrowthRow> rows, GrowthMethod reigning, GrowthMethod winner, int polygons) {
-    const GrowthRow* mine = sound_row(rows, reigning, polygons);
-    return mine != nullptr && mine->time_ms <= clearly_slower * sound_row(rows, winner, polygons)->time_ms;
-}
-
 std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
     std::vector<int> counts;
     for (const GrowthRow& row : rows) counts.push_back(row.polygons);
@@ -55,7 +47,7 @@ std::vector<Reign> reigns_of(std::span<const GrowthRow> rows) {
     for (const int count : counts) {
         const auto winner = growth_winner(rows, count);
         if (!winner) continue;
-        if (!reigns.empty() && keeps_place(rows, reigns.back().method, *winner, count)) {
+        if (!reigns.empty() && reigns.back().method == *winner) {
             reigns.back().last = count;
         } else {
             reigns.push_back({*winner, count, count});
@@ -80,8 +72,8 @@ std::string reign_text(const Reign& reign, std::span<const Reign> all) {
                "last"_a = grouped_number(reign.last));
 }
 
-/// How many times as long ten times as many polygons take, by the method's last sound row and the last one before it
-/// that has at most half its polygons.
+/// How many times as much work ten times as many polygons are, by the method's last sound row and the last one before
+/// it that has at most half its polygons.
 std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMethod method) {
     const GrowthRow *last = nullptr, *before = nullptr;
     for (const GrowthRow& row : rows) {
@@ -90,12 +82,12 @@ std::optional<double> tenfold_factor(std::span<const GrowthRow> rows, GrowthMeth
     }
     for (const GrowthRow& row : rows)
         if (last && row.method == method && row.problem.empty() && 2 * row.polygons <= last->polygons) before = &row;
-    if (before == nullptr || !(before->time_ms > 0.0) || !(last->time_ms > 0.0)) return std::nullopt;
+    if (before == nullptr || before->work() == 0 || last->work() == 0) return std::nullopt;
     const double decades = std::log10(static_cast<double>(last->polygons) / before->polygons);
-    return std::pow(last->time_ms / before->time_ms, 1.0 / decades);
+    return std::pow(static_cast<double>(last->work()) / static_cast<double>(before->work()), 1.0 / decades);
 }
 
-std::string growth_of_times(std::span<const GrowthRow> rows) {
+std::string growth_of_work(std::span<const GrowthRow> rows) {
     std::string list;
     for (std::size_t i = 0; i < growth_method_count; ++i) {
         const auto method = static_cast<GrowthMethod>(i);
@@ -103,11 +95,12 @@ std::string growth_of_times(std::span<const GrowthRow> rows) {
         if (!factor) continue;
         const std::string times = grouped_number(std::llround(*factor));
         const std::string_view name = tr_part(growth_method_name(method));
-        list += list.empty() ? say("{times} times as long for {method}", "times"_a = times, "method"_a = name)
+        list += list.empty() ? say("{times} times as many for {method}", "times"_a = times, "method"_a = name)
                              : ", " + say("{times} times for {method}", "times"_a = times, "method"_a = name);
     }
     if (list.empty()) return "";
-    return say("At the end of the curves ten times as many polygons take {list}.", "list"_a = list);
+    return say("At the end of the curves ten times as many polygons take operations in these numbers: {list}.",
+               "list"_a = list);
 }
 
 }  // namespace
@@ -126,24 +119,30 @@ std::string_view growth_operation_name(GrowthMethod method) {
     return names[static_cast<std::size_t>(method)];
 }
 
-std::string growth_csv(std::span<const GrowthRow> rows) {
-    std::string text = "method,polygons,time_ms,operation,operations,painting_ms,build_ms,problem\r\n";
+std::string growth_csv(std::span<const GrowthRow> rows, bool with_times) {
+    std::string text = "method,polygons,operation,operations,pixels_painted,problem";
+    if (with_times) text += ",time_ms,time_least_ms,time_most_ms,runs,painting_ms,build_ms";
+    text += "\r\n";
     for (const GrowthRow& row : rows) {
         text += csv_field(growth_method_name(row.method)) + ',' + std::to_string(row.polygons) + ',' +
-                shortest_number(row.time_ms) + ',' + csv_field(row.operation_name) + ',' +
-                std::to_string(row.operations) + ',' + shortest_number(row.painting_ms) + ',' +
-                shortest_number(row.build_ms) + ',' + csv_field(row.problem) + "\r\n";
+                csv_field(row.operation_name) + ',' + std::to_string(row.operations) + ',' +
+                std::to_string(row.pixels_painted) + ',' + csv_field(row.problem);
+        if (with_times)
+            text += ',' + shortest_number(row.time_ms) + ',' + shortest_number(row.time_least_ms) + ',' +
+                    shortest_number(row.time_most_ms) + ',' + std::to_string(row.runs) + ',' +
+                    shortest_number(row.painting_ms) + ',' + shortest_number(row.build_ms);
+        text += "\r\n";
     }
     return text;
 }
 
 std::optional<GrowthMethod> growth_winner(std::span<const GrowthRow> rows, int polygons) {
-    const GrowthRow* fastest = nullptr;
+    const GrowthRow* least = nullptr;
     for (const GrowthRow& row : rows) {
         if (row.polygons != polygons || !row.problem.empty() || !is_always_right(row.method)) continue;
-        if (fastest == nullptr || row.time_ms < fastest->time_ms) fastest = &row;
+        if (least == nullptr || row.work() < least->work()) least = &row;
     }
-    return fastest != nullptr ? std::optional(fastest->method) : std::nullopt;
+    return least != nullptr ? std::optional(least->method) : std::nullopt;
 }
 
 std::string growth_summary(std::span<const GrowthRow> rows) {
@@ -151,12 +150,39 @@ std::string growth_summary(std::span<const GrowthRow> rows) {
     if (reigns.empty()) return {};
     std::string list;
     for (const Reign& reign : reigns) list += (list.empty() ? "" : ", ") + reign_text(reign, reigns);
-    std::string text = say("Fastest of the methods that are always right: {list}.", "list"_a = list);
+    std::string text =
+        say("Fewest operations of the methods that are always right, painting among them: {list}.", "list"_a = list);
     const bool walk_wins = std::any_of(reigns.begin(), reigns.end(),
                                        [](const Reign& reign) { return reign.method == GrowthMethod::bsp_walk; });
     if (walk_wins) text += std::string(" ") + tr("The tree is built beforehand, once for every eye.");
-    const std::string growth = growth_of_times(rows);
+    const std::string growth = growth_of_work(rows);
     return growth.empty() ? text : text + " " + growth;
+}
+
+std::string growth_times(std::span<const GrowthRow> rows) {
+    int count = 0;
+    for (const GrowthRow& row : rows) {
+        const auto has_row = [&](GrowthMethod method) {
+            return !is_always_right(method) || sound_row(rows, method, row.polygons) != nullptr;
+        };
+        if (has_row(GrowthMethod::newell) && has_row(GrowthMethod::bsp_walk) && has_row(GrowthMethod::z_buffer) &&
+            has_row(GrowthMethod::ray_casting))
+            count = std::max(count, row.polygons);
+    }
+    if (count == 0) return "";
+    std::string list;
+    for (std::size_t i = 0; i < growth_method_count; ++i) {
+        const auto method = static_cast<GrowthMethod>(i);
+        const GrowthRow* row = is_always_right(method) ? sound_row(rows, method, count) : nullptr;
+        if (row == nullptr) continue;
+        const std::string time =
+            say("{method} {time} ms ({least} to {most})", "method"_a = tr_part(growth_method_name(method)),
+                "time"_a = figures(row->time_ms, 2), "least"_a = figures(row->time_least_ms, 2),
+                "most"_a = figures(row->time_most_ms, 2));
+        list += (list.empty() ? "" : ", ") + time;
+    }
+    return say_count(count, "By the clock, {count} polygon, medians of some runs: {list}.",
+                     "By the clock, {count} polygons, medians of some runs: {list}.", "list"_a = list);
 }
 
 }  // namespace viewing

@@ -159,7 +159,8 @@ public:
 
 void print_curves(GrowthScene scene, const char* title) {
     const std::vector<GrowthRow> rows = measure_growth({.scene = scene});
-    std::printf("%s\n%s%s\n", title, growth_csv(rows).c_str(), growth_summary(rows).c_str());
+    std::printf("%s\n%s%s\n", title, growth_csv(rows).c_str(),
+                (growth_summary(rows) + " " + growth_times(rows)).c_str());
 }
 
 }  // namespace

@@ -54,8 +54,9 @@ TEST_F(Measure, VisibilityHasEveryMethodWithEveryNumberOrNull) {
     }
     EXPECT_EQ(measured["methods"]["ray_cast"]["rays"], 160 * 90);
     EXPECT_EQ(measured["methods"]["ray_cast"]["wrong_pixels"], 0);
-    EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0);
-    EXPECT_EQ(measured["methods"]["bsp"]["wrong_pixels"], 0);
+    // As GL draws them, which rounds corners: software_depth_buffer alone is drawn pixel by pixel.
+    EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2);
+    EXPECT_LE(measured["methods"]["bsp"]["wrong_pixels"], 2);
     EXPECT_EQ(measured["methods"]["software_depth_buffer"]["wrong_pixels"], 0);
     EXPECT_LE(measured["methods"]["depth_buffer"]["wrong_pixels"], 2);
     EXPECT_GT(measured["methods"]["none"]["wrong_pixels"], 100);
@@ -81,7 +82,7 @@ TEST_F(Measure, PainterUsesTheStatesKey) {
         const Json measured = visibility({"--size", "160x90", "--set", std::string("visibility.sort_key=") + key,
                                           "--set", "visibility.step=2", "--set", "visibility.method=newell"});
         EXPECT_EQ(measured["methods"]["painter"]["wrong_pixels"], measured["painter_keys"][key]) << key;
-        EXPECT_EQ(measured["methods"]["newell"]["wrong_pixels"], 0) << "all steps, whatever the state's step is";
+        EXPECT_LE(measured["methods"]["newell"]["wrong_pixels"], 2) << "all steps, whatever the state's step is";
     }
 }
 
@@ -111,7 +112,20 @@ TEST_F(Measure, GrowthHasARowForEveryMethodAndCount) {
     }
     EXPECT_EQ(counts, (std::set<int>{10, 30, 50}));
     EXPECT_EQ(measured["rows"].size(), 3U * 6U);
-    EXPECT_TRUE(measured["summary"].get<std::string>().starts_with("Fastest")) << measured["summary"];
+    EXPECT_TRUE(measured["summary"].get<std::string>().starts_with("Fewest")) << measured["summary"];
+    EXPECT_TRUE(measured["times"].get<std::string>().starts_with("By the clock, 50 polygons")) << measured["times"];
+}
+
+TEST_F(Measure, WithoutTimesIsTheSameByteForByte) {
+    const std::vector<std::vector<std::string>> commands{
+        {"measure", "--what", "growth", "--max", "100", "--size", "32x24", "--no-times"},
+        {"measure", "--what", "growth", "--max", "100", "--size", "32x24", "--no-times", "--format", "csv"},
+        {"measure", "cyclic-overlap", "--what", "visibility", "--size", "32x24", "--no-times"}};
+    for (const std::vector<std::string>& command : commands) {
+        const std::string first = expect(0, command).out;
+        EXPECT_EQ(first, expect(0, command).out);
+        EXPECT_EQ(first.find("_ms"), std::string::npos) << first;
+    }
 }
 
 TEST_F(Measure, GrowthAsCsvHasALineForEveryRow) {
@@ -119,7 +133,9 @@ TEST_F(Measure, GrowthAsCsvHasALineForEveryRow) {
     std::istringstream lines(ended.out);
     std::string line;
     ASSERT_TRUE(std::getline(lines, line));
-    EXPECT_EQ(line, "method,polygons,time_ms,operation,operations,painting_ms,build_ms,problem\r");
+    EXPECT_EQ(line,
+              "method,polygons,operation,operations,pixels_painted,problem,time_ms,time_least_ms,time_most_ms,runs,"
+              "painting_ms,build_ms\r");
     int rows = 0;
     while (std::getline(lines, line)) ++rows;
     EXPECT_EQ(rows, 6);

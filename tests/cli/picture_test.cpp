@@ -286,7 +286,7 @@ TEST_F(Inspect, ListsTheFragmentsInDrawingOrder) {
     for (const auto& fragment : fragments) {
         std::string names;
         for (const auto& [name, value] : fragment.items()) names += name + " ";
-        EXPECT_EQ(names, "object eye_z stored facing passes drawn ");
+        EXPECT_EQ(names, "object eye_z stored within facing passes drawn ");
         if (fragment.at("drawn") == true) last = &fragment;
     }
     ASSERT_NE(last, nullptr);

@@ -29,9 +29,11 @@ std::vector<SurfaceKind> surface_kinds() {
         for (const Shading shading : all_shadings) {
             if (shading == Shading::polygon_identity && source != Source::vertices) continue;
             SurfaceKind kind{.shading = shading, .source = source, .lights = shading == Shading::lit ? 1U : 0U};
+            kind.write_depth = source == Source::picture;  // the fixed pipeline has no depth for it
             kinds.push_back(kind);
             kind.clips = kind.mask_test = kind.mask_write = true;
-            kind.write_depth = kind.logarithm_per_vertex = kind.forces_sign = source != Source::picture;
+            kind.write_depth = true;
+            kind.logarithm_per_vertex = kind.forces_sign = source != Source::picture;
             kinds.push_back(kind);
         }
     }

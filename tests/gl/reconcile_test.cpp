@@ -59,7 +59,7 @@ protected:
                 else
                     seen.worst = std::max(seen.worst, std::abs(static_cast<double>(report.stored) - one.stored));
             }
-            reconcile(fragments, report);
+            reconcile(fragments, report, frame.clears_depth());
             const int last = last_drawn(fragments);
             EXPECT_EQ(last < 0 ? "" : fragments[static_cast<std::size_t>(last)].object, report.object);
             if (last < 0) continue;
@@ -85,6 +85,36 @@ TEST_F(Reconcile, WhatIsSeenIsWhatIsReadBack) {
 TEST_F(Reconcile, WithoutClipControlToo) {
     const Seen seen = compare("fighting-reversed-clip-range", DepthFormat::d32f);
     EXPECT_GT(seen.surfaces, 200);
+}
+
+TEST_F(Reconcile, ComparesWithWhatTheFrameBeforeHasLeft) {
+    for (const CompareFunc func : {CompareFunc::less, CompareFunc::lequal}) {
+        Params params = probed(load_state("depth-not-cleared")->params);
+        params.depth.func = func;
+        const Scene scene = testing::scene_named("torus-and-boxes");
+        const Derived derived = derive_for(params, scene, size_px);
+        const FramePlan frame = plan(params, derived);
+        PixelProbe probe;
+        ASSERT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
+        const FragmentFinder finder(scene);
+        Random random(seed);
+        int compared = 0, blamed = 0;
+        for (int trial = 0; trial < pixels; ++trial) {
+            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
+            const PixelReport report = probe.at(pixel, scene);
+            std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
+            reconcile(fragments, report, frame.clears_depth());
+            for (const Fragment& fragment : fragments) {
+                ++compared;
+                // The same picture twice: what stands there at first is what is read back at last.
+                EXPECT_EQ(fragment.compared_with, report.stored)
+                    << "seed " << seed << " pixel " << pixel.x << " " << pixel.y << " " << fragment.object;
+                blamed += fragment.decided_by_rounding ? 1 : 0;
+            }
+        }
+        EXPECT_GT(compared, 400);
+        EXPECT_EQ(blamed, 0) << "nothing fights here";
+    }
 }
 
 TEST_F(Reconcile, NothingIsBlamedOnRoundingWhereNothingFights) {

@@ -1,4 +1,6 @@
 // What is on screen and what a snapshot writes are the same bytes, however often they are drawn. No references here.
+#include <set>
+
 #include "app/picture.h"
 #include "app/studio.h"
 #include "gl/gl_test.h"
@@ -82,6 +84,34 @@ TEST_F(WindowTest, RestsAfterItsFrameAndStaysAsItIs) {
     EXPECT_NE(studio.redraw_in_s(), 0.0);
     draw_frames(5);
     EXPECT_EQ(studio.read(), resting);
+}
+
+/// The chart of costs is drawn anew for its file, beside a window that goes on as it was.
+TEST_F(WindowTest, WritesACostsChartThatCanBePrinted) {
+    const LoadedState state = state_with({"view.lower_left=growth"});
+    Studio studio(renderer(), Session(state, scene_of(state)));
+    GrowthViewState& growth = studio.workbench.views.hidden.growth;
+    for (const int polygons : {10, 100, 1000})
+        growth.rows[0].push_back({.method = GrowthMethod::z_buffer,
+                                  .polygons = polygons,
+                                  .time_ms = 0.1 * polygons,
+                                  .operations = polygons});
+    const Studio::Surroundings surroundings{.size_px = {800, 600}, .input = {}};
+    for (int frame = 0; frame < 12; ++frame) studio.frame(surroundings);
+    const Image before = studio.read();
+    const Result<Image> chart = draw_growth_chart(renderer(), studio.session, growth);
+    ASSERT_TRUE(chart) << chart.error();
+    EXPECT_GE(chart->width, 1600);
+    EXPECT_GE(chart->height, 700);
+    std::set<std::uint32_t> colors;
+    for (int y = 0; y < chart->height; ++y)
+        for (int x = 0; x < chart->width; ++x) {
+            const std::uint8_t* at = chart->row(y) + 4 * static_cast<std::size_t>(x);
+            colors.insert(at[0] | at[1] << 8 | at[2] << 16);
+        }
+    EXPECT_GT(colors.size(), 20U) << "axes, a curve and words";
+    for (int frame = 0; frame < 3; ++frame) studio.frame(surroundings);
+    EXPECT_EQ(studio.read(), before);
 }
 
 class WindowSlowTest : public WindowTest {};

@@ -41,9 +41,10 @@ protected:
     void make_report() {
         const Derived derived = derive(session.params, session.scene(), {});
         FightingCounts counts;
-        for (const FlatPair& pair : near_coplanar_pairs(session.scene())) counts.pairs.push_back({pair, 0, 12000});
+        for (const FlatPair& pair : near_coplanar_pairs(session.scene()))
+            counts.pairs.push_back({.pair = pair, .pixels = 12000});
         counts.pairs.back().wrong = 3000;
-        counts.wrong_elsewhere = 77;
+        counts.wrong_elsewhere = counts.bleeding_elsewhere = 77;
         counts.pixels_elsewhere = 1000;
         report = std::make_shared<FightingReport>(
             fighting_report(std::move(counts), session.params, derived, session.scene(), {640, 360}));
@@ -90,12 +91,26 @@ TEST_F(FightingView, HasARowForEachPairAndTheTotals) {
     EXPECT_TRUE(says("safe gap"));
 }
 
+TEST_F(FightingView, TellsIntervalSpreadAndWhatVanishes) {
+    make_report();
+    report->rows.front().predicted.wrong_share = ShareInterval{0.25, 0.605};
+    for (const double share : {0.1, 0.2, 0.6}) report->rows.front().spread.take(share);
+    report->counts.pairs.front().vanished = 1234;
+    rect.max.x = rect.min.x + 980.0F;
+    ui.frames(3);
+    EXPECT_TRUE(says("1,234 show the background"));
+    EXPECT_TRUE(says("trembling"));
+    EXPECT_NEAR(report->rows.front().spread.mean(), 0.3, 1e-12);
+    EXPECT_EQ(report->rows.front().spread.least, 0.1);
+    EXPECT_EQ(report->rows.front().spread.most, 0.6);
+}
+
 TEST_F(FightingView, PaintsOnlyWhatIsWrongInTheTroubleColor) {
     make_report();
     ui.frames(3);
     EXPECT_TRUE(paints("all pairs", palette().trouble));
     EXPECT_TRUE(paints("bleed through", palette().trouble));
-    report->counts.wrong_elsewhere = 0;
+    report->counts.wrong_elsewhere = report->counts.bleeding_elsewhere = 0;
     ui.frames(3);
     EXPECT_TRUE(paints("all pairs", palette().trouble));
     EXPECT_FALSE(paints("elsewhere 0", palette().trouble));

@@ -93,7 +93,9 @@ TEST(FragmentText, EveryTestHasItsWords) {
     EXPECT_EQ(test_text(other, bits_24).whole(), "culled");
     other = fragment(900, 812);
     other.depth.test = false;
-    EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  not sent");
+    other.is_sent = false;
+    EXPECT_EQ(test_text(other, bits_24).whole(), "not sent");
+    other.is_sent = true;
     other.passes = other.drawn = true;
     EXPECT_EQ(test_text(other, bits_24).whole(), "depth test off  drawn");
 }

@@ -220,6 +220,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "view.call",
                     "view.triangle",
                     "view.pass",
+                    "view.derivation_step",
                     "view.lower_left",
                     "view.lower_right",
                     "ui.theme",

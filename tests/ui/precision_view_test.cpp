@@ -44,11 +44,11 @@ TEST_F(PrecisionView, NearIsDraggedOnTheChartInOneStep) {
 TEST_F(PrecisionView, RaisingNearIsOneClick) {
     show(Topic::precision);
     const Params before = params;
-    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.9: with near = 3.5 the safe gap")) << trouble();
+    EXPECT_TRUE(trouble().starts_with("Nothing is nearer than 3.8: with near = 3.4 the safe gap")) << trouble();
     ui.click("lower/Raise near");
     desk.settle();
     EXPECT_EQ(differing_fields(before, params), (Paths{"projection.near"}));
-    EXPECT_EQ(params.projection.near, 3.5);
+    EXPECT_EQ(params.projection.near, 3.4);
     EXPECT_EQ(trouble(), "");
     EXPECT_FALSE(has("lower/Raise near"));
     desk.undo();
@@ -59,7 +59,7 @@ TEST_F(PrecisionView, RaisingNearIsOneClick) {
     EXPECT_TRUE(trouble().starts_with("near = 10 cuts into ")) << trouble();
     ui.click("lower/Lower near");
     desk.settle();
-    EXPECT_EQ(params.projection.near, 3.5);
+    EXPECT_EQ(params.projection.near, 3.4);
 }
 
 TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {

@@ -72,7 +72,7 @@ TEST_F(PresetsTest, ThemeAndScaleAreThePersonsAndChangeNoPreset) {
 TEST_F(PresetsTest, MendingMarksTheSentenceAsChanged) {
     Desk broken({1600, 900}, "shadow-anti");
     ASSERT_FALSE(broken.session.departs_from_preset());
-    broken.ui.click("view/mend");
+    broken.ui.click("view/Mend");
     broken.ui.frames(2);
     EXPECT_TRUE(broken.ui.has("caption/as it was"));
 }

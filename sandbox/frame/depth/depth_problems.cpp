@@ -3,7 +3,7 @@
 
 #include "frame/depth/decals.h"
 #include "frame/depth/near_advice.h"
-#include "frame/planes/object_reach.h"
+#include "frame/object_reach.h"
 #include "frame/say.h"
 #include "text/words.h"
 

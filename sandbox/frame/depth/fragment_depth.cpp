@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "frame/depth/fighting.h"
+
 namespace viewing {
 namespace {
 
@@ -78,6 +80,24 @@ double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const Pixe
     if (offset.factor != 0.0) depth += offset.factor * slope_of(plan, triangle, hit, neighbours_px);
     if (offset.units != 0.0) depth += offset.units * unit_of(plan, triangle);
     return std::clamp(depth, 0.0, 1.0) + 0.0;  // + 0: no negative zero, whose bits are great
+}
+
+double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
+                   const glm::dvec2& neighbours_px, glm::ivec2 size_px) {
+    constexpr double coarser_than_ieee = 3.0, corner_px = 1.0 / 256.0;
+    const double nearest = std::min({triangle[0].distance, triangle[1].distance, triangle[2].distance});
+    const DepthCoding coding{plan.lens, plan.depth_mapping, precision_of(plan.depth_format), plan.clip_zero_to_one};
+    const double arithmetic = depth_rounding(coding, hit.distance, hit.distance - nearest);
+    const double place_px = std::exp2(-24) * (size_px.x + size_px.y);
+    return coarser_than_ieee * arithmetic +
+           slope_of(plan, triangle, hit, neighbours_px) * (corner_px + coarser_than_ieee * place_px) +
+           std::abs(offset.units) * unit_of(plan, triangle);
+}
+
+double stored_within(double depth, double error, const DepthPrecision& precision) {
+    // Places are as wide as where the range begins: there they are narrowest.
+    const double width = code_width(precision, precision.is_float ? std::max(depth - error, 0.0) : depth);
+    return std::floor(error / width) + 1.0;
 }
 
 std::uint32_t code_of(double depth, const DepthPrecision& precision) {

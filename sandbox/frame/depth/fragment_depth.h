@@ -17,6 +17,15 @@ bool is_in_depth_range(const FramePlan& plan, const PixelTriangle& triangle, con
 double depth_of(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
                 const glm::dvec2& neighbours_px);
 
+/// How far GL's depth may be from depth_of(), before it is stored: float32 arithmetic, where each of its steps rounds
+/// up to three times as much as IEEE asks, and corners that are rounded to 1/256 of a pixel, by which a steep surface
+/// moves. An offset adds as much as its units: GL leaves open how many codes one is, up to two are expected.
+double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const PixelHit& hit, const DepthOffset& offset,
+                   const glm::dvec2& neighbours_px, glm::ivec2 size_px);
+
+/// By how many codes, of a float by how many units in the last place, two depths may differ once they are stored.
+double stored_within(double depth, double error, const DepthPrecision& precision);
+
 /// The nearest integer code, or the bits of the float.
 std::uint32_t code_of(double depth, const DepthPrecision& precision);
 

@@ -90,6 +90,7 @@ class PixelBuffers {
 public:
     PixelBuffers(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px)
         : plan_(plan),
+          size_px_(size_px),
           precision_(precision_of(plan.depth_format)),
           neighbours_px_(pixel.x % 2 == 0 ? 1.0 : -1.0, (size_px.y - 1 - pixel.y) % 2 == 0 ? 1.0 : -1.0),
           depth_(code_of(plan.clear_depth_value, precision_)) {}
@@ -103,10 +104,13 @@ public:
         made.triangle = static_cast<int>(met.place);
         made.eye_z = -met.hit.distance;
         made.window_depth = depth_of(plan_, met.triangle, met.hit, met.offset, neighbours_px_);
+        made.depth_error = depth_error(plan_, met.triangle, met.hit, met.offset, neighbours_px_, size_px_);
         made.stored = code_of(made.window_depth, precision_);
+        made.within = stored_within(made.window_depth, made.depth_error, precision_);
+        made.is_sent = gl_gets_it;
         made.front_facing = is_front(pass.cull, met.hit);
         made.culled = is_culled(pass.cull, made.front_facing);
-        made.step = resolvable_depth_step(plan_.lens, plan_.depth_mapping, precision_, met.hit.distance);
+        made.step = depth_step(plan_.lens, plan_.depth_mapping, precision_, met.hit.distance);
         made.depth = pass.depth;
         made.compared_with = depth_;
         made.tie = pass.depth.test && !made.culled && made.stored == depth_;
@@ -132,6 +136,7 @@ private:
     }
 
     const FramePlan& plan_;
+    const glm::ivec2 size_px_;
     const DepthPrecision precision_;
     const glm::dvec2 neighbours_px_;
     std::uint32_t depth_, stencil_ = 0;

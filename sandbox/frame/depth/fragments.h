@@ -19,13 +19,16 @@ struct Fragment {
     int triangle = 0;           ///< index in the object's mesh, or in the order that a method found
     double eye_z = 0.0;         ///< negative in front of the camera
     double window_depth = 0.0;  ///< 0 … 1, a decal's offset included, not rounded to a code yet
+    double depth_error = 0.0;   ///< how far GL's window depth may be from it: depth_error()
     std::uint32_t stored = 0;   ///< the integer code, or the bits of the float
+    double within = 1.0;        ///< how far GL's code may be from it: stored_within()
     bool front_facing = true;
+    bool is_sent = true;  ///< false: the method has found another surface here, and GL never gets this one
     bool culled = false;  ///< left out because of its facing
     bool passes = false;  ///< not culled, and depth and stencil let it through
     bool drawn = false;   ///< its colour is written at its turn: the last one of these is what is seen
     bool tie = false;     ///< its code is the one that it is compared with
-    double step = 0.0;    ///< resolvable_depth_step() at its place
+    double step = 0.0;    ///< depth_step() at its place
 
     DepthState depth;                  ///< of its pass: how it is tested
     std::uint32_t compared_with = 0;   ///< the code that stands in the buffer at its turn
@@ -48,8 +51,8 @@ public:
     /// Of a frame that stops at a draw call what comes after it is left out.
     ///
     /// Mirror image and shadows are left out; a mirror image without stencil leaves depth beside the patch that is not
-    /// counted here. Depths are exact until they are stored: where two codes are as close as GL's float32 arithmetic is
-    /// coarse, GL may decide otherwise: see reconcile(). Methods that sort have their own order and pieces. Of a method
+    /// counted here. Depths are exact until they are stored: where two codes are closer than what they are right
+    /// within, GL may decide otherwise: see reconcile(). Methods that sort have their own order and pieces. Of a method
     /// that finds one surface for each pixel in software only that one passes, as at the method's last step.
     std::vector<Fragment> at(const FramePlan& plan, glm::ivec2 pixel, glm::ivec2 size_px) const;
 

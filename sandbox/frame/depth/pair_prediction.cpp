@@ -204,7 +204,7 @@ PairPrediction predict_pair(const FlatPair& pair, const Params& params, const De
     const glm::dvec3 normal_view(derived.view_from_world * glm::dvec4(pair.normal_world, 0.0));
     PairPrediction made;
     made.distance = -center_view.z;
-    made.step = resolvable_depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
+    made.step = depth_step(coding.lens, coding.mapping, coding.precision, made.distance);
     // How far it reaches towards the eye, which looks along −z: nothing where the pair faces the view direction.
     const double span = pair.radius * std::sqrt(std::max(1.0 - normal_view.z * normal_view.z, 0.0));
     made.onset = fighting_onset(coding, made.distance, span);

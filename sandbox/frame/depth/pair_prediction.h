@@ -24,7 +24,7 @@ ShareInterval share_of_random_codes(double gap_codes, double most_gap_codes, dou
 /// From where the camera is.
 struct PairPrediction {
     double distance = 0.0;  ///< eye distance of the overlap's centre
-    double step = 0.0;      ///< resolvable_depth_step() there
+    double step = 0.0;      ///< depth_step() there
     FightingOnset onset;    ///< in eye distance
     double slant = 1.0;     ///< a gap along the normal divided by it is the gap in eye distance; 0: seen edge-on
     /// Of the pair's pixels. None where it cannot be said to within nine tenths: out of the view, a depth function that

@@ -6,15 +6,10 @@
 namespace viewing {
 namespace {
 
-/// How far two depths may be apart that GL's arithmetic puts in another order: some places of float32 near 1, and one
-/// code where those are wider.
-double closeness(const DepthPrecision& precision) {
-    const double arithmetic = std::exp2(-20);
-    return precision.is_float ? arithmetic : arithmetic + code_width(precision, 1.0);
-}
-
+/// Whether GL's depth of the fragment may be the one that was read back.
 bool is_close(const Fragment& fragment, const PixelReport& report) {
-    return std::abs(fragment.window_depth - report.window_depth) <= closeness(report.precision);
+    return std::abs(fragment.window_depth - report.window_depth) <=
+           fragment.depth_error + code_width(report.precision, report.window_depth);
 }
 
 bool is_of_surface(const Fragment& fragment, const PixelReport& report) {
@@ -54,15 +49,34 @@ void decide(Fragment& fragment, bool passes) {
     fragment.passes = passes;
 }
 
+/// Nothing has written depth, so everything was compared with what is still there.
+void compare_with_last_frame(std::vector<Fragment>& fragments, const PixelReport& report) {
+    for (Fragment& fragment : fragments) {
+        if (!is_compared(fragment)) continue;
+        if (fragment.stored == fragment.compared_with && is_close(fragment, report)) fragment.stored = report.stored;
+        fragment.compared_with = report.stored;
+        decide(fragment, fragment.passes);
+    }
+}
+
 }  // namespace
 
-void reconcile(std::vector<Fragment>& fragments, const PixelReport& report) {
+void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool clears_depth) {
+    const bool writes_depth = std::any_of(fragments.begin(), fragments.end(), [](const Fragment& fragment) {
+        return fragment.passes && fragment.depth.test && fragment.depth.write;
+    });
+    if (!clears_depth && !report.written && !writes_depth) return compare_with_last_frame(fragments, report);
     if (!report.written) return;
     const auto seen = read_back_one(fragments, report);
     if (seen == fragments.end() || !is_compared(*seen)) return;
     const bool leaves_depth = seen->depth.write && std::none_of(seen + 1, fragments.end(), [](const Fragment& later) {
                                   return later.passes && !later.drawn;
                               });
+    // The frame before has left the depth of the same surface.
+    const std::uint32_t computed = seen->stored;
+    if (leaves_depth && !clears_depth)
+        for (auto one = fragments.begin(); one <= seen; ++one)
+            if (is_compared(*one) && one->compared_with == computed) one->compared_with = report.stored;
     if (leaves_depth) seen->stored = report.stored;
     decide(*seen, true);
     seen->drawn = true;

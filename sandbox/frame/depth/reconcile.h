@@ -13,6 +13,9 @@ namespace viewing {
 ///
 /// Left alone are the background and pixels that rounding does not explain: where GL has no or another surface because
 /// an edge is near, or depth of a mirror image.
-void reconcile(std::vector<Fragment>& fragments, const PixelReport& report);
+///
+/// Where depth is not cleared the buffer holds what the frame before has left: what is compared with that is compared
+/// with the code that is read back, also where nothing passes.
+void reconcile(std::vector<Fragment>& fragments, const PixelReport& report, bool clears_depth);
 
 }  // namespace viewing

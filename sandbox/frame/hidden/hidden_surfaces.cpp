@@ -237,7 +237,11 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
         } else {
             find_step(*result);
             count_to_step(*result);
-            if (!is_drawn_by_gl_alone(request.visibility.method)) paint(*result, -1, progress);
+            if (!is_drawn_by_gl_alone(request.visibility.method)) {
+                const Stopwatch painting;
+                paint(*result, -1, progress);
+                result->painting_ms = painting.ms();
+            }
         }
     }
     result->is_cancelled = is_cancelled(progress);

@@ -74,7 +74,8 @@ struct HiddenResult {
     HiddenCounters counters;
     IdImage image;                                 ///< polygon numbers; what is drawn at this step
     std::vector<std::uint32_t> written_per_pixel;  ///< overdraw; as image
-    double time_ms = 0.0;                          ///< of the method alone, all steps, without drawing
+    double time_ms = 0.0;                          ///< of the method alone, all steps, without painting_ms
+    double painting_ms = 0.0;                      ///< of painting in the order that the method has found
     double build_ms = 0.0;                         ///< of what is made once for all cameras: tree, hierarchy
     std::string problem;                           ///< a sentence when it stopped at a budget or was cancelled
     bool is_cancelled = false;

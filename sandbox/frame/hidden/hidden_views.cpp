@@ -1,12 +1,13 @@
 #include "frame/hidden/hidden_views.h"
 
-#include "visibility/difference.h"
+#include <algorithm>
 
 namespace viewing {
 namespace {
 
+/// Of the others GL draws the polygons, and rounds their corners: what is judged is what is drawn.
 bool has_image(const HiddenResult& result) {
-    return !is_drawn_by_gl_alone(result.request.visibility.method);
+    return draws_pixels(result.request.visibility);
 }
 
 /// What has been put in the place of R, or of the side that is mirrored, is no view that a method could take: GL draws
@@ -15,6 +16,22 @@ bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
     return plane.mirror_by_hand || reflection.printed_by_rows || !reflection.side_of_eye || has_other_camera;
+}
+
+/// What the painter's algorithm gets wrong, in a picture that costs little beside the view's.
+std::optional<WrongPair> painter_failure(HiddenSurfaceSolver& solver, HiddenRequest request, WorkProgress* progress) {
+    constexpr int widest_px = 160;
+    constexpr std::size_t most_polygons = 20'000;
+    const bool is_whole = request.visibility.method == VisibilityMethod::painter && request.visibility.step < 0;
+    if (!is_whole || solver.surface()->polygons.size() > most_polygons) return std::nullopt;
+    if (request.size_px.x > widest_px)
+        request.size_px = {widest_px, std::max(request.size_px.y * widest_px / request.size_px.x, 1)};
+    const auto painted = solver.solve(request, progress);
+    request.visibility.method = VisibilityMethod::ray_cast;
+    request.visibility.exact_curves = false;
+    const auto seen = solver.solve(request, progress);
+    if (is_cancelled(progress)) return std::nullopt;
+    return worst_pair(seen->image, painted->image);
 }
 
 }  // namespace
@@ -51,6 +68,7 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
     answer.pictures.bounds_world = solver.surface()->scene.bounds_world;
     if (question.draws_camera)
         answer.pictures.camera = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.camera));
+    answer.painter_fails = painter_failure(solver, question.camera, progress);
     if (question.mirrored) {
         answer.mirrored = solver.solve(*question.mirrored, progress);
         answer.pictures.mirrored = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.mirrored));

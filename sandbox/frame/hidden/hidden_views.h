@@ -6,6 +6,7 @@
 
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/plan.h"
+#include "visibility/difference.h"
 
 namespace viewing {
 
@@ -25,6 +26,7 @@ struct HiddenAnswer {
     std::shared_ptr<const HiddenResult> camera{}, mirrored{}, other{};
     HiddenPictures pictures{};  ///< the difference is missing where GL has to draw one of the two
     std::int64_t different_pixels = -1, compared_pixels = -1;
+    std::optional<WrongPair> painter_fails{};  ///< of the painter's algorithm; searched in a small picture
 
     /// A sentence when some method stopped at a budget or was cancelled; else empty.
     const std::string& problem() const;

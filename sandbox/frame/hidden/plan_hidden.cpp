@@ -19,8 +19,12 @@ bool reaches_beyond(const Bounds& bounds, const glm::dvec4& plane) {
     return glm::dot(plane, glm::dvec4(nearest_to_back, 1.0)) < 0.0;
 }
 
+/// What a method found for each pixel has been compared already.
+constexpr DepthState found_depth{.test = true, .func = CompareFunc::always, .write = true};
+
 const char* reason_of(Subject subject) {
-    return subject == Subject::pixels ? tr("shades the surface that the method found for each pixel")
+    return subject == Subject::pixels ? tr("shades the surface that the method found for each pixel, and stores its "
+                                           "depth")
                                       : tr("draws the polygons one over the other, in the order that the method found");
 }
 
@@ -62,6 +66,7 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         if (!drawing || !shows_the_scene(pass)) continue;
         pass.subject = subject_of(*drawing);
         pass.reason = reason_of(pass.subject);
+        if (pass.subject == Subject::pixels) pass.depth = found_depth;
     }
     const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);
     const DerivedPlane& plane = derived.planes.front();

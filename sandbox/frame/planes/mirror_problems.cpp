@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "frame/hidden/hidden_drawing.h"
-#include "frame/planes/object_reach.h"
+#include "frame/object_reach.h"
 #include "frame/planes/oblique_depth.h"
 #include "frame/say.h"
 #include "text/numbers.h"

@@ -31,7 +31,7 @@ glm::dmat4 flip() {
 /// The scene goes through R, and its lights with it.
 void mirror_scene(Level& inside, const glm::dmat4& mirrored_world_from_world) {
     inside.world_from_scene = inside.world_from_scene * mirrored_world_from_world;
-    inside.matrices += " R";
+    inside.matrices = "P V" + inside.mirror_symbols;
     if (!inside.params.reflection.reflect_light) return;
     for (std::size_t light = 0; light < inside.lights_world.size(); ++light)
         inside.lights_world[light] = inside.world_from_scene * inside.derived.lights_world[light];
@@ -46,8 +46,7 @@ void mirror_camera(Level& inside, const glm::dmat4& mirrored_world_from_world) {
         for (int column = 0; column < 4; ++column) inside.projection[column][0] *= inside.derived.aspect;
     inside.projection = inside.projection * flip();
     inside.view_from_world = flip() * inside.view_from_world * mirrored_world_from_world;
-    inside.matrices = inside.mirrors_met % 2 == 1 ? "F P F V" : "P V";
-    for (int mirror = 0; mirror < inside.mirrors_met; ++mirror) inside.matrices += " R";
+    inside.matrices = (inside.mirrors_met % 2 == 1 ? "F P F V" : "P V") + inside.mirror_symbols;
     inside.eye_world = inside.eye_scene;
     if (params.reflection.reflect_light) return;
     for (glm::dvec4& light : inside.lights_world) light = mirrored_world_from_world * light;
@@ -84,6 +83,7 @@ Level world_inside(const Level& outside, std::size_t mirror) {
     inside.mirrors_met += 1;
     if (outside.derived.planes.size() > 1)
         inside.mirrors_name += (outside.is_real() ? "" : ", ") + std::to_string(mirror + 1);
+    inside.mirror_symbols += " " + outside.mirror_symbol(mirror);
     inside.region = outside.region_of(mirror);
     inside.flips_winding = !outside.flips_winding;
     inside.eye_scene = true_mirror * outside.eye_scene;

@@ -56,7 +56,7 @@ Pass shadow_pass(const Level& level, std::size_t plane, std::size_t light, std::
     pass.shading = Shading::flat;
     pass.depth.write = false;
     pass.world_from_scene = level.world_from_scene * (cast.sign * cast.shadowed_world_from_world);
-    pass.matrices = level.matrices + (cast.sign < 0.0 ? " (−S)" : " S");
+    pass.matrices = level.matrices + " " + level.shadow_symbol(plane, light);
     // What is cut off at the light first has no negative w left to force.
     const ShadowParams& shadow = level.params.shadow;
     pass.forces_sign = shadow.sign == ShadowSign::forced && !shadow.clip_at_light;

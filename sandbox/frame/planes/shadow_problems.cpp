@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "frame/planes/object_reach.h"
+#include "frame/object_reach.h"
 #include "frame/say.h"
 
 namespace viewing {

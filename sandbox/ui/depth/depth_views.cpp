@@ -116,7 +116,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     if (edited.x < edited.y) params.view.depth_range = edited;
 }
 
-void draw_beside_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture) {
+void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture) {
     const Params& params = session.params;
     view_header(rect, params.view.beside.shows == Beside::depth ? tr("Depth buffer") : titles(params).beside.c_str());
     if (params.view.beside.shows == Beside::depth)

@@ -15,7 +15,7 @@ void draw_depth_picture(Session& session, const Derived& derived, const Rect& re
 void draw_histogram_view(Session& session, const Derived& derived, const DepthCounts& counts, const Rect& rect);
 
 /// The second picture in a half of its own.
-void draw_beside_picture(Session& session, const Derived& derived, const Rect& rect, ImTextureID picture);
+void draw_beside_picture(Session& session, const Rect& rect, ImTextureID picture);
 void draw_beside_legend(const Session& session, const Derived& derived, const Rect& rect);
 
 /// The second picture right of a line that can be dragged, over the first one, which is drawn already. Whether the

@@ -56,7 +56,9 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
                      test.compare,
                      row.is_seen ? say("{result}, seen", "result"_a = test.result) : test.result};
         row.explanation = decision_sentence(fragment, precision) + "\n" +
-                          say("stored code {code}, step Δz {step}", "code"_a = code_text(fragment.stored, precision),
+                          say("stored code {code}, GL's within ±{within}, step Δz {step}",
+                              "code"_a = code_text(fragment.stored, precision),
+                              "within"_a = grouped_number(static_cast<std::int64_t>(std::min(fragment.within, 1e15))),
                               "step"_a = step_text(fragment.step));
         if (row.is_seen) {
             row.explanation += "\n";

@@ -128,11 +128,9 @@ std::string compare_text(CompareFunc func, std::uint32_t incoming, std::uint32_t
 TestText test_text(const Fragment& fragment, const DepthPrecision& precision) {
     if (fragment.culled) return {"", tr("culled")};
     if (fragment.stencil_fails) return {"", tr("stencil fails")};
+    if (!fragment.is_sent) return {"", tr("not sent")};
     const char* passes = fragment.drawn ? tr("passes") : tr("passes, no colour");
-    if (!fragment.depth.test)
-        return {tr("depth test off"), !fragment.passes ? tr("not sent")
-                                      : fragment.drawn ? tr("drawn")
-                                                       : tr("no colour")};
+    if (!fragment.depth.test) return {tr("depth test off"), fragment.drawn ? tr("drawn") : tr("no colour")};
     if (fragment.decided_by_rounding) return {tr("rounding decides"), fragment.passes ? passes : tr("fails"), true};
     const std::string asked = compare_text(fragment.depth.func, fragment.stored, fragment.compared_with, precision);
     if (!fragment.tie || asks_nothing(fragment.depth.func)) return {asked, fragment.passes ? passes : tr("fails")};
@@ -156,7 +154,7 @@ std::string decision_sentence(const Fragment& fragment, const DepthPrecision& pr
                    : say("{fragment} is culled: it turns its back to the camera.", "fragment"_a = name);
     if (fragment.stencil_fails)
         return say("{fragment}: the stencil test fails, so the pixel stays.", "fragment"_a = name);
-    if (!fragment.depth.test && !fragment.passes)
+    if (!fragment.is_sent)
         return say("{fragment} is not sent to GL: the method has found another surface here.", "fragment"_a = name);
     if (!fragment.depth.test)
         return say("{fragment}: the depth test is off, so the colour is replaced and the depth is not.",

@@ -100,11 +100,15 @@ std::vector<PixelNumber> pixel_numbers(const PixelReport& pixel, const Params& p
          from_depth(tr("Recovered from the stored depth; negative in front of the camera. n is near, f is far:")),
          eye_z_formula(params.projection, mapping)});
     numbers.push_back({marked("step Δz"), known(step_text(pixel.step)), "", tr("Step Δz"),
-                       precision.is_float
-                           ? tr("How far apart two surfaces have to be here to get different codes: one unit in the "
-                                "last place of the float.")
-                           : tr("How far apart two surfaces have to be here to get different codes:"),
+                       precision.is_float ? tr("The width of a code here, in eye z: one unit in the last place of the "
+                                               "float.")
+                                          : tr("The width of a code here, in eye z:"),
                        step_formula(params.projection, mapping, precision)});
+    if (precision.is_float)
+        numbers.push_back({marked("eye Δz"), known(step_text(pixel.resolvable_step)), "", tr("Eye Δz"),
+                           tr("What can be told apart here: eye z is rounded to a float32 itself before it is stored, "
+                              "so codes that are narrower than half a unit in its last place tell nothing."),
+                           ""});
     numbers.push_back(
         {marked("stencil"), with_place_for_sign(std::to_string(pixel.stencil)), "", tr("Stencil"),
          tr("What the passes have left in the stencil buffer: marks of the plane, of shadows, of decals."), ""});

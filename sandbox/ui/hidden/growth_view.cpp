@@ -109,7 +109,9 @@ void quantity_words(GrowthViewState& state, Flow& flow) {
     static constexpr std::array names{marked("time"), marked("operations")};
     static constexpr std::array explanations{
         marked("Time to the finished picture; of a BSP tree also to the finished tree."),
-        marked("How often a method does what it does most: comparisons, pixels tested, intersection tests.")};
+        marked("How often a method does what it does most (comparisons, pixels tested, intersection tests), and the "
+               "pixels "
+               "that it paints: the same whenever it is counted.")};
     flow.next(widgets::SmallButtonWidth(names[0]) + widgets::SmallButtonWidth(names[1]) + px(2.0F));
     int index = state.shows_operations ? 1 : 0;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -143,7 +145,7 @@ class Curves {
 public:
     Curves(std::span<const GrowthRow> rows, bool of_operations) {
         for (const GrowthRow& row : rows) {
-            const double value = of_operations ? static_cast<double>(row.operations) : row.time_ms;
+            const double value = of_operations ? static_cast<double>(row.work()) : row.time_ms;
             if (row.problem.empty())
                 points_[static_cast<std::size_t>(row.method)].emplace_back(static_cast<double>(row.polygons), value);
         }
@@ -186,6 +188,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
 std::vector<std::string> sentences(const GrowthViewState& state) {
     std::vector<std::string> told;
     if (std::string summary = growth_summary(shown_rows(state)); !summary.empty()) told.push_back(std::move(summary));
+    if (std::string times = growth_times(shown_rows(state)); !times.empty()) told.push_back(std::move(times));
     for (const GrowthRow& row : shown_rows(state))
         if (!row.problem.empty()) told.push_back(row.problem);
     return told;

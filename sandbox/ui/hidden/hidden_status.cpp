@@ -1,6 +1,7 @@
 #include "ui/hidden/hidden_status.h"
 
 #include "text/catalogue.h"
+#include "ui/hidden/polygon_names.h"
 #include "ui/parts/view_window.h"
 
 namespace viewing {
@@ -8,6 +9,20 @@ namespace viewing {
 const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden) {
     static const std::shared_ptr<const HiddenResult> none;
     return hidden.answer ? hidden.answer->camera : none;
+}
+
+std::optional<Problem> painter_problem(const HiddenAnswer& answer) {
+    if (!answer.painter_fails) return std::nullopt;
+    const WrongPair& wrong = *answer.painter_fails;
+    const SceneSurface* surface = answer.camera->surface.get();
+    const glm::ivec2 size_px = answer.question.camera.size_px;
+    const double share = static_cast<double>(wrong.all_pixels) / static_cast<double>(wrong.compared);
+    return Problem{say("{drawn} is drawn after {seen}, which is nearer around pixel ({x}, {y}): about {share} of the "
+                       "picture is wrong",
+                       "drawn"_a = polygon_name(surface, wrong.drawn), "seen"_a = polygon_name(surface, wrong.seen),
+                       "x"_a = static_cast<int>(wrong.x * size_px.x), "y"_a = static_cast<int>(wrong.y * size_px.y),
+                       "share"_a = percent(share)),
+                   "visibility", true, "visibility.method=newell"};
 }
 
 std::string progress_text(float fraction) {

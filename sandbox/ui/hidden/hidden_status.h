@@ -6,6 +6,7 @@
 #include <string>
 
 #include "frame/hidden/hidden_views.h"
+#include "frame/problems.h"
 
 namespace viewing {
 
@@ -18,6 +19,9 @@ struct HiddenStatus {
 
 /// The camera's result, null while there is none.
 const std::shared_ptr<const HiddenResult>& shown_result(const HiddenStatus& hidden);
+
+/// Which polygon the painter has drawn over a nearer one; none where it is right.
+std::optional<Problem> painter_problem(const HiddenAnswer& answer);
 
 /// How far something is that is worked on: "40 %", and "100 %" only when it is done.
 std::string progress_text(float fraction);

@@ -79,9 +79,10 @@ void speed_control(Session& session) {
     ImGui::BeginDisabled(session.params.camera.navigation == Navigation::orbit);
     if (widgets::Slider("speed", speed, style)) session.set_speed(speed);
     ImGui::EndDisabled();
-    widgets::Tooltip("Speed",
-                     "World units a second, in flight and walk, not in orbit; Shift: a quarter. Ctrl and the wheel in the "
-                     "camera view change it, too.");
+    widgets::Tooltip(
+        "Speed",
+        "World units a second, in flight and walk, not in orbit; Shift: a quarter. Ctrl and the wheel in the "
+        "camera view change it, too.");
 }
 
 void slips(Params& params) {
@@ -148,15 +149,16 @@ void projection_section(Session& session, const Derived& derived, const std::vec
 
     const DepthPrecision precision = precision_of(params.depth.format);
     const std::string z = number_text(derived.facts.target_distance, 2),
-                      step = number_text(derived.facts.depth_step_at_target, 2);
+                      step = number_text(derived.facts.resolvable_step_at_target, 2);
     const std::string note = precision.is_float ? say("{bits}-bit float depth: Δz at z = {z} is {step}",
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step)
                                                 : say("{bits}-bit depth: Δz at z = {z} is {step}",
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
     widgets::Note(note.c_str());
     widgets::Tooltip("Depth resolution",
-                     "The width in eye z of one stored depth code at the camera's target. Two surfaces closer than "
-                     "this may fight.",
+                     "The least difference in eye z that can be told apart at the camera's target: the width of a code "
+                     "or, where those of a float are finer, what float32 keeps of eye z itself. Two surfaces closer "
+                     "than this may fight.",
                      depth_step_formula(params));
 }
 

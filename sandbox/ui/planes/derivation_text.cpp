@@ -62,7 +62,7 @@ std::string derivation_vector(const glm::dvec3& value) {
     return text;
 }
 
-void equation(std::initializer_list<std::string> parts, float width_px) {
+void equation(const std::vector<std::string>& parts, float width_px) {
     const widgets::Context& context = widgets::CurrentContext();
     const float room = width_px > 0.0F ? width_px : ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(room < px(400.0F) ? context.fonts.small_number : context.fonts.number);

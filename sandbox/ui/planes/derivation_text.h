@@ -2,8 +2,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "widgets/widgets.h"
 
@@ -23,7 +23,7 @@ std::string derivation_vector(const glm::dvec3& value);
 /// widgets::Formula. A part for which the line has no more room stands on the next one, below the second part. The
 /// number font where the line is wide, else the small one. Parts that are marked() are looked up; recorded in English.
 /// `width_px` 0: what is there.
-void equation(std::initializer_list<std::string> parts, float width_px = 0.0F);
+void equation(const std::vector<std::string>& parts, float width_px = 0.0F);
 
 /// A line in semibold above the equations that follow; looks its text up.
 void derivation_heading(const char* text);

@@ -10,6 +10,7 @@
 #include "ui/parts/view_window.h"
 #include "ui/planes/derivation_diagram.h"
 #include "ui/planes/derivation_forms.h"
+#include "ui/planes/derivation_lines.h"
 #include "ui/planes/derivation_text.h"
 
 namespace viewing {
@@ -104,71 +105,38 @@ void tell_ray(ShadowRay ray) {
     widgets::Trouble(sentence_of(ray));
 }
 
-std::string signed_sum(std::span<const double> terms) {
-    std::string text;
-    for (std::size_t term = 0; term < terms.size(); ++term) {
-        if (term > 0) text += terms[term] < 0.0 ? " − " : " + ";
-        text += derivation_number(term > 0 ? std::abs(terms[term]) : terms[term]);
-    }
-    return text;
-}
-
 void plane_line(const glm::dvec4& unit_plane) {
     equation({"n", "= " + derivation_vector(glm::dvec3(unit_plane)), "d = " + derivation_number(unit_plane.w)});
 }
 
-/// "a/(b − c)" with numbers: a negative c in brackets.
-std::string quotient(double over, double from, double minus) {
-    const std::string subtracted = derivation_number(minus);
-    return "= " + derivation_number(over) + "/(" + derivation_number(from) + " − " +
-           (subtracted.starts_with("−") ? "(" + subtracted + ")" : subtracted) + ")";
-}
-
-void point_light_steps(const ShadowDerivation& found, bool is_blinn, bool is_short) {
-    equation({"s", "= l + t (p − l)"});
-    equation({"n·s + d", "= 0"});
-    if (!is_short) {
-        equation({"n·(l + t (p − l)) + d", "= 0"});
-        equation({"t (n·p − n·l)", "= −d − n·l"});
+void write(const DerivationLine& line) {
+    switch (line.kind) {
+        case DerivationLine::Kind::equation:
+            return equation(line.parts);
+        case DerivationLine::Kind::heading:
+            return derivation_heading(line.parts.front().c_str());
+        case DerivationLine::Kind::note:
+            return widgets::Note(line.parts.front().c_str());
     }
-    if (!found.shadow_world) return;
-    const std::string t = "= " + derivation_number(found.t);
-    equation({"t", "= (n·l + d)/(n·l − n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p), t});
-    if (is_blinn)
-        equation({"t", "= l_y/(l_y − p_y)",
-                  is_short ? "" : quotient(found.light_world.y, found.light_world.y, found.point_world.y),
-                  is_short ? "" : t, marked("for y = 0")});
-    equation({"s", "= " + derivation_vector(*found.shadow_world)});
-    const double length_ratio = std::abs(found.t);
-    equation({"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
-              "= " + derivation_number(length_ratio) + "·" + derivation_number(found.light_to_point),
-              "= " + derivation_number(found.light_to_shadow)});
 }
 
-void parallel_light_steps(const ShadowDerivation& found, bool is_short) {
-    equation({"s", "= p + τ l", marked("for l_w = 0")});
-    equation({"n·s + d", "= 0"});
-    if (!is_short) equation({"n·(p + τ l) + d", "= 0"});
-    if (!found.shadow_world) return;
-    equation({"τ", "= −(n·p + d)/(n·l)",
-              "= −" + derivation_number(found.point_height) + "/" + derivation_number(found.n_dot_l),
-              "= " + derivation_number(found.t)});
-    equation({"s", "= " + derivation_vector(*found.shadow_world)});
-    equation({"|s − p|", "= " + derivation_number(found.point_to_shadow)});
+/// All lines, or those up to the step of the state with the latest in view. True when all are there.
+bool write_lines(const std::vector<DerivationLine>& lines, int step, bool is_short, bool is_stepped) {
+    const std::vector<DerivationLine> shown = lines_until(lines, step);
+    for (const DerivationLine& line : shown)
+        if (!is_short || !line.is_step) write(line);
+    if (is_stepped) ImGui::SetScrollHereY(1.0F);
+    return shown.size() == lines.size();
 }
 
-/// The lecture's expansion of q′, row by row, with the slip of its second line put right.
-void expansion(const MirrorDerivation& found) {
-    derivation_heading(marked("Expanded"));
-    static constexpr const char* rows[3][5] = {{"x_0′", "= (1 - 2a^2) x_0", "- 2ab y_0", "- 2ac z_0", "- 2ad"},
-                                               {"y_0′", "= -2ab x_0", "+ (1 - 2b^2) y_0", "- 2bc z_0", "- 2bd"},
-                                               {"z_0′", "= -2ac x_0", "- 2bc y_0", "+ (1 - 2c^2) z_0", "- 2cd"}};
-    for (int row = 0; row < 3; ++row) {
-        const auto& [name, x, y, z, d] = rows[row];
-        equation({name, x, y, z, d, "= " + signed_sum(found.terms[row]),
-                  "= " + derivation_number(found.mirrored_world[row])});
-    }
-    widgets::Note("The slide's second line begins with 2ab x₀; it is −2ab x₀.");
+/// Steps through the lines; true when one was gone to.
+bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets::StepPlayer& player) {
+    constexpr float least_room = 215.0F;
+    if (ImGui::GetContentRegionAvail().x < px(least_room)) return false;
+    int& step = params.view.derivation_step;
+    const int before = step;
+    widgets::StepBar("derivation", step, step_count(lines), player, ImGui::GetIO().DeltaTime);
+    return step != before && step >= 0;
 }
 
 void mirror_form(const MirrorDerivation& found) {
@@ -184,7 +152,7 @@ void mirror_form(const MirrorDerivation& found) {
 
 }  // namespace
 
-void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect) {
+void draw_shadow_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player) {
     Params& params = session.params;
     const DerivedPlane& plane = derived.chosen_plane();
     const ShadowDerivation found = derive_shadow(plane.unit_plane, derived.chosen_light(), derivation_point(derived));
@@ -193,40 +161,36 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     draw_shadow_diagram(view.figure(), found, 3.0 * plane.patch.extent);
 
     const Steps steps(view);
+    const std::vector<DerivationLine> lines = shadow_lines(found, forms.blinn.has_value());
+    const bool is_stepped = step_bar(params, lines, player);
+    const int step = params.view.derivation_step;
+    const bool is_short = steps.is_short() && step < 0;
     light_slider(params);
     tell_ray(found.ray);
     if (derived.chosen_shadow().by_hand) widgets::Note("S is entered by hand; here it is as derived.");
     equation({"l", found.parallel_light || found.light.w == 1.0 ? "" : "= (x, y, z)/l_w",
               "= " + derivation_vector(found.light_world)});
     equation({"p", "= " + derivation_vector(found.point_world)});
-    if (!steps.is_short()) {
-        plane_line(found.unit_plane);
-        derivation_heading(marked("Step by step"));
-    }
-    if (found.parallel_light)
-        parallel_light_steps(found, steps.is_short());
-    else
-        point_light_steps(found, forms.blinn.has_value(), steps.is_short());
-    if (steps.is_short()) plane_line(found.unit_plane);
+    if (!is_short) plane_line(found.unit_plane);
+    const bool is_whole = write_lines(lines, step, is_short, is_stepped);
+    if (is_short) plane_line(found.unit_plane);
     tell_point(derived, "p");
-    show_three_forms(forms);
+    if (is_whole) show_three_forms(forms);
 }
 
-void draw_mirror_derivation(const Derived& derived, const Rect& rect) {
+void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player) {
     const MirrorDerivation found = derive_mirror(derived.chosen_plane().unit_plane, derivation_point(derived));
     const FigureView view("mirror derivation", rect);
     draw_mirror_diagram(view.figure(), found);
 
     const Steps steps(view);
+    const std::vector<DerivationLine> lines = mirror_lines(found);
+    const bool is_stepped = step_bar(session.params, lines, player);
     if (derived.chosen_plane().mirror_by_hand) widgets::Note("R is entered by hand; here it is as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
-    equation({"k", "= n·q + d", "= " + derivation_number(found.k)});
-    equation({marked("foot"), "= q − k n", "= " + derivation_vector(found.foot_world)});
-    equation({"q′", "= q − 2 k n", "= " + derivation_vector(found.mirrored_world)});
     tell_point(derived, "q");
-    expansion(found);
-    mirror_form(found);
+    if (write_lines(lines, session.params.view.derivation_step, false, is_stepped)) mirror_form(found);
 }
 
 }  // namespace viewing

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 
@@ -73,10 +74,29 @@ bool can_stop(const Session& session) {
     return is_drawn_by_gl_alone(session.params.visibility.method);
 }
 
-void call_lines(const std::vector<std::string>& calls) {
+/// Four rows of numbers, as a matrix is written.
+std::string rows_text(const glm::dmat4& matrix) {
+    std::string text;
+    for (int row = 0; row < 4; ++row) {
+        text += row > 0 ? "\n" : "";
+        for (int column = 0; column < 4; ++column) {
+            const std::string entry = number_text(matrix[column][row], 3);
+            text.append(std::size_t{10} - std::min(character_count(entry), std::size_t{10}), ' ').append(entry);
+        }
+    }
+    return text;
+}
+
+/// `uploaded`: the product that the list names, for whoever points at it.
+void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploaded = nullptr) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     ImGui::Indent(px(12.0F));
-    for (const std::string& call : calls) ImGui::TextWrapped("%s", call.c_str());
+    for (const std::string& call : calls) {
+        ImGui::TextWrapped("%s", call.c_str());
+        if (!uploaded || !call.starts_with("glUniformMatrix4fv")) continue;
+        widgets::Record(call.c_str());
+        widgets::Tooltip("The product that is uploaded", "", "", rows_text(*uploaded).c_str());
+    }
     ImGui::Unindent(px(12.0F));
     ImGui::PopFont();
 }
@@ -104,7 +124,8 @@ void entry(Session& session, const FramePlan& plan, int number) {
                                                   : marked("Click to stop the frame after this pass."));
     widgets::Note(pass.reason.c_str());
     const Pass before = number == 0 ? first_gl_state() : plan.passes[static_cast<std::size_t>(number - 1)];
-    call_lines(gl_calls(pass, before));
+    const glm::dmat4 uploaded = pass.clip_from_world * pass.world_from_scene;
+    call_lines(gl_calls(pass, before), &uploaded);
     if (!is_drawn) ImGui::PopStyleVar();
     ImGui::Dummy({0.0F, px(4.0F)});
     ImGui::PopID();

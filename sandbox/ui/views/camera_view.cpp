@@ -68,8 +68,11 @@ void stencil_legend(const Overlay& overlay, const Params& params) {
 
 void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
     if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
-        const std::string differ = say_count(hidden.answer->different_pixels, "one pixel differs, away from edges",
-                                             "{count} pixels differ, away from edges");
+        const std::int64_t pixels = hidden.answer->different_pixels, all = hidden.answer->compared_pixels;
+        const double share = all > 0 ? static_cast<double>(pixels) / static_cast<double>(all) : 0.0;
+        const std::string differ =
+            say_count(pixels, "one pixel differs, away from edges: {share}",
+                      "{count} pixels differ, away from edges: {share}", "share"_a = percent(share));
         const LegendEntry entries[] = {{difference_color, differ.c_str()}};
         draw_legend(overlay.draw(), overlay.rect(), entries);
     }
@@ -187,7 +190,7 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
     if (layout.beside.empty()) return;
     const widgets::Group group("beside");
     const Rect& rect = layout.beside;
-    draw_beside_picture(session, derived, rect, pictures.beside);
+    draw_beside_picture(session, rect, pictures.beside);
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (ImGui::IsItemHovered()) {
         state.hovered = ViewName::camera;

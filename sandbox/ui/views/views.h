@@ -56,10 +56,11 @@ struct ViewState {
     ViewName hovered = ViewName::none;
     std::optional<LowerChoice> lower;
     HiddenState hidden;
-    widgets::StepPlayer call_player;  ///< of the draw calls
-    widgets::StepPlayer pass_player;  ///< of the passes
-    glm::ivec2 cells{0};              ///< columns and rows that the cell view had room for
-    LightRays light_rays;             ///< of the observer
+    widgets::StepPlayer call_player;        ///< of the draw calls
+    widgets::StepPlayer pass_player;        ///< of the passes
+    widgets::StepPlayer derivation_player;  ///< of the lines of a derivation
+    glm::ivec2 cells{0};                    ///< columns and rows that the cell view had room for
+    LightRays light_rays;                   ///< of the observer
 };
 
 /// Whether something goes on by itself, step by step.

@@ -138,9 +138,9 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::growth:
             return draw_growth_view(state.hidden.growth, session, rect);
         case Topic::shadow_derivation:
-            return draw_shadow_derivation(session, derived, rect);
+            return draw_shadow_derivation(session, derived, rect, state.derivation_player);
         case Topic::mirror_derivation:
-            return draw_mirror_derivation(derived, rect);
+            return draw_mirror_derivation(session, derived, rect, state.derivation_player);
         case Topic::lecture_code:
             return draw_lecture_code(session, derived, rect);
         case Topic::mirror_ways:

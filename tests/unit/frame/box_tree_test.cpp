@@ -6,7 +6,7 @@
 
 #include "frame/box_form.h"
 #include "frame/depth/near_advice.h"
-#include "frame/planes/object_reach.h"
+#include "frame/object_reach.h"
 #include "geometry/projection.h"
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
@@ -600,12 +601,44 @@ TEST(PlanCalls, SayWhatEachPassChanges) {
                      "glStencilFunc(GL_EQUAL, 1, 0x0F)", "glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP)",
                      "glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)", "glEnable(GL_CLIP_DISTANCE0)",
                      "glUniform4f(clip_plane0, 0.0, 1.0, 0.0, 0.0)", "glUniformMatrix4fv(clip_from_world, P V R)",
-                     "drawObjects()"}));
+                     "glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)", "drawObjects()"}));
     EXPECT_EQ(calls_of(4),  // the objects, after the shadow
               (Calls{"glDepthMask(GL_TRUE)", "glEnable(GL_CULL_FACE)", "glCullFace(GL_FRONT)", "glFrontFace(GL_CCW)",
                      "glDisable(GL_STENCIL_TEST)", "glDisable(GL_BLEND)", "glDisable(GL_POLYGON_OFFSET_FILL)",
                      "glDisable(GL_CLIP_DISTANCE0)", "glDisable(GL_CLIP_DISTANCE1)",
-                     "glUniformMatrix4fv(clip_from_world, P V)", "drawObjects()"}));
+                     "glUniformMatrix4fv(clip_from_world, P V)", "glUniform4f(light1, 2.6, 5.2, 2.2, 1.0)",
+                     "drawObjects()"}));
+}
+
+/// Each artefact is a changed line: which S and R are uploaded, of which plane and light, with which sign.
+TEST(PlanCalls, NameTheMatricesThatAreUploaded) {
+    const auto products_of = [](const std::vector<std::string>& settings) {
+        std::set<std::string> products;
+        for (const Pass& pass : plan_with(settings).passes) products.insert(pass.matrices);
+        return products;
+    };
+    using Products = std::set<std::string>;
+    EXPECT_EQ(products_of({}), (Products{"P V", "P V R", "P V S"}));
+    EXPECT_EQ(products_of({"plane.equation=[0,-1,0,0]"}), (Products{"P V", "P V R", "P V (−S)"}));
+    EXPECT_EQ(products_of({"reflection.printed_by_rows=true"}), (Products{"P V", "P V Rᵀ", "P V S"}));
+    EXPECT_EQ(products_of({"lights=[{\"position\":[-2,5,1,1]}]", "reflection.enabled=false"}),
+              (Products{"P V", "P V S₁₁", "P V S₁₂"}));
+    EXPECT_EQ(products_of({"planes=[{\"equation\":[0,0,1,3],\"receives_shadow\":false}]", "reflection.bounces=2",
+                           "reflection.shadows=false"}),
+              (Products{"I", "P V", "P V R₁", "P V R₂", "P V R₁ R₂", "P V R₂ R₁", "P V S₁₁"}));
+}
+
+TEST(PlanCalls, TellWhatColours) {
+    const FramePlan frame = plan_with({"shadow.opacity=0.25", "reflection.reflectance=0.3"});
+    std::vector<std::string> all;
+    for (std::size_t number = 0; number < frame.passes.size(); ++number)
+        for (const std::string& call :
+             gl_calls(frame.passes[number], number == 0 ? first_gl_state() : frame.passes[number - 1]))
+            all.push_back(call);
+    const auto has = [&all](const char* call) { return std::ranges::find(all, call) != all.end(); };
+    EXPECT_TRUE(has("glUniform4f(light1, 2.6, -5.2, 2.2, 1.0)")) << "the light goes through R";
+    EXPECT_TRUE(has("glUniform1f(alpha, 0.7)")) << "what the mirror keeps of its own";
+    EXPECT_TRUE(has("glUniform4f(color, 0.0, 0.0, 0.0, 0.25)"));
 }
 
 /// What a machine knows that obeys the calls, one by one.

@@ -20,6 +20,7 @@ std::vector<Fragment> drawn_in_order(const std::vector<std::pair<const char*, st
         made.object = name;
         made.stored = code;
         made.window_depth = code / greatest;
+        made.depth_error = 4.0 / greatest;
         made.compared_with = stands;
         made.tie = code == stands;
         made.passes = made.drawn = code < stands;
@@ -48,7 +49,7 @@ std::string seen(const std::vector<Fragment>& fragments) {
 
 TEST(Reconcile, KeepsWhatAgrees) {
     std::vector<Fragment> fragments = drawn_in_order({{"far", 9'000}, {"near", 5'000}, {"hidden", 7'000}});
-    reconcile(fragments, read_back("near", 5'000));
+    reconcile(fragments, read_back("near", 5'000), true);
     EXPECT_EQ(seen(fragments), "near");
     for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
     EXPECT_EQ(fragments[2].compared_with, 5'000U);
@@ -56,7 +57,7 @@ TEST(Reconcile, KeepsWhatAgrees) {
 
 TEST(Reconcile, ALaterOneThatIsNotReadBackFails) {
     std::vector<Fragment> fragments = drawn_in_order({{"back", 5'001}, {"front", 5'000}});
-    reconcile(fragments, read_back("back", 4'999));
+    reconcile(fragments, read_back("back", 4'999), true);
     EXPECT_EQ(seen(fragments), "back");
     EXPECT_EQ(fragments[0].stored, 4'999U);
     EXPECT_FALSE(fragments[0].decided_by_rounding) << "it passes as it did";
@@ -65,14 +66,14 @@ TEST(Reconcile, ALaterOneThatIsNotReadBackFails) {
     EXPECT_TRUE(fragments[1].decided_by_rounding) << "computed, it passed";
 
     fragments = drawn_in_order({{"back", 5'002}, {"front", 5'000}});
-    reconcile(fragments, read_back("back", 5'002));
+    reconcile(fragments, read_back("back", 5'002), true);
     EXPECT_FALSE(fragments[1].passes);
     EXPECT_TRUE(fragments[1].decided_by_rounding) << "5,000 < 5,002 is true";
 }
 
 TEST(Reconcile, OneThatIsReadBackPasses) {
     std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'001}});
-    reconcile(fragments, read_back("back", 5'000));
+    reconcile(fragments, read_back("back", 5'000), true);
     EXPECT_EQ(seen(fragments), "back");
     EXPECT_TRUE(fragments[1].passes && fragments[1].drawn && fragments[1].decided_by_rounding);
     EXPECT_EQ(fragments[1].stored, 5'000U);
@@ -81,18 +82,42 @@ TEST(Reconcile, OneThatIsReadBackPasses) {
 
 TEST(Reconcile, TheNearestOfAnObjectIsTheOne) {
     std::vector<Fragment> fragments = drawn_in_order({{"front", 5'000}, {"back", 5'009}, {"back", 5'001}});
-    reconcile(fragments, read_back("back", 4'999));
+    reconcile(fragments, read_back("back", 4'999), true);
     EXPECT_FALSE(fragments[1].drawn);
     EXPECT_TRUE(fragments[2].drawn);
 }
 
 TEST(Reconcile, TheCodeReadBackStandsInTheTable) {
     std::vector<Fragment> fragments = drawn_in_order({{"near", 5'000}, {"behind", 5'002}});
-    reconcile(fragments, read_back("near", 5'003));
+    reconcile(fragments, read_back("near", 5'003), true);
     EXPECT_EQ(fragments[0].stored, 5'003U);
     EXPECT_EQ(fragments[1].compared_with, 5'003U);
     EXPECT_TRUE(fragments[1].decided_by_rounding) << "5,002 < 5,003 would pass";
     EXPECT_FALSE(fragments[1].passes);
+}
+
+TEST(Reconcile, ComparesWithTheFrameBeforeWhereDepthIsNotCleared) {
+    // The frame before has left the code of "near", which GL rounds otherwise; nothing is nearer now.
+    std::vector<Fragment> fragments = drawn_in_order({{"far", 9'000}, {"near", 5'000}});
+    for (Fragment& fragment : fragments) {
+        fragment.compared_with = 5'000;
+        fragment.passes = fragment.drawn = false;
+    }
+    std::vector<Fragment> again = fragments;
+    reconcile(fragments, read_back("", 5'002), false);
+    EXPECT_EQ(fragments[0].compared_with, 5'002U);
+    EXPECT_EQ(fragments[1].stored, 5'002U) << "it is what stands there";
+    EXPECT_TRUE(fragments[1].tie);
+    for (const Fragment& fragment : fragments) EXPECT_FALSE(fragment.decided_by_rounding) << fragment.object;
+
+    // With GL_LEQUAL the same surface is drawn once more.
+    again[1].depth.func = CompareFunc::lequal;
+    again[1].tie = again[1].passes = again[1].drawn = true;
+    reconcile(again, read_back("near", 5'002), false);
+    EXPECT_EQ(again[1].compared_with, 5'002U);
+    EXPECT_TRUE(again[1].tie);
+    EXPECT_FALSE(again[1].decided_by_rounding);
+    EXPECT_EQ(again[0].compared_with, 5'002U);
 }
 
 TEST(Reconcile, LeavesAloneWhatRoundingDoesNotExplain) {
@@ -100,16 +125,16 @@ TEST(Reconcile, LeavesAloneWhatRoundingDoesNotExplain) {
     for (const PixelReport& report :
          {read_back("", cleared), read_back("other", 5'000'000), read_back("far", 9'000'000)}) {
         std::vector<Fragment> fragments = computed;
-        reconcile(fragments, report);
+        reconcile(fragments, report, true);
         EXPECT_EQ(seen(fragments), "near") << report.object;
         EXPECT_TRUE(std::ranges::none_of(fragments, &Fragment::decided_by_rounding));
     }
     std::vector<Fragment> culled = drawn_in_order({{"front", 5'000}, {"back", 5'001}});
     culled[1].culled = true;
-    reconcile(culled, read_back("back", 5'001));
+    reconcile(culled, read_back("back", 5'001), true);
     EXPECT_EQ(seen(culled), "front");
     std::vector<Fragment> none;
-    reconcile(none, read_back("far", 1));
+    reconcile(none, read_back("far", 1), true);
     EXPECT_TRUE(none.empty());
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "frame/hidden/hidden_views.h"
 #include "state/presets.h"
 #include "state/scene.h"
 #include "visibility/bsp.h"
@@ -130,6 +131,39 @@ TEST(VisibilityPresets, NoSortKeyDrawsInterpenetrationOrACycle) {
         SCOPED_TRACE(preset);
         const Stage stage(preset);
         for (const PainterKey key : keys) EXPECT_GT(stage.objects_wrong(stage.painted(key)), many / 3);
+    }
+}
+
+TEST(VisibilityPresets, OfPaintersSayWhichPolygonIsDrawnOverWhich) {
+    for (const char* preset : {"painter-nearest-fails", "painter-farthest-fails", "painter-centroid-fails",
+                               "painter-interpenetration", "painter-cycle", "newell-cycle"}) {
+        SCOPED_TRACE(preset);
+        const Result<LoadedState> loaded = load_state(preset);
+        ASSERT_TRUE(loaded) << loaded.error();
+        const Params& params = loaded->params;
+        const Result<Scene> scene = load_scene(params.scene, loaded->base, params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        const glm::ivec2 size_px(480, 270);
+        const Derived derived = derive(params, *scene, {size_px});
+        HiddenSurfaceSolver solver(*scene);
+        const auto question = hidden_question(params, derived, size_px);
+        ASSERT_TRUE(question);
+        const HiddenAnswer answer = answer_hidden_question(solver, *question);
+        const bool is_painter = params.visibility.method == VisibilityMethod::painter;
+        ASSERT_EQ(answer.painter_fails.has_value(), is_painter);
+        if (!is_painter) continue;
+        // Where it says so, in the picture of the view itself.
+        const WrongPair& wrong = *answer.painter_fails;
+        HiddenRequest exact = question->camera;
+        exact.visibility.method = VisibilityMethod::ray_cast;
+        exact.visibility.exact_curves = false;
+        const IdImage seen = solver.solve(exact)->image;
+        int found = 0;
+        for (int y = 0; y < size_px.y; ++y)
+            for (int x = 0; x < size_px.x; ++x)
+                found += seen.id(x, y) == wrong.seen && answer.camera->image.id(x, y) == wrong.drawn ? 1 : 0;
+        EXPECT_GT(found, 5 * wrong.pixels) << "nine times the pixels of the small picture";
+        EXPECT_LE(wrong.pixels, wrong.all_pixels);
     }
 }
 

@@ -110,6 +110,7 @@ constexpr std::string_view contract_paths[] = {
     "view.call",
     "view.triangle",
     "view.pass",
+    "view.derivation_step",
     "view.lower_left",
     "view.lower_right",
     "observer.target",

@@ -190,6 +190,7 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "call": -1,
     "triangle": -1,
     "pass": -1,
+    "derivation_step": -1,
     "lower_left": "automatic",
     "lower_right": "automatic"
   },

@@ -57,7 +57,10 @@ TEST(FailureSearch, FindsAViewForEachKey) {
             EXPECT_EQ(found.compared, 96 * 54);
             EXPECT_GT(found.views_tried, 96);
             EXPECT_GT(wrong_pixels(polygons, orbit, found, key), 4 * 20);
-            EXPECT_NE(found.sentence.find(std::to_string(found.wrong_pixels)), std::string::npos) << found.sentence;
+            char share[32];
+            std::snprintf(share, sizeof share, "%.1f %%",
+                          100.0 * static_cast<double>(found.wrong_pixels) / static_cast<double>(found.compared));
+            EXPECT_NE(found.sentence.find(share), std::string::npos) << found.sentence;
         }
     }
 }

@@ -1,4 +1,4 @@
-#include "frame/planes/object_reach.h"
+#include "frame/object_reach.h"
 
 #include <algorithm>
 #include <cmath>

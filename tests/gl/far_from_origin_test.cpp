@@ -1,0 +1,45 @@
+// The same scene far from the world's origin is the same picture: light does not speckle where float32 has no places
+// left for world positions.
+#include "gl_test.h"
+
+namespace viewing {
+namespace {
+
+using testing::pixels_beyond;
+
+constexpr glm::ivec2 size_px(640, 360);
+
+struct Place {
+    Params params;
+    Scene scene;
+};
+
+/// The opening state, all of it moved by so much.
+Place moved_by(const glm::dvec3& offset) {
+    Place made{testing::params_with({"view.samples=0"}), testing::scene_named("torus-and-boxes")};
+    made.params.camera.position += offset;
+    made.params.camera.target += offset;
+    for (PlaneParams& plane : made.params.planes) plane.equation.w -= glm::dot(glm::dvec3(plane.equation), offset);
+    for (LightParams& light : made.params.lights) light.position += glm::dvec4(light.position.w * offset, 0.0);
+    std::vector<SceneObject> objects = made.scene.objects;
+    for (SceneObject& object : objects) object.world_from_model[3] += glm::dvec4(offset, 0.0);
+    made.scene = testing::scene_of(objects);
+    return made;
+}
+
+class FarFromOrigin : public testing::GlTest {};
+
+TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
+    const Place here = moved_by(glm::dvec3(0.0));
+    const Image expected = draw(here.params, here.scene, size_px);
+    for (const double far_away : {1e5, 9e5}) {
+        // Along the plane and across it; the patch is centred on the plane's point nearest to the origin.
+        const Place there = moved_by({0.0, far_away, 0.0});
+        const Image picture = draw(there.params, there.scene, size_px);
+        EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";
+        EXPECT_LE(pixels_beyond(expected, picture, 3), 300) << far_away;
+    }
+}
+
+}  // namespace
+}  // namespace viewing

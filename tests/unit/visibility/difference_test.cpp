@@ -1,0 +1,33 @@
+// Pictures of numbers compared: which polygon was drawn over which one.
+#include "visibility/difference.h"
+
+#include <gtest/gtest.h>
+
+namespace viewing {
+namespace {
+
+TEST(WorstPair, IsTheOneWithMostPixelsAndSaysWhere) {
+    IdImage reference(20, 10), image(20, 10);
+    // Left half 1, right half 2; the picture has 2 over a block of 1 and 3 over fewer of 2.
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 20; ++x) {
+            const std::size_t at = reference.index(x, y);
+            reference.ids[at] = image.ids[at] = x < 10 ? 1 : 2;
+            if (x >= 2 && x < 6 && y >= 4 && y < 8) image.ids[at] = 2;
+            if (x >= 14 && x < 16 && y >= 1 && y < 3) image.ids[at] = 3;
+        }
+    reference.ids[reference.index(19, 9)] = IdImage::background;  // what covers nothing is hidden by nothing
+    const auto worst = worst_pair(reference, image);
+    ASSERT_TRUE(worst);
+    EXPECT_EQ(worst->seen, 1);
+    EXPECT_EQ(worst->drawn, 2);
+    EXPECT_EQ(worst->pixels, 16);
+    EXPECT_EQ(worst->all_pixels, 20);
+    EXPECT_EQ(worst->compared, 200);
+    EXPECT_NEAR(worst->x, 4.0 / 20.0, 1e-12);
+    EXPECT_NEAR(worst->y, 6.0 / 10.0, 1e-12);
+    EXPECT_FALSE(worst_pair(reference, reference));
+}
+
+}  // namespace
+}  // namespace viewing
