@@ -171,10 +171,10 @@ FormulaLayout::FormulaLayout(const char* formula, std::span<const LetterRole> ro
         }
         const char* word_end = s;
         while (IsLetter(*word_end)) ++word_end;
-        const bool is_word = word_end - s >= 3;
+        const bool is_word = word_end - s >= 3, is_alone = word_end - s == 1;  // "ln" is neither
         for (; s < word_end; ++s) {
             letter_color = is_word ? base : ColorOf(static_cast<unsigned char>(*s), roles, base);
-            const bool is_script_l = !is_word && *s == 'l' && writer.HasScriptL();
+            const bool is_script_l = is_alone && *s == 'l' && writer.HasScriptL();
             writer.Put(is_script_l ? "ℓ" : s, is_script_l ? 3 : 1, Level::line, letter_color);
         }
     }

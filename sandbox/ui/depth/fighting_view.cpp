@@ -104,7 +104,7 @@ Widths widths_of(const std::vector<PairRow>& rows, float room) {
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
     widths[counted] = std::max(widths[counted], width_of("100.0 %", fonts.small_number)) + px(bar_room);
-    for (const Column left_out : {names, pixels, step, gap, onset, trembling_mean, predicted})
+    for (const Column left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
         if (widths.sum() > room) widths[left_out] = 0.0F;
     return widths;
 }
