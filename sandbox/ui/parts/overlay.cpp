@@ -138,7 +138,9 @@ bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 col
         way = {0.0F, 1.0F};  // straight behind
     const float to_edge = std::min((half.x - inset) / std::max(std::abs(way.x), 1e-6F),
                                    (half.y - inset) / std::max(std::abs(way.y), 1e-6F));
-    const ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);
+    ImVec2 at(rect_.min.x + half.x + way.x * to_edge, rect_.min.y + half.y + way.y * to_edge);
+    for (const Rect& taken : taken_)  // sentences stand at the top
+        if (taken.contains(at)) at.y = taken.max.y + inset;
     const float size = 9.0F * scale_;
     const ImVec2 tip(at.x + way.x * size, at.y + way.y * size);
     const ImVec2 left(at.x - way.x * size * 0.4F - way.y * size * 0.7F,
