@@ -137,7 +137,7 @@ TEST_F(FightingView, LeavesColumnsOutWhereItIsNarrowAndKeepsTheCounts) {
         rect.max.x = rect.min.x + width;
         ui.frames(4);
         EXPECT_TRUE(says("back / front quad at 84: 25.0 %")) << width;
-        EXPECT_EQ(says("safe gap"), width >= 300.0F) << width;
+        EXPECT_EQ(says("safe gap"), width >= 230.0F) << width;
         EXPECT_EQ(says("wrong pixels"), width >= 620.0F) << width;
         for (const RecordedItem& item : context.recorded) {
             EXPECT_GE(item.min.x, rect.min.x) << item.label << " at " << width;
