@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "frame/depth/decals.h"
+#include "frame/depth/depth_switches.h"
 #include "frame/depth/near_advice.h"
 #include "frame/object_reach.h"
 #include "frame/say.h"
@@ -38,11 +39,6 @@ void say_tests(Sayer& tell, const DepthParams& depth) {
                 "depth.write");
 }
 
-/// Whether surfaces are compared by being nearer, as they should be.
-bool wants_nearer(const DepthParams& depth) {
-    return depth.test && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);
-}
-
 void say_clears(Sayer& tell, const DepthParams& depth) {
     if (!wants_nearer(depth)) return;
     tell.broken(!depth.clear, tr("depth is not cleared: the depths of the frame before go on hiding what is drawn now"),
@@ -63,10 +59,8 @@ double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
 /// What has the depth of the background is not nearer than it.
 void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
-    const bool is_cleared_to_farthest =
-        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
-    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
-    if (!depth.test || depth.func != CompareFunc::less || !is_cleared_to_farthest || has_bent_depth) return;
+    const bool refuses_ties = depth.test && depth.func == CompareFunc::less;
+    if (!refuses_ties || !is_cleared_to_farthest(depth) || has_bent_depth(depth)) return;
     const double start = start_of_cleared_code(depth, params.projection.lens());
     // Nearly at far: it is cut there, and rounding decides.
     if (start > params.projection.far * (1.0 - 1e-3)) return;
@@ -94,7 +88,7 @@ bool has_offset(const Params& params, const Scene& scene) {
 
 void say_mappings(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
-    tell.broken(depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex,
+    tell.broken(has_bent_depth(depth),
                 tr("the logarithm is taken at the vertices only: inside large triangles depth is bent, and they hide "
                    "or show what they should not"),
                 "depth.logarithm_per_vertex");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "frame/depth/depth_switches.h"
+
 namespace viewing {
 namespace {
 
@@ -129,14 +131,6 @@ SeenCodes seen_codes(const FlatPair& pair, std::span<const Polygon> seen, const 
     return made;
 }
 
-/// Whether every pass begins with the farthest depth, and nearer surfaces replace farther ones.
-bool goes_by_nearness(const DepthParams& depth) {
-    const bool is_cleared =
-        depth.clear && depth.write_while_clearing && (depth.mapping != DepthMapping::reversed || depth.reversed_clear);
-    const bool has_func = depth.func == CompareFunc::less || depth.func == CompareFunc::lequal;
-    return depth.test && depth.write && is_cleared && has_func;
-}
-
 /// A decal drawn where the stencil says that what it lies on is seen.
 std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool decal_is_right,
                                                     const std::vector<int>& marks) {
@@ -169,8 +163,8 @@ std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, b
 std::optional<ShareInterval> wrong_share_of(const FlatPair& pair, const Params& params, const Derived& derived,
                                             const SeenCodes& codes) {
     const DepthParams& depth = params.depth;
-    const bool has_bent_depth = depth.mapping == DepthMapping::logarithmic && depth.logarithm_per_vertex;
-    if (!goes_by_nearness(depth) || has_bent_depth) return std::nullopt;
+    const bool goes_by_nearness = wants_nearer(depth) && depth.write && is_cleared_to_farthest(depth);
+    if (!goes_by_nearness || has_bent_depth(depth)) return std::nullopt;
     const bool second_is_right = pair.offset == 0.0 ? !pair.first_lies_on_top() : codes.most_lead > 0.0;
     const double lead = second_is_right ? codes.least_lead : -codes.most_lead;
     const double most_lead = second_is_right ? codes.most_lead : -codes.least_lead;

@@ -61,6 +61,14 @@ glm::dvec4 projected(const ShadowDerivation& found) {
             found.parallel_light ? found.n_dot_l : found.n_dot_l - found.n_dot_p};
 }
 
+/// Why there is a fourth coordinate.
+void introduce_w(Lines& lines) {
+    heading(lines, marked("The common denominator becomes w"));
+    note(lines,
+         marked("No matrix can divide by what differs from point to point. So its last row makes the denominator, "
+                "as w, and the division is left to the end."));
+}
+
 /// The rows of the slide "Planar Shadow", for y = 0.
 void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec3 &l = found.light_world, &p = found.point_world, &s = *found.shadow_world;
@@ -73,10 +81,7 @@ void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     step(lines, {"s_x", "= (l_y p_x − l_x p_y)/(l_y − p_y)", divided(sum.x, sum.w), equals(s.x)});
     step(lines, {"s_y", "= 0"});
     step(lines, {"s_z", "= (l_y p_z − l_z p_y)/(l_y − p_y)", divided(sum.z, sum.w), equals(s.z)});
-    heading(lines, marked("The common denominator becomes w"));
-    note(lines,
-         marked("No matrix can divide by what differs from point to point. So its last row makes the denominator, "
-                "as w, and the division is left to the end."));
+    introduce_w(lines);
     step(lines, {"S p", "= (l_y p_x − l_x p_y, 0, l_y p_z − l_z p_y)"});
     step(lines, {"S p", "= " + derivation_vector(glm::dvec3(sum))});
     step(lines, {"w", "= −p_y + l_y", "= " + signed_sum(std::array{-p.y, l.y}), equals(sum.w)});
@@ -92,10 +97,7 @@ void general_rows(Lines& lines, const ShadowDerivation& found) {
     step(lines, {"s_x", divided(sum.x, sum.w), equals(found.shadow_world->x)});
     step(lines, {"s_y", divided(sum.y, sum.w), equals(found.shadow_world->y)});
     step(lines, {"s_z", divided(sum.z, sum.w), equals(found.shadow_world->z)});
-    heading(lines, marked("The common denominator becomes w"));
-    note(lines,
-         marked("No matrix can divide by what differs from point to point. So its last row makes the denominator, "
-                "as w, and the division is left to the end."));
+    introduce_w(lines);
     step(lines, {"S p", "= (n·l + d) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
     step(lines, {"w", "= −n_x p_x − n_y p_y − n_z p_z + n·l", equals(sum.w)});
 }
