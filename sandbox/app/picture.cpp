@@ -9,12 +9,17 @@ namespace {
 /// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
 constexpr int most_frames = 12;
 
-Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
-                          const PictureRequest& request, ViewName maximised) {
-    Studio studio(renderer, Session(state, scene));
+/// One view alone, or the whole window; the pointer is nowhere.
+void show(Studio& studio, ViewName maximised) {
     studio.workbench.arrangement.maximised = maximised;
     studio.workbench.arrangement.bare = maximised != ViewName::none;
     ImGui::GetIO().MousePos = {-1e6F, -1e6F};
+}
+
+Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
+                          const PictureRequest& request, ViewName maximised) {
+    Studio studio(renderer, Session(state, scene));
+    show(studio, maximised);
     const Studio::Surroundings surroundings{.size_px = request.size_px, .input = {}};
     Image last, picture;
     for (int frame = 0; frame < most_frames; ++frame) {
@@ -52,9 +57,7 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     state.params.view.lower_left = Topic::growth;
     const OtherContext apart;
     Studio studio(renderer, Session(state, session.scene()));
-    studio.workbench.arrangement.maximised = ViewName::lower_left;
-    studio.workbench.arrangement.bare = true;
-    ImGui::GetIO().MousePos = {-1e6F, -1e6F};
+    show(studio, ViewName::lower_left);
     GrowthViewState& growth = studio.workbench.views.hidden.growth;
     growth.rows = shown.rows;
     growth.scene = shown.scene;

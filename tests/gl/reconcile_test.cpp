@@ -32,25 +32,32 @@ protected:
         return last;
     }
 
-    static Seen compare(const char* preset, DepthFormat format) {
-        const Result<LoadedState> state = load_state(preset);
-        EXPECT_TRUE(state) << state.error();
-        Params params = probed(state->params);
-        params.depth.format = format;
-        const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
+    /// Calls visit(report, fragments, clears_depth) for so many pixels of the state's picture, as they are read back
+    /// and as they are computed.
+    template <typename Visit>
+    static void for_pixels_of(const Params& params, const Scene& scene, const Visit& visit) {
         const Derived derived = derive_for(params, scene, size_px);
         const FramePlan frame = plan(params, derived);
         PixelProbe probe;
         EXPECT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
         const FragmentFinder finder(scene);
         Random random(seed);
-        Seen seen;
         for (int trial = 0; trial < pixels; ++trial) {
             const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
             SCOPED_TRACE("seed " + std::to_string(seed) + ", pixel " + std::to_string(pixel.x) + " " +
                          std::to_string(pixel.y));
-            const PixelReport report = probe.at(pixel, scene);
-            std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
+            visit(probe.at(pixel, scene), finder.at(frame, pixel, size_px), frame.clears_depth());
+        }
+    }
+
+    static Seen compare(const char* preset, DepthFormat format) {
+        const Result<LoadedState> state = load_state(preset);
+        EXPECT_TRUE(state) << state.error();
+        Params params = probed(state->params);
+        params.depth.format = format;
+        const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
+        Seen seen;
+        for_pixels_of(params, scene, [&seen](const PixelReport& report, std::vector<Fragment> fragments, bool clears) {
             const int computed = last_drawn(fragments);
             if (computed >= 0) {
                 const Fragment& one = fragments[static_cast<std::size_t>(computed)];
@@ -59,14 +66,14 @@ protected:
                 else
                     seen.worst = std::max(seen.worst, std::abs(static_cast<double>(report.stored) - one.stored));
             }
-            reconcile(fragments, report, frame.clears_depth());
+            reconcile(fragments, report, clears);
             const int last = last_drawn(fragments);
             EXPECT_EQ(last < 0 ? "" : fragments[static_cast<std::size_t>(last)].object, report.object);
-            if (last < 0) continue;
+            if (last < 0) return;
             ++seen.surfaces;
             EXPECT_EQ(fragments[static_cast<std::size_t>(last)].stored, report.stored);
             seen.blamed += std::ranges::any_of(fragments, &Fragment::decided_by_rounding) ? 1 : 0;
-        }
+        });
         std::printf("%s: %d surfaces, %d other winners, %d blamed on rounding, worst %g codes\n", preset, seen.surfaces,
                     seen.other_winner, seen.blamed, seen.worst);
         return seen;
@@ -92,26 +99,16 @@ TEST_F(Reconcile, ComparesWithWhatTheFrameBeforeHasLeft) {
         Params params = probed(load_state("depth-not-cleared")->params);
         params.depth.func = func;
         const Scene scene = testing::scene_named("torus-and-boxes");
-        const Derived derived = derive_for(params, scene, size_px);
-        const FramePlan frame = plan(params, derived);
-        PixelProbe probe;
-        ASSERT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
-        const FragmentFinder finder(scene);
-        Random random(seed);
         int compared = 0, blamed = 0;
-        for (int trial = 0; trial < pixels; ++trial) {
-            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
-            const PixelReport report = probe.at(pixel, scene);
-            std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
-            reconcile(fragments, report, frame.clears_depth());
+        for_pixels_of(params, scene, [&](const PixelReport& report, std::vector<Fragment> fragments, bool clears) {
+            reconcile(fragments, report, clears);
             for (const Fragment& fragment : fragments) {
                 ++compared;
                 // The same picture twice: what stands there at first is what is read back at last.
-                EXPECT_EQ(fragment.compared_with, report.stored)
-                    << "seed " << seed << " pixel " << pixel.x << " " << pixel.y << " " << fragment.object;
+                EXPECT_EQ(fragment.compared_with, report.stored) << fragment.object;
                 blamed += fragment.decided_by_rounding ? 1 : 0;
             }
-        }
+        });
         EXPECT_GT(compared, 400);
         EXPECT_EQ(blamed, 0) << "nothing fights here";
     }
