@@ -39,6 +39,28 @@ Json pair_as_json(const CountedPair& counted, const FightingReport::Row& row) {
     return json;
 }
 
+Json counts_as_json(const FightingCounts& counts) {
+    return {{"wrong_fraction", counts.wrong_fraction()},
+            {"elsewhere",
+             {{"wrong", counts.wrong_elsewhere},
+              {"bleeding", counts.bleeding_elsewhere},
+              {"vanished", counts.vanished_elsewhere},
+              {"pixels", counts.pixels_elsewhere}}}};
+}
+
+/// In the order of CureKind.
+constexpr const char* cure_names[] = {"near", "float", "reversed_float", "logarithmic", "offset", "equal", "stencil"};
+
+Json cures_as_json(const std::vector<FightingReport::Cured>& cured) {
+    Json cures = Json::array();
+    for (const auto& [cure, counts] : cured) {
+        Json json{{"name", cure_names[static_cast<std::size_t>(cure.kind)]}};
+        json.update(counts ? counts_as_json(*counts) : Json());
+        cures.push_back(std::move(json));
+    }
+    return cures;
+}
+
 Json search_as_json(const MinimumGap& found) {
     Json search{{"distance", found.distance},
                 {"pictures", found.pictures},
@@ -56,22 +78,18 @@ Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene&
     FightingReport report =
         fighting_report(headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
                         params, derived, scene, size_px);
+    headless.drawn(count_cures(report, renderer, scene));
     headless.drawn(count_spread(report, renderer, params, scene));
-    const FightingCounts& counts = report.counts;
     const MinimumGap found = headless.drawn(find_minimum_gap(renderer, params, derived.facts.target_distance));
     Json pairs = Json::array();
-    for (std::size_t i = 0; i < report.rows.size(); ++i) pairs.push_back(pair_as_json(counts.pairs[i], report.rows[i]));
-    return {{"scene", scene_name(params)},
-            {"size", as_json(size_px)},
-            {"pairs", std::move(pairs)},
-            {"wrong_fraction", counts.wrong_fraction()},
-            {"elsewhere",
-             {{"wrong", counts.wrong_elsewhere},
-              {"bleeding", counts.bleeding_elsewhere},
-              {"vanished", counts.vanished_elsewhere},
-              {"pixels", counts.pixels_elsewhere}}},
-            {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
-            {"search", search_as_json(found)}};
+    for (std::size_t i = 0; i < report.rows.size(); ++i)
+        pairs.push_back(pair_as_json(report.counts.pairs[i], report.rows[i]));
+    Json json{{"scene", scene_name(params)}, {"size", as_json(size_px)}, {"pairs", std::move(pairs)}};
+    json.update(counts_as_json(report.counts));
+    json.update({{"cures", cures_as_json(report.cured)},
+                 {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
+                 {"search", search_as_json(found)}});
+    return json;
 }
 
 }  // namespace viewing

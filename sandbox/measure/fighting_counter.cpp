@@ -20,42 +20,50 @@ void FightingCounter::start(Renderer& renderer, const Scene& scene, const Questi
     task_ = {};  // what was counted for the question before would be taken for this one's
     derived_ = derive(question.params, scene, {question.size_px, renderer.capabilities().clip_control});
     search_.emplace(renderer, question.params, derived_.facts.target_distance);
-    camera_ = -1;
+    picture_ = -1;
     const Result<IdImage> drawn = objects_by_gl(renderer, question.params, scene, question.size_px);
     if (!drawn) return take(Error{drawn.error()}, scene);
     if (may_wait) {
         take(count_wrong(*drawn, question.params, scene, near_coplanar_pairs(scene)), scene);
-        if (const Status done = count_spread(*report_, renderer, question.params, scene); !done)
-            report_->problem = done.error();
-        camera_ = spread_cameras;
+        Status done = count_cures(*report_, renderer, scene);
+        if (done) done = count_spread(*report_, renderer, question.params, scene);
+        give_up(done ? report_->problem : done.error());
     } else {
         task_.start(counting(*drawn, question.params, scene));
     }
 }
 
+/// Nothing more is counted for this question.
+void FightingCounter::give_up(std::string problem) {
+    report_->problem = std::move(problem);
+    picture_ = cure_count() + spread_cameras;
+}
+
 void FightingCounter::take(Result<FightingCounts> counts, const Scene& scene) {
-    if (camera_ >= 0) {
-        if (counts) return take_spread(*report_, *counts);
-        report_->problem = counts.error();
-        camera_ = spread_cameras;
+    if (picture_ >= 0) {
+        if (!counts) return give_up(counts.error());
+        if (picture_ >= cure_count()) return take_spread(*report_, *counts);
+        report_->cured[static_cast<std::size_t>(picture_)].counts = *std::move(counts);
         return;
     }
     const std::optional<MinimumGap> gap = report_ ? report_->minimum_gap : std::nullopt;
-    std::string problem = counts ? "" : counts.error();
+    const std::string problem = counts ? "" : counts.error();
     report_ = std::make_shared<FightingReport>(fighting_report(counts ? *std::move(counts) : FightingCounts{},
                                                                asked_->params, derived_, scene, asked_->size_px));
     report_->minimum_gap = gap;
-    if (!problem.empty() || report_->rows.empty()) camera_ = spread_cameras;
-    report_->problem = std::move(problem);
+    if (!problem.empty() || report_->rows.empty()) give_up(problem);
 }
 
-void FightingCounter::count_next_camera(Renderer& renderer, const Scene& scene) {
-    if (++camera_ >= spread_cameras) return;
-    const Params params = trembling(asked_->params, camera_);
-    const Result<IdImage> drawn = objects_by_gl(renderer, params, scene, spread_size(asked_->size_px));
-    if (drawn) return task_.start(counting(*drawn, params, scene));
-    report_->problem = drawn.error();
-    camera_ = spread_cameras;
+void FightingCounter::count_next(Renderer& renderer, const Scene& scene) {
+    ++picture_;
+    if (!has_more_pictures()) return;
+    const bool is_cure = picture_ < cure_count();
+    const Params params = is_cure ? report_->cured[static_cast<std::size_t>(picture_)].cure.params
+                                  : trembling(asked_->params, picture_ - cure_count());
+    const Result<IdImage> drawn =
+        objects_by_gl(renderer, params, scene, is_cure ? asked_->size_px : spread_size(asked_->size_px));
+    if (!drawn) return give_up(drawn.error());
+    task_.start(counting(*drawn, params, scene));
 }
 
 void FightingCounter::search(Renderer& renderer, bool may_wait) {
@@ -80,12 +88,12 @@ std::shared_ptr<const FightingReport> FightingCounter::update(Renderer& renderer
     if (is_asked) {
         if (auto counts = task_.take()) take(*std::move(counts), scene);
         if (search_ && !task_.is_running() && may_work) search(renderer, may_wait);
-        if (!search_ && !task_.is_running() && may_work && camera_ < spread_cameras) count_next_camera(renderer, scene);
+        if (!search_ && !task_.is_running() && may_work && has_more_pictures()) count_next(renderer, scene);
     }
     if (report_) {
-        report_->counts_are_behind = !is_asked || (camera_ < 0 && task_.is_running());
+        report_->counts_are_behind = !is_asked || (picture_ < 0 && task_.is_running());
         report_->gap_is_behind = report_->counts_are_behind || search_;
-        report_->spread_is_behind = report_->gap_is_behind || camera_ < spread_cameras;
+        report_->spread_is_behind = report_->gap_is_behind || has_more_pictures();
     }
     return report_;
 }

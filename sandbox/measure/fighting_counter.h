@@ -1,6 +1,7 @@
 // The numbers of the view of depth fighting, kept up with the state beside a window that must not wait: GL's pictures
 // are drawn when nothing is held, exact visibility is found in a thread, and the search for the smallest gap goes on a
-// few pictures a frame; then the same is counted from trembling cameras, one after the other. Read fighting_measure.h
+// few pictures a frame; then the same is counted with each cure and from trembling cameras, one after the other. Read
+// fighting_measure.h
 // for what is counted.
 #pragma once
 
@@ -20,7 +21,7 @@ public:
                                                  int scene_version, glm::ivec2 size_px, bool may_wait, bool is_at_rest);
 
     /// More frames are wanted though nothing is edited.
-    bool wants_frames() const { return task_.is_running() || search_.has_value() || camera_ < spread_cameras; }
+    bool wants_frames() const { return task_.is_running() || search_.has_value() || has_more_pictures(); }
 
 private:
     /// What the numbers depend on.
@@ -34,14 +35,20 @@ private:
     void start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait);
     void take(Result<FightingCounts> counts, const Scene& scene);
     void search(Renderer& renderer, bool may_wait);
-    void count_next_camera(Renderer& renderer, const Scene& scene);
+    void count_next(Renderer& renderer, const Scene& scene);
+    void give_up(std::string problem);
+
+    /// How many pictures are counted beside the state's own: with its cures, then from its trembling cameras.
+    int cure_count() const { return report_ ? static_cast<int>(report_->cured.size()) : 0; }
+    bool has_more_pictures() const { return picture_ < cure_count() + spread_cameras; }
 
     std::optional<Question> asked_;
     Derived derived_;  ///< of the question
     std::shared_ptr<FightingReport> report_;
     BackgroundTask<FightingCounts> task_;
     std::optional<MinimumGapSearch> search_;
-    int camera_ = spread_cameras;  ///< of the spread: the next one, or the one that task_ counts
+    /// The one that task_ counts, or that was counted last: −1 is the state's own.
+    int picture_ = spread_cameras;
 };
 
 }  // namespace viewing

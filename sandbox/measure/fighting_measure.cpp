@@ -153,6 +153,17 @@ void take_spread(FightingReport& report, const FightingCounts& counts) {
         if (counts.pairs[i].pixels > 0) report.rows[i].spread.take(counts.pairs[i].wrong_fraction());
 }
 
+Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress) {
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    for (FightingReport::Cured& cured : report.cured) {
+        Result<FightingCounts> counts =
+            count_fighting(renderer, cured.cure.params, scene, pairs, report.size_px, progress);
+        if (!counts) return Error{counts.error()};
+        cured.counts = *std::move(counts);
+    }
+    return std::monostate{};
+}
+
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress) {
     const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);

@@ -35,7 +35,10 @@ glm::ivec2 spread_size(glm::ivec2 size_px);
 /// Adds what was counted from one of the trembling() cameras to the rows' spreads.
 void take_spread(FightingReport& report, const FightingCounts& counts);
 
-/// Counts from all of them. The error is GL's, or says that the work was cancelled.
+/// Counts with each of the report's cures. The error is GL's, or says that the work was cancelled.
+Status count_cures(FightingReport& report, Renderer& renderer, const Scene& scene, WorkProgress* progress = nullptr);
+
+/// Counts from all of the trembling cameras. The error is GL's, or says that the work was cancelled.
 Status count_spread(FightingReport& report, Renderer& renderer, const Params& state, const Scene& scene,
                     WorkProgress* progress = nullptr);
 

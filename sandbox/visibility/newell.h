@@ -16,8 +16,9 @@
 
 namespace viewing {
 
-/// P is about to be drawn, Q later. Each of the first six, in this order, lets P go before Q; each of the last two lets
-/// Q go before P instead. Planes have their front towards the eye.
+/// P is about to be drawn, Q later, as in the paper; on the screen they are A and B, for P is the projection there.
+/// Each of the first six, in this order, lets P go before Q; each of the last two lets Q go before P instead. Planes
+/// have their front towards the eye.
 enum class NewellTest {
     depth_extents,         ///< Q's farthest is no farther than P's nearest
     x_extents,             ///< apart on the screen's x axis

@@ -63,6 +63,13 @@ TEST_F(Counter, ComesToTheSameFrameByFrame) {
     EXPECT_EQ(report->counts.wrong_fraction(), at_once->counts.wrong_fraction());
     EXPECT_EQ(report->minimum_gap->gap, at_once->minimum_gap->gap);
     EXPECT_FALSE(report->counts_are_behind || report->gap_is_behind);
+    ASSERT_EQ(report->cured.size(), at_once->cured.size());
+    for (std::size_t i = 0; i < report->cured.size(); ++i) {
+        ASSERT_TRUE(report->cured[i].counts && at_once->cured[i].counts) << i;
+        EXPECT_EQ(report->cured[i].counts->wrong_fraction(), at_once->cured[i].counts->wrong_fraction()) << i;
+    }
+    for (std::size_t i = 0; i < report->rows.size(); ++i)
+        EXPECT_EQ(report->rows[i].spread.mean(), at_once->rows[i].spread.mean()) << i;
 }
 
 TEST_F(Counter, BeginsNothingWhileSomethingIsHeld) {

@@ -162,6 +162,39 @@ TEST_F(Fighting, OfDecalsIsCuredByTheStencilAndNotByEqualDepth) {
     for (const CountedPair& pair : stencil.pairs) EXPECT_GT(pair.pixels, 1000);
 }
 
+TEST_F(Fighting, IsCountedWithEachCureAsIfItWereSetByHand) {
+    const char* const settings[][2] = {
+        {"projection.near=3.4", ""},
+        {"depth.format=d32f", ""},
+        {"depth.format=d32f", "depth.mapping=reversed"},
+        {"depth.mapping=logarithmic", ""},
+        {"depth.offset.factor=-1", "depth.offset.units=-1"},
+        {"depth.decals=equal", ""},
+        {"depth.decals=stencil", ""},
+    };
+    const Params params = load_state("depth-fighting")->params;
+    const Scene scene = testing::scene_named("coplanar");
+    FightingReport report =
+        fighting_report(count(params, scene), params, derive_for(params, scene, size_px), scene, size_px);
+    ASSERT_EQ(report.cured.size(), std::size(settings));
+    ASSERT_TRUE(count_cures(report, renderer(), scene));
+    for (std::size_t i = 0; i < std::size(settings); ++i) {
+        Params by_hand = params;
+        for (const std::string setting : settings[i])
+            if (!setting.empty()) by_hand = *apply_settings(by_hand, std::vector{setting});
+        EXPECT_EQ(report.cured[i].cure.params, by_hand) << settings[i][0];
+        EXPECT_EQ(report.cured[i].counts->wrong_fraction(), count(by_hand, scene).wrong_fraction()) << settings[i][0];
+    }
+    const auto share = [&](CureKind kind) {
+        return report.cured[static_cast<std::size_t>(kind)].counts->wrong_fraction();
+    };
+    EXPECT_EQ(share(CureKind::near) + share(CureKind::reversed_float) + share(CureKind::logarithmic), 0.0);
+    EXPECT_GT(share(CureKind::float_format), 0.1) << "near 1 a float has the codes of 24 bits";
+    EXPECT_GT(share(CureKind::equal), 0.1) << "there is a gap";
+    EXPECT_EQ(share(CureKind::stencil), 0.0);
+    EXPECT_GT(report.cured.back().counts->wrong_elsewhere, 1000) << "what sticks out beside its wall is lost";
+}
+
 TEST_F(Fighting, IsCountedInTheWholeFrameWhateverStepIsShown) {
     const Scene scene = testing::scene_named("coplanar");
     Params params = load_state("depth-fighting")->params;

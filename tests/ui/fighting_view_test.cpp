@@ -146,6 +146,26 @@ TEST_F(FightingView, LeavesColumnsOutWhereItIsNarrowAndKeepsTheCounts) {
     }
 }
 
+TEST_F(FightingView, TellsWhatEachCureComesToAndSetsIt) {
+    make_report();
+    ASSERT_EQ(report->cured.size(), 7U);
+    FightingCounts& reversed = report->cured[2].counts.emplace(report->counts);
+    FightingCounts& stencil = report->cured[6].counts.emplace(report->counts);
+    reversed.wrong_elsewhere = 0;
+    stencil.pairs.back().wrong = 0;
+    ui.frames(3);
+    EXPECT_TRUE(says("reversed: 4.2 %"));
+    EXPECT_FALSE(says("reversed: +"));
+    EXPECT_TRUE(says("stencil: 0.0 %"));
+    EXPECT_TRUE(says("stencil: +77"));
+    EXPECT_TRUE(says("near 3.4: …")) << "not counted yet";
+    EXPECT_TRUE(paints("reversed: 4.2 %", palette().trouble));
+    EXPECT_FALSE(paints("stencil: 0.0 %", palette().trouble));
+    ui.click("fighting/reversed");
+    EXPECT_EQ(session.params, report->cured[2].cure.params);
+    EXPECT_EQ(session.params.depth.mapping, DepthMapping::reversed);
+}
+
 TEST_F(FightingView, OffersASceneThatFights) {
     session.params.scene = std::string("torus-and-boxes");
     report = std::make_shared<FightingReport>();

@@ -59,6 +59,8 @@ FightingReport fighting_report(FightingCounts counts, const Params& params, cons
                              name_of(counted.pair.second),
                              predict_pair(counted.pair, params, derived, size_px),
                              {}});
+    if (!counts.pairs.empty())
+        for (Cure& cure : cures(params, derived, scene)) made.cured.push_back({std::move(cure), {}});
     made.counts = std::move(counts);
     made.size_px = size_px;
     return made;

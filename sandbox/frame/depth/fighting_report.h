@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/depth/cures.h"
 #include "frame/depth/pair_prediction.h"
 
 namespace viewing {
@@ -62,7 +63,13 @@ struct FightingReport {
         ShareSpread spread;  ///< of no camera until they are counted
     };
     FightingCounts counts;
+    /// A cure, and what is counted with it, of the same pairs and in a picture of the same size.
+    struct Cured {
+        Cure cure;
+        std::optional<FightingCounts> counts;  ///< none until they are there
+    };
     std::vector<Row> rows;                  ///< of each pair in the counts
+    std::vector<Cured> cured;               ///< in the order of cures(); none where there are no pairs
     glm::ivec2 size_px{0};                  ///< of the picture in which they were counted
     std::optional<MinimumGap> minimum_gap;  ///< none: not searched yet
     bool counts_are_behind = false;         ///< they belong to an earlier state

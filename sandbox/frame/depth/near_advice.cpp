@@ -140,13 +140,14 @@ Change change_of(const Params& params, const Derived& derived, double near, doub
     return change;
 }
 
-NearAdvice advice_where_cut(const Params& params, const Derived& derived, const SeenThing& nearest, double z) {
+NearAdvice advice_where_cut(const Params& params, const Derived& derived, const SeenThing& nearest, double z,
+                            std::optional<double> better) {
     const std::string near_now = figures(params.projection.near, 3);
-    const double near = nearest.nearest > 0.0 ? rounded_down(margin * nearest.nearest) : 0.0;
-    if (near < least_near)
+    if (!better)
         return {true, std::nullopt,
                 say("near = {near} cuts into {object}, which reaches up to the eye: no near would keep it whole.",
                     "near"_a = near_now, "object"_a = nearest.name)};
+    const double near = *better;
     const Change change = change_of(params, derived, near, z);
     const bool is_finer = change.then < change.now;
     const double factor = is_finer ? change.now / change.then : change.then / change.now;
@@ -166,7 +167,18 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
                                                      "factor"_a = figures(factor)))};
 }
 
+const SeenThing& nearest_of(const std::vector<SeenThing>& seen) {
+    return *std::min_element(seen.begin(), seen.end(),
+                             [](const SeenThing& a, const SeenThing& b) { return a.nearest < b.nearest; });
+}
+
 }  // namespace
+
+std::optional<double> largest_near(const std::vector<SeenThing>& seen) {
+    if (seen.empty() || !(nearest_of(seen).nearest > 0.0)) return std::nullopt;
+    const double near = rounded_down(margin * nearest_of(seen).nearest);
+    return near < least_near ? std::nullopt : std::optional(near);
+}
 
 double rounded_down(double value) {
     const double unit = std::floor(std::log10(value)) - 1.0;
@@ -225,13 +237,13 @@ std::vector<DistanceMark> distance_marks(const std::vector<SeenThing>& seen, std
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived,
                                       const std::vector<SeenThing>& seen) {
     if (params.projection.type == ProjectionType::orthographic || seen.empty()) return std::nullopt;
-    const SeenThing& nearest = *std::min_element(
-        seen.begin(), seen.end(), [](const SeenThing& a, const SeenThing& b) { return a.nearest < b.nearest; });
+    const SeenThing& nearest = nearest_of(seen);
     const double z = std::max_element(seen.begin(), seen.end(), [](const SeenThing& a, const SeenThing& b) {
                          return a.farthest < b.farthest;
                      })->farthest;
-    if (nearest.nearest < params.projection.near) return advice_where_cut(params, derived, nearest, z);
-    const double near = rounded_down(margin * nearest.nearest);
+    const std::optional<double> better = largest_near(seen);
+    if (nearest.nearest < params.projection.near) return advice_where_cut(params, derived, nearest, z, better);
+    const double near = better.value_or(params.projection.near);
     if (near <= params.projection.near || params.depth.mapping == DepthMapping::logarithmic) return std::nullopt;
     const Change change = change_of(params, derived, near, z);
     if (!(change.now >= least_gain * change.then)) return std::nullopt;

@@ -43,6 +43,10 @@ struct NearAdvice {
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const std::vector<SeenThing>& seen);
 std::optional<NearAdvice> near_advice(const Params& params, const Derived& derived, const Scene& scene);
 
+/// The largest near, to two digits, with which all that is in view is kept, and a margin for a small move of the
+/// camera. None where nothing is in view, or something reaches up to the eye.
+std::optional<double> largest_near(const std::vector<SeenThing>& seen);
+
 /// Down to two significant digits; `value` is above 0.
 double rounded_down(double value);
 

@@ -255,6 +255,55 @@ void draw_totals(const FightingReport& report) {
     if (!report.problem.empty()) line({told(report.problem, true)});
 }
 
+/// A cure's button and, below it, what is counted with it: the share of the pairs' wrong pixels, and how many are wrong
+/// elsewhere.
+void draw_cure(Session& session, const FightingReport::Cured& cured, float width, bool is_behind) {
+    const auto& [cure, counts] = cured;
+    const bool is_so = cure.params == session.params;
+    ImGui::BeginGroup();
+    const float left = ImGui::GetCursorPosX();
+    if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already."))) session.params = cure.params;
+    widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
+    const auto number = [&](const std::string& text, ImU32 color) {
+        ImGui::SetCursorPosX(left + std::floor(0.5F * (width - ImGui::CalcTextSize(text.c_str()).x)));
+        ImGui::PushStyleColor(ImGuiCol_Text, is_behind ? palette().quiet : color);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+        widgets::Record((cure.name + ": " + text).c_str());
+    };
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    if (!counts) {
+        number("…", palette().quiet);
+    } else {
+        const double share = counts->wrong_fraction();
+        number(percent(share), share > 0.0 ? palette().trouble : palette().text);
+        if (counts->wrong_elsewhere > 0) number("+" + grouped_number(counts->wrong_elsewhere), palette().trouble);
+    }
+    ImGui::PopFont();
+    ImGui::EndGroup();
+}
+
+/// Side by side, as many in a line as there is room for.
+void draw_cures(Session& session, const FightingReport& report) {
+    if (report.cured.empty()) return;
+    const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
+    ImGui::Dummy({0.0F, px(2.0F)});
+    ImGui::PushFont(fonts.note);
+    line({{tr("each of these by itself: wrong in the pairs, and elsewhere"), palette().quiet}});
+    const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, between = px(5.0F);
+    float end = right;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});
+    for (const FightingReport::Cured& cured : report.cured) {
+        const float width = widgets::SmallButtonWidth(cured.cure.name.c_str());
+        const float room = std::max(width, width_of("100.0 %", fonts.small_number));
+        if (end + between + room <= right) ImGui::SameLine(0.0F, between + end - ImGui::GetItemRectMax().x);
+        end = ImGui::GetCursorScreenPos().x + room;
+        draw_cure(session, cured, width, report.counts_are_behind);
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+}
+
 }  // namespace
 
 void draw_fighting_view(Session& session, const FightingReport* report, const Rect& rect) {
@@ -271,6 +320,7 @@ void draw_fighting_view(Session& session, const FightingReport* report, const Re
     }
     draw_table(rows_of(*report), report->counts_are_behind);
     draw_totals(*report);
+    draw_cures(session, *report);
 }
 
 }  // namespace viewing

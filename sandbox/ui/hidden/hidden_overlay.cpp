@@ -131,8 +131,8 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
         const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
         if (const Polygon* q = polygon_at(result, step.q)) marked(overlay, *q, palette().mirror);
         if (const Polygon* p = polygon_at(result, step.p)) marked(overlay, *p, palette().light);
-        if (const Polygon* p = polygon_at(result, step.p)) overlay.label(centroid(*p), "P", palette().light);
-        if (const Polygon* q = polygon_at(result, step.q)) overlay.label(centroid(*q), "Q", palette().mirror);
+        if (const Polygon* p = polygon_at(result, step.p)) overlay.label(centroid(*p), "A", palette().light);
+        if (const Polygon* q = polygon_at(result, step.q)) overlay.label(centroid(*q), "B", palette().mirror);
         return;
     }
     if (result.compare && result.compare->polygon >= 0) {

@@ -41,7 +41,7 @@ OrderRow OrderRows::row(int place) const {
 std::string OrderRows::detail_of(int fragment) const {
     if (result_.painter && static_cast<std::size_t>(fragment) < result_.painter->distances.size())
         return number_text(result_.painter->distances[static_cast<std::size_t>(fragment)], 3);
-    if (newell_step_) return fragment == newell_step_->p ? "P" : fragment == newell_step_->q ? "Q" : "";
+    if (newell_step_) return fragment == newell_step_->p ? "A" : fragment == newell_step_->q ? "B" : "";
     if (!result_.tree) return "";
     const int node = index_.node_of(fragment);
     if (node < 0) return "";

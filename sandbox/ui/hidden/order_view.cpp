@@ -87,8 +87,8 @@ void named_polygon(const char* letter, const std::string& name, ImU32 color) {
 /// What came of it stands above the tests: a low view shows at least that.
 void draw_ladder(const Ladder& ladder) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
-    named_polygon("P", ladder.p, palette().light);
-    if (!ladder.q.empty()) named_polygon("Q", ladder.q, palette().mirror);
+    named_polygon("A", ladder.p, palette().light);
+    if (!ladder.q.empty()) named_polygon("B", ladder.q, palette().mirror);
     ImGui::PushTextWrapPos();
     ImGui::TextUnformatted(ladder.action.c_str());
     ImGui::PopTextWrapPos();

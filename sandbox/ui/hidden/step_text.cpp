@@ -35,23 +35,23 @@ bool is_plane_of(const HiddenResult& result, int fragment, const glm::dvec4& pla
 std::string cut_sentence(const HiddenResult& result, const NewellStep& step) {
     const bool cuts_p = step.split == step.p;
     const bool by_plane = is_plane_of(result, cuts_p ? step.q : step.p, step.cut_plane);
-    if (by_plane) return cuts_p ? tr("P is cut by the plane of Q.") : tr("Q is cut by the plane of P.");
-    return cuts_p ? tr("P is cut by a plane through the eye and an edge of Q.")
-                  : tr("Q is cut by a plane through the eye and an edge of P.");
+    if (by_plane) return cuts_p ? tr("A is cut by the plane of B.") : tr("B is cut by the plane of A.");
+    return cuts_p ? tr("A is cut by a plane through the eye and an edge of B.")
+                  : tr("B is cut by a plane through the eye and an edge of A.");
 }
 
 std::string action_sentence(const HiddenResult& result, const NewellStep& step) {
     switch (step.action) {
         case NewellAction::goes_on:
-            return tr("P may go before Q.");
+            return tr("A may go before B.");
         case NewellAction::swaps:
-            return tr("Swap: Q goes before P.");
+            return tr("Swap: B goes before A.");
         case NewellAction::splits:
             return cut_sentence(result, step);
         case NewellAction::draws:
-            return tr("Nothing is left that P could hide: P is drawn.");
+            return tr("Nothing is left that A could hide: A is drawn.");
         case NewellAction::forces:
-            return tr("P is drawn although Q stands against it: they overlap by less than epsilon.");
+            return tr("A is drawn although B stands against it: they overlap by less than epsilon.");
     }
     return "";
 }
@@ -74,15 +74,15 @@ const char* newell_test_text(NewellTest test) {
         case NewellTest::y_extents:
             return marked("apart along y");
         case NewellTest::p_behind_q:
-            return marked("P behind the plane of Q");
+            return marked("A behind the plane of B");
         case NewellTest::q_in_front_of_p:
-            return marked("Q in front of the plane of P");
+            return marked("B in front of the plane of A");
         case NewellTest::projections_disjoint:
             return marked("apart on the screen");
         case NewellTest::q_behind_p:
-            return marked("Q behind the plane of P");
+            return marked("B behind the plane of A");
         case NewellTest::p_in_front_of_q:
-            return marked("P in front of the plane of Q");
+            return marked("A in front of the plane of B");
         case NewellTest::none:
             return marked("none: cut");
     }

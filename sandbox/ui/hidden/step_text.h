@@ -16,11 +16,11 @@ enum class RungState { failed, decided, untried };
 /// Newell's tests for the pair of the step, in their order.
 struct Ladder {
     std::string p, q;                                      ///< the polygons' names; q is empty when there is none
-    std::array<RungState, newell_test_count - 1> rungs{};  ///< all untried when there is no Q
+    std::array<RungState, newell_test_count - 1> rungs{};  ///< all untried when there is no B
     std::string action;                                    ///< a sentence
 };
 
-/// The sentence that a test claims, of P and Q; not yet looked up.
+/// The sentence that a test claims, of A and B; not yet looked up.
 const char* newell_test_text(NewellTest test);
 
 /// None without a step of Newell's: at the beginning, and at the end, where all steps are told together.

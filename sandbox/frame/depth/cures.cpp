@@ -1,0 +1,67 @@
+#include "frame/depth/cures.h"
+
+#include "frame/depth/decals.h"
+#include "frame/depth/near_advice.h"
+#include "text/catalogue.h"
+
+namespace viewing {
+namespace {
+
+Cure near_for_what_is_seen(const Params& params, const Derived& derived, const Scene& scene) {
+    Cure cure{CureKind::near, {}, {}, params};
+    const std::vector<SeenThing> seen = seen_things(params, derived, scene);
+    cure.params.projection.near = largest_near(seen).value_or(params.projection.near);
+    cure.name = say("near {near}", "near"_a = figures(cure.params.projection.near, 3));
+    cure.explanation =
+        tr("The near plane as far away as what is in view lets it: nine tenths of the nearest distance.");
+    return cure;
+}
+
+Cure with_mapping(const Params& params, CureKind kind, DepthMapping mapping, DepthFormat format, const char* name,
+                  const char* explanation) {
+    Cure cure{kind, name, explanation, params};
+    DepthParams& depth = cure.params.depth;
+    depth.mapping = mapping;
+    depth.format = format;
+    depth.reversed_zero_to_one = depth.reversed_clear = depth.reversed_offset = true;
+    depth.logarithm_per_vertex = false;
+    return cure;
+}
+
+Cure for_decals(const Params& params, CureKind kind, DecalMethod method, const char* name, const char* explanation) {
+    Cure cure{kind, name, explanation, params};
+    cure.params.depth.decals = method;
+    if (method == DecalMethod::offset) {
+        cure.params.depth.offset = {-1.0, -1.0};
+        cure.params.depth.reversed_offset = true;
+    }
+    return cure;
+}
+
+}  // namespace
+
+std::vector<Cure> cures(const Params& params, const Derived& derived, const Scene& scene) {
+    const DepthFormat format = params.depth.format == DepthFormat::d32f ? DepthFormat::d24 : params.depth.format;
+    std::vector<Cure> all{
+        near_for_what_is_seen(params, derived, scene),
+        with_mapping(params, CureKind::float_format, DepthMapping::standard, DepthFormat::d32f, tr("float"),
+                     tr("Standard depth as a 32-bit float. It is finest near 0, at the near plane; near 1, where most "
+                        "of what is seen lies, it has the codes of 24 bits.")),
+        with_mapping(params, CureKind::reversed_float, DepthMapping::reversed, DepthFormat::d32f, tr("reversed"),
+                     tr("Reversed depth as a 32-bit float, clip range 0 … 1: what is finest, near 0, lies far away.")),
+        with_mapping(params, CureKind::logarithmic, DepthMapping::logarithmic, format, tr("log"),
+                     tr("Logarithmic depth: as many codes for each tenfold distance.")),
+    };
+    if (!has_decals(scene)) return all;
+    all.push_back(for_decals(params, CureKind::offset, DecalMethod::offset, tr("offset"),
+                             tr("glPolygonOffset(−1, −1) for what lies on top.")));
+    all.push_back(for_decals(params, CureKind::equal, DecalMethod::equal, "GL_EQUAL",
+                             tr("What lies on top is drawn last, where its depth is that of what it lies on: only the "
+                                "very same triangles without a gap have that.")));
+    all.push_back(for_decals(params, CureKind::stencil, DecalMethod::stencil, tr("stencil"),
+                             tr("What lies below marks its pixels, and what lies on top is drawn there without a depth "
+                                "test: nowhere else, so that what sticks out is lost.")));
+    return all;
+}
+
+}  // namespace viewing
