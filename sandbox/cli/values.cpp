@@ -11,8 +11,6 @@
 namespace viewing {
 namespace {
 
-constexpr long long most_pixels = 64'000'000;
-
 std::optional<int> parse_int(std::string_view text) {
     int number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -42,7 +40,7 @@ glm::ivec2 size_option(const Options& options, const std::optional<std::string>&
     if (!size) options.refuse("--size: must be WIDTHxHEIGHT in pixels, such as 1280x720" + got(*text));
     const bool sides_fit =
         size->x >= 1 && size->y >= 1 && size->x <= largest_image_side && size->y <= largest_image_side;
-    if (!sides_fit || static_cast<long long>(size->x) * size->y > most_pixels)
+    if (!sides_fit || static_cast<long long>(size->x) * size->y > most_image_pixels)
         options.refuse("--size: each side must be from 1 to " + std::to_string(largest_image_side) +
                        " and the picture at most 64 million pixels" + got(*text));
     return *size;

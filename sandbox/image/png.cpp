@@ -164,6 +164,10 @@ Result<Image> read_png(const std::filesystem::path& path) try {
     if (width > largest_image_side || height > largest_image_side)
         return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
                      " pixels; at most " + std::to_string(largest_image_side) + " a side are read"};
+    if (static_cast<std::uint64_t>(width) * height > most_image_pixels)
+        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
+                     " pixels; at most " + std::to_string(most_image_pixels / 1'000'000) +
+                     " million are read, make it smaller"};
     const std::uintmax_t file_bytes = std::filesystem::file_size(path, size_error);
     if (!size_error && !file_can_hold(file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
         return Error{name + ": the PNG file is cut off before its end"};

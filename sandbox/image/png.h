@@ -12,10 +12,13 @@ namespace viewing {
 
 /// The largest width and height that is read or written.
 constexpr int largest_image_side = 16384;
+/// The most pixels that are read: 256 MB of memory, whatever a small file promises.
+constexpr int most_image_pixels = 64'000'000;
 
 /// Any PNG (1 … 16 bits, grey, palette, with or without alpha, interlaced) as 8-bit RGBA with the values stored in
 /// the file: no gamma is applied, 16 bits are rounded to 8, no alpha is 255. One sentence that begins with the path for
-/// a file that cannot be read, is no PNG, is broken or cut off, or is larger than largest_image_side.
+/// a file that cannot be read, is no PNG, is broken or cut off, or is larger than largest_image_side or
+/// most_image_pixels, which its header tells.
 Result<Image> read_png(const std::filesystem::path& path);
 
 /// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB

@@ -15,24 +15,23 @@ bool contains(std::string_view text, std::string_view part) {
     return text.find(part) != std::string_view::npos;
 }
 
-/// The word or character of a text that a parser stumbled over, fit to be shown: printable ASCII, not too long.
+/// The word or character of a text that a parser stumbled over, fit to be shown.
 std::string word_at(std::string_view text, std::size_t offset) {
     const auto in_word = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.';
     };
-    constexpr std::size_t longest = 24;
     std::size_t begin = offset;
     while (begin > 0 && in_word(text[begin]) && in_word(text[begin - 1])) {
         --begin;
     }
     std::size_t end = offset + 1;
+    while (end < text.size() && continues_character(text[end])) {
+        ++end;
+    }
     while (end < text.size() && in_word(text[end]) && in_word(text[end - 1])) {
         ++end;
     }
-    std::string word(text.substr(begin, std::min(end - begin, longest)));
-    std::replace_if(
-        word.begin(), word.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return word;
+    return excerpt(text.substr(begin, end - begin));
 }
 
 /// What is wrong with a text that is not JSON, in our words; `reason` is the library's.
@@ -104,7 +103,7 @@ public:
                      const nlohmann::detail::exception& error) override {
         constexpr int number_overflow = 406;
         if (error.id == number_overflow) {
-            next_place().refuse("the number " + one_line(token) + " is too large, numbers go up to 1e12");
+            next_place().refuse("the number " + excerpt(token) + " is too large, numbers go up to 1e12");
         }
         const std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
         const std::string_view before = text_.substr(0, offset);
@@ -221,7 +220,7 @@ void print(const Json& value, std::size_t level, std::string& out) {
 }  // namespace
 
 Where Where::key(std::string_view name) const {
-    return {prefix, path.empty() ? std::string(name) : path + "." + std::string(name)};
+    return {prefix, path.empty() ? excerpt(name) : path + "." + excerpt(name)};
 }
 
 Where Where::at(std::size_t index) const {
@@ -248,12 +247,9 @@ std::string print_document(const Json& document) {
 }
 
 std::string describe(const Json& value) {
-    constexpr std::size_t longest = 40;
     switch (value.type()) {
-        case Json::value_t::string: {
-            const std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-            return "the text " + (text.size() > longest ? text.substr(0, longest) + "…" : text);
-        }
+        case Json::value_t::string:
+            return "the text \"" + excerpt(value.get_ref<const std::string&>()) + "\"";
         case Json::value_t::array:
             return "an array of " + std::to_string(value.size());
         case Json::value_t::object:

@@ -43,7 +43,7 @@ auto guarded(Read read) -> Result<decltype(read())> {
 /// A place in a document: what every message opens with, and the path so far.
 struct Where {
     std::string prefix;  ///< "state.json: " or "--set "
-    std::string path;    ///< "projection.near"; empty at the root
+    std::string path;    ///< "projection.near", keys cut at 20 characters; empty at the root
 
     Where key(std::string_view name) const;
     Where at(std::size_t index) const;

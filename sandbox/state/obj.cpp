@@ -6,11 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "geometry/shapes.h"
 #include "platform/file.h"
 #include "state/obj_lines.h"
+#include "state/obj_vertices.h"
 #include "state/polygon.h"
 
 namespace viewing {
@@ -33,69 +33,35 @@ bool every_corner_has_a_normal(const ObjContent& content) {
     return true;
 }
 
-/// Gives each pair of position and normal one vertex: the vertices at a position are chained.
-class VertexMaker {
-public:
-    VertexMaker(const ObjContent& content, bool with_normals, Mesh& mesh)
-        : content_(content), with_normals_(with_normals), mesh_(mesh), first_(content.positions.size(), none) {}
+constexpr const char* was_cancelled = "loading was cancelled";
 
-    std::uint32_t vertex(const ObjCorner& corner) {
-        const int normal = with_normals_ ? corner.normal : ObjCorner::no_normal;
-        std::uint32_t* link = &first_[static_cast<std::size_t>(corner.position)];
-        while (*link != none) {
-            if (made_[*link].normal == normal) {
-                return *link;
-            }
-            link = &made_[*link].next;
-        }
-        const auto made = static_cast<std::uint32_t>(made_.size());
-        *link = made;
-        made_.push_back({normal, none});
-        mesh_.positions.push_back(content_.positions[static_cast<std::size_t>(corner.position)]);
-        if (with_normals_) {
-            mesh_.normals.push_back(glm::normalize(content_.normals[static_cast<std::size_t>(normal)]));
-        }
-        return made;
-    }
-
-private:
-    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    struct Made {
-        int normal;
-        std::uint32_t next;
-    };
-    const ObjContent& content_;
-    bool with_normals_;
-    Mesh& mesh_;
-    std::vector<std::uint32_t> first_;  ///< by position
-    std::vector<Made> made_;            ///< by vertex
-};
-
-/// Empty when the job was cancelled.
-Mesh assembled(const ObjContent& content, WorkProgress* progress) {
+/// The triangles; an error where it was cancelled or would take too long.
+Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
     Mesh mesh;
     mesh.indices.reserve(3 * content.triangle_count);
-    VertexMaker maker(content, every_corner_has_a_normal(content), mesh);
+    ObjVertices vertices(content, every_corner_has_a_normal(content), mesh);
+    PolygonCutter cutter;
     std::vector<glm::vec3> corners;
     std::vector<std::uint32_t> triangles;
-    std::size_t begin = 0;
-    for (std::size_t face = 0; face < content.face_sizes.size(); ++face) {
-        if (face % 65'536 == 0) {
-            report(progress, static_cast<double>(face) / static_cast<double>(content.face_sizes.size()));
-            if (is_cancelled(progress)) {
-                return {};
-            }
+    std::size_t begin = 0, next_look = 0;
+    constexpr std::size_t corners_between_looks = 65'536;
+    for (const std::uint32_t count : content.face_sizes) {
+        if (begin >= next_look) {
+            report(progress, static_cast<double>(begin) / static_cast<double>(content.corners.size()));
+            if (is_cancelled(progress)) return Error{was_cancelled};
+            next_look = begin + corners_between_looks;
         }
         corners.clear();
-        for (std::size_t i = begin; i < begin + content.face_sizes[face]; ++i) {
+        for (std::size_t i = begin; i < begin + count; ++i)
             corners.push_back(content.positions[static_cast<std::size_t>(content.corners[i].position)]);
-        }
         triangles.clear();
-        triangulate(corners, triangles);
-        for (const std::uint32_t corner : triangles) {
-            mesh.indices.push_back(maker.vertex(content.corners[begin + corner]));
-        }
-        begin += content.face_sizes[face];
+        if (!cutter.cut(corners, triangles))
+            return Error{"its concave faces have too many corners: to cut them up takes more than " +
+                         std::to_string(PolygonCutter::most_tests / 1'000'000) +
+                         " million tests; cut them into triangles before"};
+        for (const std::uint32_t corner : triangles)
+            mesh.indices.push_back(vertices.vertex(content.corners[begin + corner]));
+        begin += count;
     }
     return mesh;
 }
@@ -127,13 +93,17 @@ Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std:
                                                   : "has vertices but no faces");
     }
     WorkProgress of_assembling{.whole = progress, .begin = reading, .end = 1.0};
-    Mesh mesh = assembled(*content, &of_assembling);
-    if (mesh.indices.empty()) {
-        return refusal("loading was cancelled");
+    Result<Mesh> assembly = assembled(*content, &of_assembling);
+    if (!assembly) {
+        return refusal(assembly.error());
     }
+    Mesh mesh = *std::move(assembly);
     center_and_fit(mesh);
     if (!has_area(mesh)) {
         return refusal("has no face with an area");
+    }
+    if (is_cancelled(progress)) {
+        return refusal(was_cancelled);
     }
     if (mesh.normals.empty()) {
         make_normals(mesh);

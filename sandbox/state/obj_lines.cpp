@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "state/obj.h"
+#include "text/words.h"
 
 namespace viewing {
 
@@ -145,11 +146,12 @@ public:
 private:
     void take_block();
     void take_line(std::string_view line);
-    void take_numbers(std::string_view line, std::string_view rest, std::vector<glm::vec3>& triples);
-    void take_face(std::string_view line, std::string_view rest);
+    void take_numbers(std::string_view rest, std::vector<glm::vec3>& triples);
+    void take_face(std::string_view rest);
     void add_corner(const NamedCorner& named);
     void check_indices();
-    void refuse(std::string_view line, const std::string& what);
+    /// `token`: what of the line is wrong; empty where nothing can be pointed at.
+    void refuse(const std::string& what, std::string_view token = {});
 
     std::istream& source_;
     const std::uint64_t size_bytes_;
@@ -189,7 +191,7 @@ void ObjLines::take_block() {
         is_at_end_ = true;
     } else if (rest.size() > longest_line) {
         ++line_number_;
-        refuse(rest, "a line longer than 1 MiB");
+        refuse("a line longer than 1 MiB");
     } else {
         unfinished_ = rest;
     }
@@ -197,45 +199,47 @@ void ObjLines::take_block() {
 
 void ObjLines::take_line(std::string_view line) {
     ++line_number_;
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
     while (!line.empty() && (line.back() == '\r' || is_space(line.back()))) line.remove_suffix(1);
-    if (std::find(line.begin(), line.end(), '\0') != line.end()) return refuse(line, "binary data");
+    if (std::find(line.begin(), line.end(), '\0') != line.end()) return refuse("binary data");
     std::string_view rest = line;
     const std::string_view keyword = next_word(rest);
     if (keyword == "v") {
-        take_numbers(line, rest, content_.positions);
+        take_numbers(rest, content_.positions);
         if (trouble_.empty() && !is_usable(content_.positions.back()))
             trouble_ = "vertex " + std::to_string(content_.positions.size()) + " has a coordinate beyond 1e12";
     } else if (keyword == "vn") {
-        take_numbers(line, rest, content_.normals);
+        take_numbers(rest, content_.normals);
     } else if (keyword == "f") {
-        take_face(line, rest);
+        take_face(rest);
     }
 }
 
 /// Three numbers; further ones (a weight, a colour) have to be numbers too.
-void ObjLines::take_numbers(std::string_view line, std::string_view rest, std::vector<glm::vec3>& triples) {
+void ObjLines::take_numbers(std::string_view rest, std::vector<glm::vec3>& triples) {
     glm::vec3 triple(0.0F);
     int count = 0;
     for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest)) {
         const std::optional<double> number = number_of(word);
-        if (!number) return refuse(line, "not three numbers");
+        if (!number) return refuse("not a number", word);
         if (count < 3) triple[count] = static_cast<float>(*number);
         ++count;
     }
-    if (count < 3) return refuse(line, "not three numbers");
+    if (count < 3) return refuse("not three numbers");
     triples.push_back(triple);
 }
 
-void ObjLines::take_face(std::string_view line, std::string_view rest) {
+void ObjLines::take_face(std::string_view rest) {
     const std::size_t begin = content_.corners.size();
     content_.face_sizes.push_back(0);
     for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest)) {
         const std::optional<NamedCorner> corner = corner_of(word);
-        if (!corner) return refuse(line, "not a face");
+        if (!corner) return refuse("not a corner of a face", word);
         add_corner(*corner);
     }
     const std::size_t count = content_.corners.size() - begin;
-    if (count < 3) return refuse(line, "a face with fewer than three corners");
+    if (count < 3) return refuse("a face with fewer than three corners");
     content_.face_sizes.back() = static_cast<std::uint32_t>(count);
     content_.triangle_count += count - 2;
     if (content_.triangle_count > max_obj_triangles) trouble_ = "more than 50 million triangles";
@@ -271,12 +275,8 @@ void ObjLines::check_indices() {
 }
 
 /// What is wrong with a line as such comes before what it names.
-void ObjLines::refuse(std::string_view line, const std::string& what) {
-    constexpr std::size_t longest_shown = 60;
-    std::string shown(line.substr(0, longest_shown));
-    std::replace_if(
-        shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    trouble_ = "line " + std::to_string(line_number_) + ": " + what + ": " + shown;
+void ObjLines::refuse(const std::string& what, std::string_view token) {
+    trouble_ = "line " + std::to_string(line_number_) + ": " + what + (token.empty() ? "" : ": " + excerpt(token));
 }
 
 }  // namespace

@@ -160,8 +160,8 @@ SceneDescription read_scene(const Json& value, const Where& where) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
         scene.objects.push_back(read_object(objects[i], where_objects.at(i)));
         if (!names.insert(scene.objects.back().name).second) {
-            where_objects.at(i).key("name").refuse("an earlier object is called \"" + scene.objects.back().name +
-                                                   "\" already");
+            where_objects.at(i).key("name").refuse("an earlier object is called \"" +
+                                                   excerpt(scene.objects.back().name) + "\" already");
         }
     }
     return scene;

@@ -3,7 +3,38 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/format.h>
+
 namespace viewing {
+namespace {
+
+struct Character {
+    std::optional<char32_t> code_point;  ///< none: not UTF-8
+    std::size_t bytes = 1;
+};
+
+/// The first character of a text that is not empty.
+Character character_at(std::string_view text) {
+    const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char lead = byte(0);
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t count = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
+    if (lead < 0xc2 || lead > 0xf4 || text.size() < count) return {};
+    char32_t code_point = lead & (0xffU >> (count + 1));
+    for (std::size_t i = 1; i < count; ++i) {
+        if (!continues_character(text[i])) return {};
+        code_point = (code_point << 6U) | (byte(i) & 0x3fU);
+    }
+    return {code_point, count};
+}
+
+/// Controls of C0 and C1, line separators, and what turns the direction of writing.
+bool is_deceptive(char32_t c) {
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || c == 0x200e || c == 0x200f ||
+           (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+}
+
+}  // namespace
 
 std::size_t character_count(std::string_view text) {
     return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), continues_character));
@@ -18,15 +49,36 @@ void remove_last_character(std::string& text) {
     }
 }
 
+std::string printable(std::string_view text) {
+    std::string shown;
+    for (std::size_t at = 0; at < text.size();) {
+        const Character character = character_at(text.substr(at));
+        const std::string_view bytes = text.substr(at, character.bytes);
+        if (!character.code_point)
+            shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(bytes.front()));
+        else if (is_deceptive(*character.code_point))
+            shown += fmt::format("\\u{:04x}", static_cast<unsigned>(*character.code_point));
+        else
+            shown += bytes;
+        at += character.bytes;
+    }
+    return shown;
+}
+
+std::string excerpt(std::string_view text) {
+    constexpr std::size_t longest = 20;
+    std::size_t end = 0;
+    for (std::size_t count = 0; end < text.size() && count < longest; ++count)
+        end += character_at(text.substr(end)).bytes;
+    return printable(text.substr(0, end)) + (end < text.size() ? "…" : "");
+}
+
 std::string one_line(std::string_view text) {
     std::size_t length = std::min<std::size_t>(text.size(), 200);
     while (length < text.size() && length > 0 && continues_character(text[length])) {
         --length;
     }
-    std::string line(text.substr(0, length));
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-    return line + (length < text.size() ? "…" : "");
+    return printable(text.substr(0, length)) + (length < text.size() ? "…" : "");
 }
 
 std::string joined(std::span<const char* const> names) {

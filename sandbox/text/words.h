@@ -19,8 +19,15 @@ std::size_t character_count(std::string_view text);
 /// Nothing in an empty text.
 void remove_last_character(std::string& text);
 
-/// A text fit for a message: control characters become "?", more than 200 bytes are cut between two characters.
+/// A text as a terminal and a window may show it: what is no character of UTF-8 as \xff, control characters and those
+/// that turn the direction of writing, which make a text look like another, as \u202e.
+std::string printable(std::string_view text);
+
+/// A text of the person's own, fit for a message: printable, and cut between two characters beyond 200 bytes.
 std::string one_line(std::string_view text);
+
+/// A word of a file, fit for a message: printable, and not more than 20 characters of it.
+std::string excerpt(std::string_view text);
 
 /// "never, less, equal".
 std::string joined(std::span<const char* const> names);

@@ -124,6 +124,19 @@ TEST_F(Obj, ToleratesTexturesCommentsAndLineEndings) {
     EXPECT_EQ(mesh.triangle_count(), 1U);
 }
 
+TEST_F(Obj, AByteOrderMarkMayComeFirst) {
+    EXPECT_EQ(load("\xef\xbb\xbf" + std::string(square) + "f 1 2 3 4\n").triangle_count(), 2U);
+    EXPECT_EQ(refusal("v 0 0 0\n\xef\xbb\xbfv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "face 1 names vertex 3, but there are 2")
+        << "nowhere else";
+}
+
+TEST_F(Obj, AMessageQuotesTheWordThatIsWrongAndNoMore) {
+    EXPECT_EQ(refusal("v 0 0 root:x:0:0:/root:/bin/sh secret\n"), "line 1: not a number: root:x:0:0:/root:/bi…");
+    EXPECT_EQ(refusal("v 0 0 \xe2\x80\xae"
+                      "1\x1b[2J\n"),
+              "line 1: not a number: \\u202e1\\u001b[2J");
+}
+
 TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(""), "not an OBJ file, or an empty one: it has no vertices and no faces");
     EXPECT_EQ(refusal("hello\n"), "not an OBJ file, or an empty one: it has no vertices and no faces");
@@ -132,15 +145,15 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nf 1 2 -5\n"), "face 2 names vertex -5, which there is not");
     EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "face 1 names vertex 0, which there is not");
     EXPECT_EQ(refusal(std::string(square) + "f 1//1 2//1 3//1\n"), "face 1 names normal 1, but there are 0");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2\n"), "line 5: a face with fewer than three corners: f 1 2");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/\n"), "line 5: not a face: f 1 2 3/");
-    EXPECT_EQ(refusal(std::string(square) + "f a b c\n"), "line 5: not a face: f a b c");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 4294967297\n"), "line 5: not a face: f 1 2 4294967297");
-    EXPECT_EQ(refusal("v 0 0 nan\n"), "line 1: not three numbers: v 0 0 nan");
-    EXPECT_EQ(refusal("v 0 0 inf\n"), "line 1: not three numbers: v 0 0 inf");
-    EXPECT_EQ(refusal("v 0 0\n"), "line 1: not three numbers: v 0 0");
-    EXPECT_EQ(refusal("v 1-2 0 0\n"), "line 1: not three numbers: v 1-2 0 0");
-    EXPECT_EQ(refusal("v 1e 0 0\n"), "line 1: not three numbers: v 1e 0 0");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2\n"), "line 5: a face with fewer than three corners");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/\n"), "line 5: not a corner of a face: 3/");
+    EXPECT_EQ(refusal(std::string(square) + "f a b c\n"), "line 5: not a corner of a face: a");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 4294967297\n"), "line 5: not a corner of a face: 4294967297");
+    EXPECT_EQ(refusal("v 0 0 nan\n"), "line 1: not a number: nan");
+    EXPECT_EQ(refusal("v 0 0 inf\n"), "line 1: not a number: inf");
+    EXPECT_EQ(refusal("v 0 0\n"), "line 1: not three numbers");
+    EXPECT_EQ(refusal("v 1-2 0 0\n"), "line 1: not a number: 1-2");
+    EXPECT_EQ(refusal("v 1e 0 0\n"), "line 1: not a number: 1e");
     EXPECT_EQ(refusal("v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
     EXPECT_EQ(refusal("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
     EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
@@ -151,7 +164,7 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
                   .find("binary data"),
               std::string::npos);
     EXPECT_NE(refusal(std::string((1U << 20U) + 500'000, 'x')).find("a line longer than 1 MiB"), std::string::npos);
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nv 1 2"), "line 6: not three numbers: v 1 2") << "truncated";
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nv 1 2"), "line 6: not three numbers") << "truncated";
 }
 
 TEST_F(Obj, WhatIsNoFileIsRefused) {

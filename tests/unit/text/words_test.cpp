@@ -27,5 +27,27 @@ TEST(Words, InAMessageAreCutBetweenCharacters) {
     EXPECT_EQ(line, "x" + std::string(198, 'y') + "…");
 }
 
+TEST(Words, InAMessageShowWhatWouldHideOrTurnText) {
+    EXPECT_EQ(printable("é 그 🙂 a"), "é 그 🙂 a");
+    EXPECT_EQ(printable("a\nb\x1b[31m\x7f"), "a\\u000ab\\u001b[31m\\u007f");
+    EXPECT_EQ(printable("\xc2\x9b"), "\\u009b") << "C1";
+    EXPECT_EQ(printable("\xe2\x80\xae"
+                        "gnp.exe"),
+              "\\u202egnp.exe");
+    for (const char* turner : {"\xe2\x80\x8e", "\xe2\x80\x8f", "\xe2\x80\xaa", "\xe2\x81\xa6", "\xe2\x81\xa9"})
+        EXPECT_TRUE(printable(turner).starts_with("\\u20")) << printable(turner);
+    EXPECT_EQ(printable("\xff"
+                        "a\xe2\x80"),
+              "\\xffa\\xe2\\x80")
+        << "no UTF-8";
+}
+
+TEST(Words, OfAFileAreQuotedUpToTwentyCharacters) {
+    EXPECT_EQ(excerpt("12345678901234567890"), "12345678901234567890");
+    EXPECT_EQ(excerpt("123456789012345678901"), "12345678901234567890…");
+    EXPECT_EQ(excerpt("그그그그그그그그그그그그그그그그그그그그그"), "그그그그그그그그그그그그그그그그그그그그…");
+    EXPECT_EQ(excerpt("\n2345678901234567890"), "\\u000a2345678901234567890");
+}
+
 }  // namespace
 }  // namespace viewing
