@@ -71,6 +71,18 @@ TEST_F(HiddenPanel, OptionsWriteTheirFields) {
     EXPECT_GT(difference(desk.answer()->camera->image, desk.answer()->other->image).different, 0);
 }
 
+TEST_F(HiddenPanel, WhatIsBelowStaysWhereItIsWhateverAMethodCounts) {
+    params.visibility.step = 0;
+    choose("painter");
+    const float top = ui.find("Depth buffer").min.y;
+    for (const char* method : {"Newell", "BSP tree", "soft. z-buffer", "ray casting", "GL depth buffer"})
+        for (const bool culls : {false, true}) {
+            params.cull.enabled = culls;
+            choose(method);
+            EXPECT_EQ(ui.find("Depth buffer").min.y, top) << method << (culls ? ", culled" : "");
+        }
+}
+
 TEST_F(HiddenPanel, TheDepthBufferGoesStepByStepToo) {
     desk.click("depth/Steps");
     desk.settle();

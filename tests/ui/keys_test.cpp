@@ -94,6 +94,27 @@ TEST_F(KeysTest, MMaximisesTheViewUnderThePointer) {
     }
 }
 
+TEST_F(KeysTest, MMaximisesTheMatrices) {
+    ui.hover("matrices/S/r0c0");
+    desk.press(Key::m);
+    EXPECT_EQ(desk.workbench.arrangement.maximised, ViewName::matrices);
+    EXPECT_GT(desk.layout().matrices.width(), 1500.0F);
+    EXPECT_TRUE(desk.layout().camera.empty());
+    EXPECT_TRUE(ui.has("matrices/S/r0c0") && ui.has("matrices/R/r0c0"));
+}
+
+TEST_F(KeysTest, MaximisedCodeStandsBesideItsMatrices) {
+    params.view.lower_left = Topic::lecture_code;
+    desk.settle();
+    const Rect code = desk.layout().lower_left;
+    ui.move_to({0.5F * (code.min.x + code.max.x), 0.5F * (code.min.y + code.max.y)});
+    desk.press(Key::m);
+    ASSERT_EQ(desk.workbench.arrangement.maximised, ViewName::lower_left);
+    EXPECT_FALSE(desk.layout().matrices.empty());
+    EXPECT_TRUE(ui.has("matrices/R/r0c0"));
+    EXPECT_GT(desk.layout().lower_left.width(), 1000.0F);
+}
+
 TEST_F(KeysTest, NGoesThroughTheNavigationModes) {
     for (const Navigation mode : {Navigation::walk, Navigation::orbit, Navigation::fly}) {
         desk.press(Key::n);

@@ -246,6 +246,18 @@ TEST(Layout, AreasNeverOverlapAtAnySize) {
                 }
 }
 
+TEST(Layout, TheTextOfAMaximisedViewGrowsWithIt) {
+    Arrangement arrangement;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "nothing is maximised";
+    arrangement.maximised = ViewName::lower_left;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.5F);
+    EXPECT_EQ(enlargement({3840, 2160}, 2.0F, arrangement), 1.5F);
+    EXPECT_NEAR(enlargement({1280, 720}, 1.0F, arrangement), 1.2F, 1e-6F);
+    EXPECT_EQ(enlargement({800, 600}, 1.0F, arrangement), 1.0F) << "never smaller";
+    arrangement.bare = true;
+    EXPECT_EQ(enlargement({3840, 2160}, 1.0F, arrangement), 1.0F) << "a picture of the view alone";
+}
+
 TEST(Layout, AtEightHundredBySixHundredOneColumnGivesWay) {
     Desk desk({800, 600});
     EXPECT_FALSE(desk.layout().panel.empty());

@@ -69,16 +69,20 @@ public:
         ImGui::SameLine((is_second_ || !has_room ? column : 0.0F) + number_end - number_width);
         ImGui::TextUnformatted(value);
         ImGui::PopFont();
+        rows_ += !is_second_ || !has_room ? 1 : 0;
         is_second_ = has_room && !is_second_;
     }
+    int rows() const { return rows_; }  ///< so far
 
 private:
+    int rows_ = 0;
     bool is_second_ = false;
 };
 
 void counters(const HiddenResult& result, bool shows_time) {
     const HiddenCounters& counted = result.counters;
     CounterTable table;
+    const float top = ImGui::GetCursorPosY();
     const auto time = [&](double ms) {
         if (!shows_time) return std::string("–");
         return ms < 0.1 ? say("{time} µs", "time"_a = number_text(ms * 1e3, 1))
@@ -99,6 +103,10 @@ void counters(const HiddenResult& result, bool shows_time) {
     if (!is_drawn_by_gl_alone(result.request.visibility.method))
         table.text(marked("time"), time(result.time_ms).c_str());
     if (result.tree || result.counters.rays >= 0) table.text(marked("built in"), time(result.build_ms).c_str());
+    // As high whatever the method counts: the BSP tree has most, with what is culled.
+    constexpr int most_rows = 6;
+    const float row = (ImGui::GetCursorPosY() - top) / static_cast<float>(std::max(table.rows(), 1));
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + static_cast<float>(most_rows) * row));
 }
 
 void culling_counts(const HiddenResult& result, bool steps) {
