@@ -59,7 +59,7 @@ bool say_beyond(Sayer& tell, const ShadowParams& shadow, const Thrown& one, cons
                        "GL alone cuts off what lies beyond (w ≤ 0)",
                        "objects"_a = across));
     else
-        tell(true, say("what of {objects} is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
+        tell(true, say("the part of {objects} that is not between {light} and {plane} (w ≤ 0 there) casts no shadow",
                        "objects"_a = beyond, "light"_a = one.light_name, "plane"_a = one.plane_name));
     return true;
 }

@@ -72,6 +72,12 @@ void header_note(const char* text, float right) {
     ImGui::PopFont();
 }
 
+void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px) {
+    const ImU32 plate = (palette().view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
+    draw->AddRectFilled({rect.min.x - margin_px.x, rect.min.y - margin_px.y},
+                        {rect.max.x + margin_px.x, rect.max.y + margin_px.y}, plate, px(4.0F));
+}
+
 void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries) {
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::PushFont(context.fonts.note);
@@ -87,9 +93,7 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         width += between + width_of(entries[count++]);
     const float height = ImGui::GetTextLineHeight();
     ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - 2.0F * margin - height);
-    const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (220U << IM_COL32_A_SHIFT);
-    draw->AddRectFilled({at.x - margin, at.y - margin * 0.5F}, {at.x + width + margin, at.y + height + margin * 0.5F},
-                        plate, px(4.0F));
+    draw_plate(draw, {at, {at.x + width, at.y + height}}, {margin, margin * 0.5F});
     for (const LegendEntry& entry : entries.first(count)) {
         const float top = std::round(at.y + (height - swatch) * 0.5F);
         const ImVec2 end(at.x + swatch, top + swatch);
@@ -107,8 +111,10 @@ Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, cons
     const std::string shown = fits ? whole : widgets::BrokenAtBlanks(brief, room);
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     const ImVec2 at(rect.min.x + px(10.0F), rect.max.y - px(24.0F) + ImGui::GetTextLineHeight() - size.y);
-    widgets::HaloText(draw, at, color, shown.c_str());
-    return {at, {at.x + size.x, at.y + size.y}};
+    const Rect covered{at, {at.x + size.x, at.y + size.y}};
+    draw_plate(draw, covered, {px(5.0F), px(2.0F)});
+    draw->AddText(at, color, shown.c_str());
+    return covered;
 }
 
 void draw_followed(Overlay& overlay, const Derived& derived) {

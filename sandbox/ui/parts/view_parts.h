@@ -27,6 +27,9 @@ bool have_room(std::span<const char* const> names, float right);
 /// A quiet note on the headline; left out where it would go beyond `right`.
 void header_note(const char* text, float right);
 
+/// A ground on which text over any picture can be read, so much larger than this rectangle on each side.
+void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px);
+
 /// One colour of a view and what it stands for.
 struct LegendEntry {
     Color color;

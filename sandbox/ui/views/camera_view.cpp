@@ -129,10 +129,8 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const ImVec2 at(rect.min.x + 2.0F * margin, top);
     const float next = at.y + size.y + px(12.0F);
     if (width < px(160.0F) || next > rect.max.y) return top;
-    const ImU32 plate = (context.palette.view_ground & ~IM_COL32_A_MASK) | (225U << IM_COL32_A_SHIFT);
     ImDrawList* draw = ImGui::GetWindowDrawList();
-    draw->AddRectFilled({at.x - margin, at.y - px(5.0F)}, {at.x + size.x + margin, at.y + size.y + px(5.0F)}, plate,
-                        px(4.0F));
+    draw_plate(draw, {at, {at.x + size.x, at.y + size.y}}, {margin, px(5.0F)});
     draw->AddText(font, font->FontSize, at, context.palette.trouble, sentence, nullptr, width - button);
     if (!has_button) return next;
     ImGui::SetCursorScreenPos({at.x + text.x + px(10.0F), at.y - px(3.0F)});

@@ -163,7 +163,8 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
     for (const char* label : {"Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
     // In a narrow bar long buttons take their room from the lists.
-    const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : 220.0F);
+    const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
+    const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
     const float room = layout.top_bar.width() - px(20.0F) - buttons, lists = scene_width + px(6.0F) + preset_width;
     const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // else there are Page up and Page down
     const float share =

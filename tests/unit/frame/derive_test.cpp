@@ -278,9 +278,9 @@ TEST(DeriveProblems, CasterBeyondTheLightIsNamed) {
         const std::vector<Problem> problems = problems_of(params, scene);
         return problems.empty() ? std::string() : problems.front().sentence;
     };
-    EXPECT_NE(problem_with_light_at(5.5).find("what of high is not between"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(5.5).find("the part of high that is not between"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(5.5).find("low"), std::string::npos);
-    EXPECT_NE(problem_with_light_at(1.0).find("what of low, high is not"), std::string::npos);
+    EXPECT_NE(problem_with_light_at(1.0).find("the part of low, high that is not"), std::string::npos);
     EXPECT_EQ(problem_with_light_at(7.01), "");
 }
 

@@ -134,7 +134,7 @@ const std::vector<Case>& cases() {
          {"shadow.clip_at_light=false"},
          {"shadow.clip_at_light=false", "light.position=[2.6,7,2.2,1]"}},
         {"shadow",
-         "what of tower is not between the light and the plane (w",
+         "the part of tower that is not between the light and the plane (w",
          high_scene,
          {},
          {"light.position=[2.6,7,2.2,1]"}},
