@@ -9,6 +9,7 @@
 #include <ctime>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,7 @@
 #include "app/lost_display.h"
 #include "app/picture.h"
 #include "app/studio.h"
+#include "gl/debug.h"
 #include "image/png.h"
 #include "text/catalogue.h"
 
@@ -68,11 +70,12 @@ void restore_place(GLFWwindow* window, const std::optional<WindowPlace>& place) 
     if (place->maximised) glfwMaximizeWindow(window);
 }
 
-Result<Window> make_window() {
+Result<Window> make_window(bool checks_gl) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, checks_gl ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
@@ -135,17 +138,15 @@ std::string snapshot_name() {
 void write_snapshot(const Renderer& renderer, Studio& studio) {
     std::error_code ignored;
     const std::filesystem::path file = std::filesystem::absolute(snapshot_name(), ignored);
-    const Status written = write_png(file, renderer.read(studio.camera_view()));
-    studio.session.message =
-        written ? Message{say("snapshot of the camera view written to {file}", "file"_a = file.string()), false}
-                : Message{written.error(), true};
+    studio.session.write([file, image = renderer.read(studio.camera_view())] { return write_png(file, image); },
+                         say("snapshot of the camera view written to {file}", "file"_a = file.string()));
 }
 
 void write_view_picture(Renderer& renderer, Studio& studio, const std::filesystem::path& file) {
     const Result<Image> chart = draw_growth_chart(renderer, studio.session, studio.workbench.views.hidden.growth);
-    const Status written = chart ? write_png(file, *chart) : Status(Error{chart.error()});
-    studio.session.message = written ? Message{say("picture written to {file}", "file"_a = file.string()), false}
-                                     : Message{written.error(), true};
+    if (!chart) return studio.session.report(Error{chart.error()});
+    studio.session.write([file, image = *chart] { return write_png(file, image); },
+                         say("picture written to {file}", "file"_a = file.string()));
 }
 
 void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
@@ -204,20 +205,22 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
 
 }  // namespace
 
-Status run_window(Session session, WindowMemory& memory, int lost_display_status) {
+Status run_window(Session session, WindowMemory& memory, int lost_display_status, std::vector<std::string>* gl_errors) {
     const Glfw glfw;
     if (!glfw.started) {
         return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
                      "); viewing-sandbox snapshot needs none"};
     }
     end_when_display_is_lost(lost_display_status);
-    Result<Window> made = make_window();
+    Result<Window> made = make_window(gl_errors != nullptr);
     if (!made) return Error{made.error()};
     GLFWwindow* window = made->get();
     restore_place(window, memory.remembered().window);
     glfwMakeContextCurrent(window);
     glfwSwapInterval(1);
 
+    std::optional<gl::DebugLog> log;
+    if (gl_errors) log.emplace();
     Result<Renderer> renderer = Renderer::make();
     if (!renderer) return Error{renderer.error()};
     Studio studio(*renderer, std::move(session));
@@ -227,6 +230,7 @@ Status run_window(Session session, WindowMemory& memory, int lost_display_status
     glfwShowWindow(window);
     if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
     run_loop(window, *renderer, studio, events, memory);
+    if (gl_errors) *gl_errors = log->errors();
     ImGui_ImplGlfw_Shutdown();
     return std::monostate{};
 }

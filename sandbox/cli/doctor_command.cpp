@@ -6,6 +6,7 @@
 
 #include "cli/as_json.h"
 #include "cli/commands.h"
+#include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "embedded/fonts.h"
@@ -78,6 +79,7 @@ void examine_capabilities(Examination& examination) {
 }
 
 void examine_context(Examination& examination) {
+    require_threads();
     const Result<gl::EglContext> context = gl::EglContext::make();
     if (!context) {
         examination.steps.push_back({"context", Health::missing, context.error(), install_drivers});
@@ -193,7 +195,7 @@ constinit const Command doctor_command{
     "names the Debian package that helps where something is missing.",
     "doctor\n"
     "doctor --json",
-    "02349",
+    "023489",
     run};
 
 }  // namespace viewing

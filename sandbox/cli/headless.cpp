@@ -1,12 +1,22 @@
 #include "cli/headless.h"
 
 #include "cli/values.h"
+#include "frame/hidden/hidden_views.h"
+#include "platform/threads.h"
 
 namespace viewing {
+
+void require_threads() {
+    if (!can_start_threads(threads_of_a_driver()))
+        throw Failure(ExitStatus::internal_error,
+                      "no further threads can be started here, and the graphics driver needs some; ulimit -u and the "
+                      "limits of the container tell how many there may be");
+}
 
 namespace {
 
 gl::EglContext quick_context(const std::string& device) {
+    require_threads();
     gl::prefer_quick_start();
     return value_or_end(gl::EglContext::make(device), ExitStatus::no_context);
 }
@@ -25,6 +35,11 @@ void Headless::require_no_errors() {
     if (errors.empty()) return;
     const std::string more = errors.size() > 1 ? " (and " + std::to_string(errors.size() - 1) + " more)" : "";
     throw Failure(ExitStatus::gl_error, "GL error: " + errors.front() + more);
+}
+
+void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px) {
+    if (const auto question = hidden_question(params, derived, size_px))
+        value_or_end(check_hidden_budget(scene, *question));
 }
 
 void add_device_option(Options& options, std::optional<std::string>& device) {

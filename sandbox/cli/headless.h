@@ -12,6 +12,9 @@
 
 namespace viewing {
 
+/// Throws Failure where the driver could not start its threads: it would wait for them for ever.
+void require_threads();
+
 class Headless {
 public:
     /// `device` as EglContext::make takes it. Throws Failure: no context, or a driver that refuses a shader.
@@ -35,6 +38,9 @@ private:
     gl::DebugLog log_;
     std::optional<Renderer> renderer_;
 };
+
+/// Throws Failure where a hidden-surface method does not take the scene on: before anything is spent on it.
+void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 
 /// Declares --device.
 void add_device_option(Options& options, std::optional<std::string>& device);

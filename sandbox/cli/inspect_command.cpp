@@ -70,6 +70,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const Scene scene = scene_of(state);
     const Params params = probed(state.params);
 
+    refuse_beyond_budget(params, derive(params, scene, Viewport{size_px}), scene, size_px);
     Headless headless(device_option(options, device_text));
     const bool clip_control = headless.renderer().capabilities().clip_control;
     const Derived derived = derive(params, scene, Viewport{size_px, clip_control});
@@ -110,7 +111,7 @@ constinit const Command inspect_command{
     "Mirror image and shadows are left out.",
     "inspect --pixel 640,360\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
-    "02349",
+    "023489",
     run};
 
 }  // namespace viewing

@@ -128,7 +128,7 @@ constinit const Command matrices_command{
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
     "matrices --format numpy > matrices.py",
-    "029",
+    "0289",
     run};
 
 }  // namespace viewing

@@ -12,8 +12,8 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
-#include "cli/time_limit.h"
 #include "cli/values.h"
+#include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/hidden_surfaces.h"
 #include "visibility/growth.h"
 
@@ -26,7 +26,7 @@ constexpr std::array<const char*, 2> format_names{"json", "csv"};
 
 /// The options as they were typed.
 struct Typed {
-    std::optional<std::string> what, size, device, max, polygons, format, timeout;
+    std::optional<std::string> what, size, device, max, polygons, format;
     bool no_times = false;
 };
 
@@ -40,7 +40,6 @@ void declare(Options& options, Typed& typed) {
         "--size", "WxH", typed.size,
         "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
         "1280x720, for growth 320x240");
-    options.text("--timeout", "S", typed.timeout, "Exit 8 when the measurement is not done after so many seconds");
     options.flag("--no-times", typed.no_times,
                  "Leave out what a clock says: the same numbers whenever they are measured, byte for byte");
     options.group("Of visibility, fighting and mirror");
@@ -133,6 +132,7 @@ std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequ
                         bool with_times) {
     if (request.scene == GrowthScene::own_polygons) {
         const glm::ivec2 size_px(request.width, request.height);
+        value_or_end(check_hidden_budget(scene, true));
         request.own_polygons = surface_of(scene).polygons;
         request.viewpoint =
             hidden_request(state.params, derive(state.params, scene, Viewport{size_px}), size_px).viewpoint;
@@ -155,10 +155,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const glm::ivec2 size_px = size_option(options, typed.size);
     const GrowthRequest growth = growth_request(options, typed);
     const bool as_csv = choice_option(options, "--format", typed.format.value_or("json"), format_names) == 1;
-    std::optional<TimeLimit> limit;
-    if (typed.timeout) limit.emplace(number_option(options, "--timeout", *typed.timeout, 0.001, 86400.0));
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
+
+    if (typed.what == "visibility") value_or_end(check_hidden_budget(scene, true));
 
     std::string text;
     if (typed.what == "growth") {

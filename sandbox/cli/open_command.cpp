@@ -1,6 +1,9 @@
 // open: the window on screen.
+#include <cstdlib>
+
 #include "app/window.h"
 #include "cli/commands.h"
+#include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/state_arguments.h"
 
@@ -23,8 +26,14 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     // What is wrong with the scene is said before there is a window, unless it takes long to find out.
     constexpr double patience_s = 0.5;
     Session session = value_or_end(Session::begin(state, patience_s));
-    value_or_end(run_window(std::move(session), memory, static_cast<int>(ExitStatus::no_context)),
+    require_threads();
+    // For tests: a context that checks every call is slower.
+    const bool checks_gl = std::getenv("VIEWING_SANDBOX_CHECK_GL") != nullptr;
+    std::vector<std::string> gl_errors;
+    value_or_end(run_window(std::move(session), memory, static_cast<int>(ExitStatus::no_context),
+                            checks_gl ? &gl_errors : nullptr),
                  ExitStatus::no_context);
+    if (!gl_errors.empty()) throw Failure(ExitStatus::gl_error, "GL error: " + gl_errors.front());
     return ExitStatus::done;
 }
 
@@ -38,7 +47,7 @@ constinit const Command open_command{"open",
                                      "open mine.json\n"
                                      "--set camera.navigation=walk --set scene=walkthrough\n"
                                      "bunny.obj",
-                                     "0239",
+                                     "023489",
                                      run};
 
 }  // namespace viewing

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "cli/output.h"
+#include "cli/values.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -192,6 +193,9 @@ void Options::flag(const char* names, bool& value, const char* help) {
 }
 
 bool Options::parse(const Arguments& arguments) {
+    std::optional<std::string> timeout;
+    group("Running");
+    text("--timeout", "S", timeout, "Exit 8 when the command is not done after so many seconds");
     // A wish for help comes before whatever else may be wrong.
     const auto last = std::find(arguments.begin(), arguments.end(), "--");
     const bool asks =
@@ -204,6 +208,7 @@ bool Options::parse(const Arguments& arguments) {
     parser_->check_leftovers(*this);
     for (const Parser::Option& option : parser_->options)
         if (option.is_doubled) refuse(option.names.back() + ": given more than once");
+    if (timeout) limit_.emplace(number_option(*this, "--timeout", *timeout, 0.001, 86400.0));
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/time_limit.h"
 
 namespace viewing {
 
@@ -27,8 +28,9 @@ public:
     void texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help);
     void flag(const char* names, bool& value, const char* help);
 
-    /// Fills the targets. False when --help was asked for and printed instead. Throws Failure for an unknown option
-    /// (with the nearest known one), a missing value, one argument too many.
+    /// Fills the targets, and starts the clock of --timeout, which every command has. False when --help was asked for
+    /// and printed instead. Throws Failure for an unknown option (with the nearest known one), a missing value, one
+    /// argument too many.
     [[nodiscard]] bool parse(const Arguments& arguments);
 
     /// "snapshot: --size: must be …": ends the command as bad usage.
@@ -37,6 +39,7 @@ public:
 private:
     struct Parser;
     std::unique_ptr<Parser> parser_;
+    std::optional<TimeLimit> limit_;  ///< as long as the command lives
 };
 
 /// Text wrapped at the help's width, every line indented; words are separated by single spaces.

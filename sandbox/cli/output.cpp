@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <system_error>
 
 #include "cli/exit_status.h"
+#include "cli/time_limit.h"
 #include "platform/file.h"
 
 namespace viewing {
@@ -40,6 +42,10 @@ void Outputs::add(const std::string& target, std::string_view text) {
 }
 
 void Outputs::write() const {
+    // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
+    if (std::all_of(outputs_.begin(), outputs_.end(),
+                    [](const Output& output) { return is_plain_file(output.target); }))
+        TimeLimit::lift();
     std::vector<FileBytes> files;
     for (const Output& output : outputs_)
         if (output.target == "-")

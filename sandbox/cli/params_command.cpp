@@ -32,7 +32,7 @@ constinit const Command params_command{"params",
                                        "Lists every field of the state file, and so everything that --set can change.",
                                        "params --format text\n"
                                        "params | jq '.[].path'",
-                                       "029",
+                                       "0289",
                                        run};
 
 }  // namespace viewing

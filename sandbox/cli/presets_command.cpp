@@ -36,7 +36,7 @@ constinit const Command presets_command{
     "A preset is a whole state and can stand wherever STATE does. A scene is only the objects: --set scene=NAME.",
     "presets\n"
     "open --set scene=teapot",
-    "029",
+    "0289",
     run};
 
 }  // namespace viewing

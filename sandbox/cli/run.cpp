@@ -37,6 +37,14 @@ std::string main_help() {
         "given; viewing-sandbox params lists the fields. Results go to standard output, messages to "
         "standard error.",
         0);
+    text += "\n" +
+            wrapped(
+                "Limits: a state or scene has 16 MiB, a mesh file 4 GiB, a scene 50 million triangles of which "
+                "the hidden-surface methods take 1 million and the BSP tree 500,000; a picture has 64 million pixels. "
+                "What is "
+                "beyond is refused before it is begun. A state names scenes and meshes in its own folder and among the "
+                "program's; others need --allow-outside, or a yes in the window.",
+                0);
     return text +
            "\nOptions:\n"
            "  -h, --help       this text, or behind a command all about it\n"
@@ -84,7 +92,7 @@ ExitStatus dispatch(const Arguments& arguments) {
 }
 
 int end(ExitStatus status, const char* sentence) {
-    std::fprintf(stderr, "%s\n", sentence);
+    std::fprintf(stderr, "%s\n", printable(sentence).c_str());
     return static_cast<int>(status);
 }
 

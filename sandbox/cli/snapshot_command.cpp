@@ -11,7 +11,6 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/thresholds.h"
-#include "cli/time_limit.h"
 #include "cli/values.h"
 #include "gl/facts.h"
 #include "image/png.h"
@@ -24,7 +23,7 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 
 /// The options as they were typed.
 struct Typed {
-    std::optional<std::string> output, view, size, samples, device, repeat, compare, timeout, json;
+    std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
     bool fail_if_blank = false;
 };
 
@@ -180,28 +179,23 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Typed typed;
     declare(options, typed);
     const ThresholdOptions thresholds(options);
-    options.group("Running");
-    options.text("--timeout", "S", typed.timeout, "Exit 8 when the picture is not there after so many seconds");
     options.text("--json", "FILE|-", typed.json,
                  "Writes a report as JSON: what was drawn by whom, problems, the comparison");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     Wish wish = checked(options, typed, thresholds);
-    std::optional<TimeLimit> limit;
-    if (typed.timeout) limit.emplace(number_option(options, "--timeout", *typed.timeout, 0.001, 86400.0));
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});
     refuse_nan(derived);
+    refuse_beyond_budget(state.params, derived, scene, wish.picture.size_px);
 
     wish.device = device_option(options, typed.device);
     const Drawn drawn = draw(wish, state, scene);
     if (typed.fail_if_blank && is_blank(drawn.image))
         throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
 
-    // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
-    if (limit && (!typed.output || is_plain_file(*typed.output))) limit->lift();
     Outputs outputs;
     if (typed.output) outputs.add(*typed.output, encode_png(drawn.image));
     std::optional<CompareReport> compared;

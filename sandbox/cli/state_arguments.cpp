@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 #include <string_view>
 
 #include "state/json.h"
@@ -18,6 +19,15 @@ bool ends_in_obj(const std::string& file) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending == ".obj";
+}
+
+/// The files that a scene names, its own among them.
+std::set<std::string> files_named_by(const SceneSource& source) {
+    if (const auto* name = std::get_if<std::string>(&source)) return {*name};
+    std::set<std::string> files;
+    for (const ObjectDescription& object : std::get<SceneDescription>(source).objects)
+        if (!object.file.empty()) files.insert(object.file);
+    return files;
 }
 
 bool sets_scene(const std::string& setting) {
@@ -46,6 +56,9 @@ StateArguments::StateArguments(Options& options) : options_(options) {
                   "Sets one field, a group or an element after STATE was read, as often as wanted, in order: "
                   "projection.near=0.01, light.position=[2,5,1,0], depth.func=always (viewing-sandbox params)");
     options.text("--mesh", "FILE.obj", mesh_, "Shows this Wavefront mesh in place of the state's scene");
+    options.flag("--allow-outside", allows_outside_,
+                 "Lets STATE name scenes and meshes outside its own folder and the program's; what is named here on "
+                 "the command line needs no leave");
 }
 
 LoadedState StateArguments::load() const {
@@ -59,18 +72,24 @@ LoadedState StateArguments::load() const {
         std::error_code error;
         loaded.params.scene = fs::absolute(mesh_.value_or(state_), error).string();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
+        loaded.reach.add(mesh_.value_or(state_));
         loaded.preset.reset();  // its sentence tells of other objects
     }
     if (std::any_of(settings_.begin(), settings_.end(), sets_scene)) {
         rebase_to_working_directory(loaded);
         loaded.scene_origin = "--set scene";
     }
+    const std::set<std::string> named_by_state = files_named_by(loaded.params.scene);
     loaded.params = value_or_end(apply_settings(std::move(loaded.params), settings_));
+    loaded.reach.is_everywhere = allows_outside_;
+    for (const std::string& file : files_named_by(loaded.params.scene))
+        if (!named_by_state.contains(file)) loaded.reach.add(loaded.base / file);
     return loaded;
 }
 
 Scene scene_of(const LoadedState& state) {
-    return value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar, nullptr, state.scene_origin));
+    return value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar,
+                                   {.origin = state.scene_origin, .reach = state.reach}));
 }
 
 }  // namespace viewing

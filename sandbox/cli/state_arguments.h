@@ -20,7 +20,8 @@ public:
 
     /// STATE, then the mesh in place of its scene, then the settings in order. Relative files in STATE are relative to
     /// its folder, those in settings to the working directory; they are written back as given, except that an inline
-    /// scene which settings change has all its files relative to the working directory. Throws Failure.
+    /// scene which settings change has all its files relative to the working directory. Within reach are STATE's folder
+    /// and what was typed here; everything with --allow-outside. Throws Failure.
     LoadedState load() const;
 
 private:
@@ -28,6 +29,7 @@ private:
     std::string state_;
     std::vector<std::string> settings_;
     std::optional<std::string> mesh_;
+    bool allows_outside_ = false;
 };
 
 /// The scene of a state with its meshes. Throws Failure.

@@ -30,7 +30,7 @@ constinit const Command state_command{
     "state > mine.json\n"
     "state mine.json --set shadow.opacity=0.8\n"
     "state --set light.position=[12,20,0,0] | viewing-sandbox snapshot - -o picture.png",
-    "029",
+    "0289",
     run};
 
 }  // namespace viewing

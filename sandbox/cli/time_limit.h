@@ -12,7 +12,8 @@ public:
     TimeLimit(const TimeLimit&) = delete;
     TimeLimit& operator=(const TimeLimit&) = delete;
 
-    void lift();
+    /// The one that there is, if any.
+    static void lift();
 };
 
 }  // namespace viewing

@@ -103,7 +103,8 @@ void HiddenWorker::start(Job job) {
     current_version_ = job.scene_version;
     is_dropped_ = false;
     if (!solver_) solver_ = std::make_shared<Solver>();
-    task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Answer {
+    task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Result<Answer> {
+        if (const Status fits = check_hidden_budget(job.scene, job.question); !fits) return Error{fits.error()};
         if (kept->scene_version != job.scene_version) kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene);
         kept->scene_version = job.scene_version;
         return std::make_shared<const HiddenAnswer>(answer_hidden_question(*kept->solver, job.question, &progress));

@@ -1,12 +1,16 @@
 #include "platform/background.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <new>
+#include <system_error>
 #include <thread>
+#include <vector>
 
+#include "platform/threads.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -58,6 +62,27 @@ BackgroundCall::~BackgroundCall() {
 bool BackgroundCall::is_done() const {
     const std::lock_guard lock(state_->mutex);
     return state_->is_done;
+}
+
+bool can_start_threads(int count) {
+    std::mutex gate;
+    std::vector<std::thread> threads;
+    bool could = true;
+    {
+        const std::lock_guard closed(gate);  // none ends before the last one has begun
+        try {
+            for (int i = 0; i < count; ++i) threads.emplace_back([&gate] { const std::lock_guard passed(gate); });
+        } catch (const std::system_error&) {
+            could = false;
+        }
+    }
+    for (std::thread& thread : threads) thread.join();
+    return could;
+}
+
+int threads_of_a_driver() {
+    constexpr unsigned most_cores = 16, beside = 4;
+    return static_cast<int>(std::min(std::thread::hardware_concurrency(), most_cores) + beside);
 }
 
 void BackgroundCall::wait(double seconds) const {

@@ -41,14 +41,16 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// A computation of a T. All of it is used from one thread; only `Work` runs in another.
+/// A computation of a T. All of it is used from one thread; only `Work` runs in another. Its end waits for all work
+/// that was begun, nothing else does unless it is told to.
 template <typename T>
 class BackgroundTask {
 public:
     using Work = std::function<Result<T>(WorkProgress&)>;
 
-    /// What was running is cancelled, waited for, and its result dropped.
+    /// What was running is dropped.
     void start(Work work) {
+        drop();
         job_ = std::make_unique<Job>();
         try {
             job_->call = std::make_unique<BackgroundCall>([job = job_.get(), run = std::move(work)] {
@@ -63,8 +65,16 @@ public:
         }
     }
 
+    /// Cancels what is running and forgets its result. It ends by itself, be that soon or late.
+    void drop() {
+        std::erase_if(dropped_, [](const auto& job) { return is_over(*job); });
+        if (!job_) return;
+        job_->progress.cancelled = true;
+        dropped_.push_back(std::move(job_));
+    }
+
     bool is_running() const { return job_ != nullptr; }  ///< until its result is taken
-    bool is_done() const { return job_ && (!job_->call || job_->call->is_done()); }
+    bool is_done() const { return job_ && is_over(*job_); }
     float fraction() const { return job_ ? job_->progress.fraction.load() : 0.0F; }
     void cancel() {
         if (job_) job_->progress.cancelled = true;
@@ -88,7 +98,10 @@ private:
         std::optional<Result<T>> result;
         std::unique_ptr<BackgroundCall> call;  ///< last: its end is waited for before the others go; null: no thread
     };
+    static bool is_over(const Job& job) { return !job.call || job.call->is_done(); }
+
     std::unique_ptr<Job> job_;
+    std::vector<std::unique_ptr<Job>> dropped_;  ///< not ended yet, when last looked at
 };
 
 /// What a task tells before its end, in order; filled and read from any thread.

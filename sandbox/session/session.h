@@ -3,16 +3,25 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "geometry/navigation.h"
+#include "platform/background.h"
 #include "session/history.h"
 #include "state/presets.h"
 #include "state/scene.h"
 
 namespace viewing {
+
+/// A file that a state names and that lies neither in the state's own folder nor among the assets.
+struct OutsideFile {
+    std::filesystem::path file;  ///< where the links lead
+    std::string named_by;        ///< the state: its name, or "clipboard"
+};
 
 /// A line for the status bar, good or bad news.
 struct Message {
@@ -46,14 +55,19 @@ public:
     /// Counts up whenever another scene takes over.
     int scene_version() const { return scene_version_; }
 
-    /// Called once a frame: starts and finishes the loading of the scene that `params` names. A scene that cannot be
-    /// loaded leaves everything as it was and says why in `message`.
+    /// Called once a frame: starts and ends the reading of the scene that `params` names, takes over what was opened,
+    /// and tells what was written. Whatever cannot be read leaves everything as it was and says why in `message`.
     void update_scene();
-    /// Waits for it; for pictures without a window.
+    /// Waits for all of that; for pictures without a window.
     void finish_loading();
     std::optional<float> loading_fraction() const;
     std::string loading_name() const;
     void cancel_loading();
+
+    /// What is opened waits for a yes to read this file; null: nothing does.
+    const OutsideFile* asks_to_read() const { return question_ ? &*question_ : nullptr; }
+    /// Yes: this file's folder may be read from in this session, by whatever names it.
+    void answer(bool may_read);
 
     /// Moves the camera; the motion goes on until it is at rest.
     void navigate(const MotionInput& input, double dt_s);
@@ -91,25 +105,50 @@ public:
     void return_to_preset();
 
     void reset();
-    /// Takes over a state as one step.
+    /// Takes over a state as one step, when its scene is there.
     void replace(const LoadedState& state);
-    Status open(const std::string& argument);  ///< a file, a preset's name, an .obj or a dropped file
+
+    // Nothing waits for a file: what came of it is told when it is known, in `message` and once by take_outcome().
+
+    /// A file, a preset's name, an .obj or a dropped file.
+    void open(const std::string& argument);
+    /// The name that was given to open() while that is read, else "".
+    const std::string& opening() const;
+    /// A text has no folder of its own: files that it names outside the assets are asked about.
     Status paste(const std::string& text);
-    Status save(const std::filesystem::path& file);
+    void save(const std::filesystem::path& file);
+    /// `work` writes a file, beside this thread; `told` is the message when it is done.
+    void write(std::function<Status()> work, std::string told);
+    /// Of the latest open(), save() or write() that has ended; a file that is asked about ends an open() too.
+    std::optional<Status> take_outcome() { return std::exchange(outcome_, std::nullopt); }
+
     /// The whole state as text, with the files it names told from the root: it reads back from anywhere.
     std::string text() const;
 
 private:
-    struct LoadJob;
-
     /// What one step of the history brings back.
     struct Step {
         Params params;
         std::shared_ptr<const OpenPreset> preset;
+        std::filesystem::path base;
         bool operator==(const Step& other) const {
             const auto name = [](const Step& step) { return step.preset ? step.preset->name : std::string(); };
             return params == other.params && name(*this) == name(other);
         }
+    };
+
+    /// What is read beside this thread: a whole state with its scene, or the scene that `params` names.
+    struct Wanted {
+        std::string argument = {};             ///< as open() took it; "" where the state is known
+        LoadedState state = {};                ///< unless there is an argument
+        bool is_whole = false;                 ///< else it is only the scene
+        bool is_first = false;                 ///< what the session was begun with
+        std::optional<std::string> told = {};  ///< the message when it is there
+    };
+    struct Arrived {
+        LoadedState state;
+        Scene scene;
+        std::filesystem::path outside;  ///< not empty: this has to be asked about, and there is no scene
     };
 
     /// Turns the camera to the orbit's target when that is out of view: orbiting something unseen helps nobody.
@@ -121,14 +160,26 @@ private:
     /// The scene that is awaited does not come: back to what was before it was named.
     void keep_scene();
     void take_over(const Step& step);
+    void start_reading(Wanted wanted);
+    void end_reading(Result<Arrived> result);
+    void take_written();
+    Step now() const { return {params, preset_, base_}; }
 
     std::filesystem::path base_;
     Scene scene_;
     SceneSource loaded_source_;
     std::filesystem::path loaded_base_;
     int scene_version_ = 0;
-    std::unique_ptr<LoadJob> job_;
-    std::optional<Step> before_replacing_;  ///< while the scene of a whole new state is awaited
+
+    std::optional<Wanted> wanted_;  ///< is being read, or waits for the answer to the question
+    BackgroundTask<Arrived> reading_;
+    bool has_just_begun_ = false;  ///< reading
+    std::optional<OutsideFile> question_;
+    FileReach allowed_{false, {}};  ///< by a yes, or since it was read before
+    BackgroundTask<std::monostate> writing_;
+    std::string written_;  ///< the message when it is done
+    std::optional<Status> outcome_;
+    int steps_back_ = 0;  ///< in the history, to where the awaited scene belongs; negative: forth
 
     CameraParams home_;
     double home_height_ = 0.0;  ///< of the orthographic view there

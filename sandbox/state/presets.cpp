@@ -67,6 +67,7 @@ std::vector<std::string> lecture_order() {
 LoadedState preset_state(const std::string& name, const Params& params, const fs::path& base) {
     LoadedState state{params, base, name + ".json: scene"};
     state.preset = std::make_shared<const OpenPreset>(OpenPreset{name, params});
+    state.reach = {false, {}};
     return state;
 }
 
@@ -78,7 +79,7 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
     if (!params) {
         return Error{params.error()};
     }
-    return LoadedState{std::move(*params), base, source + ": scene"};
+    return LoadedState{std::move(*params), base, source + ": scene", nullptr, reach_of_folder(base)};
 }
 
 Error unknown_state(const std::string& argument) {

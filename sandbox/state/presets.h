@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "state/file_reach.h"
 #include "state/params.h"
 #include "text/result.h"
 
@@ -44,6 +45,7 @@ struct LoadedState {
     std::filesystem::path base;          ///< what the scene's relative paths are relative to
     std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
     std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a file of one's own
+    FileReach reach = {};  ///< what its scene may be read from; of one that was loaded, its own folder
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <unordered_set>
 
 #include "platform/text_file.h"
 #include "state/coplanar.h"
@@ -23,6 +24,33 @@ struct Described {
     SceneDescription scene;
     fs::path base;
     std::string objects;
+    fs::path file = {};  ///< that says all this, where that is no asset and not the state itself
+};
+
+/// Lets a scene's files through, one after the other, and keeps which they were.
+class Gate {
+public:
+    explicit Gate(const SceneReading& reading) : reading_(reading), reach_(reading.reach) {}
+
+    Status pass(const fs::path& file, const std::string& shown) {
+        if (!seen_.insert(file.string()).second) return std::monostate{};
+        if (!reach_.includes(file)) {
+            if (reading_.outside != nullptr) *reading_.outside = resolved(file);
+            return Error{shown + " lies outside the state's own folder; --allow-outside lets it be read"};
+        }
+        read_.push_back(resolved(file));
+        return std::monostate{};
+    }
+    /// What a scene's file names beside it.
+    void open_folder_of(const fs::path& file) { reach_.add(file.has_parent_path() ? file.parent_path() : "."); }
+
+    std::vector<fs::path> take_read() { return std::move(read_); }
+
+private:
+    const SceneReading& reading_;
+    FileReach reach_;
+    std::unordered_set<std::string> seen_;
+    std::vector<fs::path> read_;
 };
 
 Result<Described> described_by_file(const fs::path& file, const std::string& shown, const std::string& origin) {
@@ -37,8 +65,8 @@ Result<Described> described_by_file(const fs::path& file, const std::string& sho
     return Described{std::move(*scene), file.parent_path(), shown + ": objects"};
 }
 
-Result<Described> described(const SceneSource& source, const fs::path& base, WorkProgress* progress,
-                            const std::string& origin) {
+Result<Described> described(const SceneSource& source, const fs::path& base, const SceneReading& reading, Gate& gate) {
+    const std::string& origin = reading.origin;
     if (const auto* scene = std::get_if<SceneDescription>(&source)) {
         return Described{*scene, base, origin + ".objects"};
     }
@@ -56,10 +84,28 @@ Result<Described> described(const SceneSource& source, const fs::path& base, Wor
     if (is_name && !fs::exists(file, error)) {
         return Error{origin + ": " + one_line(name) + " is neither a file nor a scene" + names_hint(name, scenes())};
     }
-    if (is_obj_file(file)) {
-        return Described{scene_of_mesh(file, progress), base, ""};
+    if (const Status passed = gate.pass(file, name); !passed) {
+        return Error{origin + ": " + passed.error()};
     }
-    return described_by_file(file, name, origin);
+    if (is_obj_file(file)) {
+        return Described{scene_of_mesh(file, reading.progress), base, "", file};
+    }
+    Result<Described> scene = described_by_file(file, name, origin);
+    if (scene) {
+        scene->file = file;
+        gate.open_folder_of(file);
+    }
+    return scene;
+}
+
+/// How messages name the mesh file of an object.
+std::string place_of(const Described& from, std::size_t object, const std::string& origin) {
+    return from.objects.empty() ? origin : from.objects + "[" + std::to_string(object) + "].file";
+}
+
+std::string too_many(std::uint64_t triangles) {
+    return "the scene has " + std::to_string(triangles) + " triangles, at most " + std::to_string(max_scene_triangles) +
+           " are drawn: leave objects out, or take coarser meshes and teapots";
 }
 
 }  // namespace
@@ -78,32 +124,51 @@ const SceneObject* Scene::find(std::string_view name) const {
 }
 
 Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const CoplanarParams& coplanar,
-                         WorkProgress* progress, const std::string& origin) {
-    Result<Described> from = described(source, base, progress, origin);
+                         const SceneReading& reading) {
+    Gate gate(reading);
+    Result<Described> from = described(source, base, reading, gate);
     if (!from) {
         return Error{from.error()};
     }
     Scene scene;
+    scene.file = from->file;
     if (from->scene.made_by) {
         from->scene = coplanar_scene(coplanar);
         scene.made_from = coplanar;
     }
+    std::uint64_t triangles = 0;
     const auto count = static_cast<double>(from->scene.objects.size());
     for (std::size_t i = 0; i < from->scene.objects.size(); ++i) {
         const ObjectDescription& object = from->scene.objects[i];
         const auto done = static_cast<double>(i);
-        WorkProgress of_object{.whole = progress, .begin = done / count, .end = (done + 1.0) / count};
+        WorkProgress of_object{.whole = reading.progress, .begin = done / count, .end = (done + 1.0) / count};
+        if (is_cancelled(&of_object)) {
+            return Error{reading.origin + ": loading was cancelled"};
+        }
+        if (object.shape == ShapeKind::mesh) {
+            if (const Status passed = gate.pass(from->base / object.file, object.file); !passed) {
+                return Error{place_of(*from, i, reading.origin) + ": " + passed.error()};
+            }
+        }
         Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, from->base, &of_object);
         if (!mesh) {
-            const std::string place =
-                from->objects.empty() ? origin : from->objects + "[" + std::to_string(i) + "].file";
-            return Error{place + ": " + mesh.error()};
+            return Error{place_of(*from, i, reading.origin) + ": " + mesh.error()};
         }
+        triangles += (*mesh)->triangle_count();
         scene.objects.push_back({object, *mesh, world_from_model(object.position, object.rotation, object.scale)});
-        for (const glm::vec3& position : scene.objects.back().mesh->positions) {
-            scene.bounds_world.add(glm::dvec3(scene.objects.back().world_from_model * glm::dvec4(position, 1.0)));
+    }
+    if (triangles > max_scene_triangles) {
+        return Error{reading.origin + ": " + too_many(triangles)};
+    }
+    for (const SceneObject& object : scene.objects) {
+        if (is_cancelled(reading.progress)) {
+            return Error{reading.origin + ": loading was cancelled"};
+        }
+        for (const glm::vec3& position : object.mesh->positions) {
+            scene.bounds_world.add(glm::dvec3(object.world_from_model * glm::dvec4(position, 1.0)));
         }
     }
+    scene.read = gate.take_read();
     return scene;
 }
 

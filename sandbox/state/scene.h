@@ -9,6 +9,7 @@
 
 #include "geometry/mesh.h"
 #include "platform/progress.h"
+#include "state/file_reach.h"
 #include "state/params.h"
 #include "text/result.h"
 
@@ -24,6 +25,8 @@ struct Scene {
     std::vector<SceneObject> objects;
     Bounds bounds_world;
     std::optional<CoplanarParams> made_from = {};  ///< what the formula took that made the objects, if one did
+    std::filesystem::path file = {};  ///< that it was read from, where that is no asset and not the state itself
+    std::vector<std::filesystem::path> read = {};  ///< resolved: all files that were read for it
 
     const SceneObject* find(std::string_view name) const;
 };
@@ -32,15 +35,27 @@ struct Scene {
 /// ../share/viewing-sandbox below it. Empty when there is none.
 std::filesystem::path assets_directory();
 
+/// How a scene is read. `origin`: what messages about the source itself open with.
+struct SceneReading {
+    WorkProgress* progress = nullptr;
+    std::string origin = "scene";
+    FileReach reach = {};
+    std::filesystem::path* outside = nullptr;  ///< takes the first file that is needed and is not within reach
+};
+
 /// Makes or loads every mesh. Relative mesh files are looked up from `base` (the directory of the file that
 /// named the scene; empty: the working directory). A named scene comes from assets/scenes; a path is that of a scene
 /// file, or of an OBJ file, which is then shown by itself. The same shape or file is shared between scenes. Safe to
 /// call from several threads. Errors name the scene's file and the field: "room.json: objects[3].file: chair.obj: …";
 /// what is wrong with `source` itself opens with `origin`: "mine.json: scene: …", "mine.json: scene.objects[3].file:
-/// …". `coplanar`: the parameters of a scene that its file says is made by a formula.
+/// …". `coplanar`: the parameters of a scene that its file says is made by a formula. A file that is not within reach
+/// is not touched and is an error; the folder of a scene's own file, which was within reach, is so too. More than
+/// max_scene_triangles are refused; objects that share a mesh share its memory.
 Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path& base,
-                         const CoplanarParams& coplanar = {}, WorkProgress* progress = nullptr,
-                         const std::string& origin = "scene");
+                         const CoplanarParams& coplanar = {}, const SceneReading& reading = {});
+
+/// Of all objects together.
+inline constexpr std::uint64_t max_scene_triangles = 50'000'000;
 
 /// A Wavefront OBJ file: centred and scaled to fit (longest side 2), the file's normals used where every corner has one
 /// and made otherwise, polygons cut into triangles. At most 50 million triangles and 4 GiB. Materials are ignored.

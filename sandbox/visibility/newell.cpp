@@ -14,16 +14,25 @@ namespace {
 
 class Sorter {
 public:
-    Sorter(std::span<const Polygon> polygons, const Viewpoint& viewpoint, const NewellOptions& options)
+    Sorter(std::span<const Polygon> polygons, const Viewpoint& viewpoint, const NewellOptions& options,
+           const WorkProgress* progress)
         : viewpoint_(viewpoint),
           clip_from_world_(viewpoint.clip_from_world()),
           eye_(viewpoint.eye_world()),
           options_(options),
+          progress_(progress),
           epsilon_(options.epsilon.value_or(default_epsilon(polygons))) {
         const double clip_epsilon = std::min(epsilon_, default_epsilon(polygons));
         const glm::dvec4 near = viewpoint.near_plane_world();
         const std::optional<glm::dvec4> eye_plane = viewpoint.eye_plane_world();
+        constexpr std::size_t polygons_between_looks = 4096;
+        std::size_t taken = 0;
         for (const Polygon& polygon : polygons) {
+            if (taken++ % polygons_between_looks == 0 && is_cancelled(progress)) stop_cancelled();
+            if (!result_.problem.empty()) {
+                add_fragment(polygon, {});
+                continue;
+            }
             std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
             // Behind an oblique near plane there may be points behind the eye.
             if (seen && eye_plane) seen = clipped(*seen, *eye_plane, clip_epsilon);
@@ -34,8 +43,6 @@ public:
 
     NewellOrder run(WorkProgress* progress) {
         while (!list_.empty() && result_.problem.empty()) {
-            if (is_cancelled(progress))
-                stop(tr("Newell's sort was cancelled; the rest is drawn by its farthest vertices."));
             draw_next();
             const double drawn = static_cast<double>(result_.order.size());
             report(progress, drawn / (drawn + static_cast<double>(list_.size())));
@@ -75,12 +82,17 @@ private:
     }
 
     void add_fragment(Polygon polygon) {
-        projected_.push_back(project(polygon, viewpoint_, clip_from_world_));
+        Projected projected = project(polygon, viewpoint_, clip_from_world_);
+        add_fragment(std::move(polygon), std::move(projected));
+    }
+    void add_fragment(Polygon polygon, Projected projected) {
+        projected_.push_back(std::move(projected));
         list_.push_back(static_cast<int>(result_.fragments.size()));
         result_.fragments.push_back(std::move(polygon));
     }
 
     void stop(std::string why) { result_.problem = std::move(why); }
+    void stop_cancelled() { stop(tr("Newell's sort was cancelled; the rest is drawn by its farthest vertices.")); }
 
     void record(const NewellStep& step) {
         if (result_.steps.size() < options_.max_steps) {
@@ -94,6 +106,7 @@ private:
     void draw_next() {
         std::vector<int> chain{list_.back()};
         while (result_.problem.empty()) {
+            if (is_cancelled(progress_)) return stop_cancelled();
             const int p = chain.back();
             const Conflict conflict = first_conflict(p);
             if (!result_.problem.empty()) return;
@@ -236,6 +249,7 @@ private:
     const glm::dmat4 clip_from_world_;
     const glm::dvec4 eye_;
     const NewellOptions& options_;
+    const WorkProgress* const progress_;
     const double epsilon_;
     std::vector<Projected> projected_;  ///< of every fragment
     std::vector<int> list_;             ///< not yet drawn, the next one last
@@ -246,7 +260,7 @@ private:
 
 NewellOrder newell_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, const NewellOptions& options,
                          WorkProgress* progress) {
-    return Sorter(polygons, viewpoint, options).run(progress);
+    return Sorter(polygons, viewpoint, options, progress).run(progress);
 }
 
 }  // namespace viewing

@@ -27,6 +27,7 @@ public:
     }
 
     bool empty() const { return heap_.empty(); }
+    const std::vector<int>& rest() const { return heap_; }
 
     int take() {
         const int top = heap_.front();
@@ -63,13 +64,22 @@ private:
 
 }  // namespace
 
-PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key) {
+PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key,
+                           WorkProgress* progress) {
+    constexpr std::size_t polygons_between_looks = 4096;
     PainterOrder result;
     result.distances.reserve(polygons.size());
     for (const Polygon& polygon : polygons) result.distances.push_back(key_of(polygon, viewpoint, key));
     result.order.reserve(polygons.size());
     FarthestFirst heap(result);
-    while (!heap.empty()) result.order.push_back(heap.take());
+    while (!heap.empty()) {
+        if (result.order.size() % polygons_between_looks == 0) {
+            report(progress, static_cast<double>(result.order.size()) / static_cast<double>(polygons.size()));
+            if (is_cancelled(progress)) break;
+        }
+        result.order.push_back(heap.take());
+    }
+    result.order.insert(result.order.end(), heap.rest().begin(), heap.rest().end());
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "platform/progress.h"
 #include "visibility/choices.h"
 #include "visibility/polygons.h"
 #include "visibility/viewpoint.h"
@@ -20,7 +21,8 @@ struct PainterOrder {
 };
 
 /// Heap sort, which finds one polygon after the other in drawing order. Equal keys: the higher index first, so that the
-/// lower one is seen, as with the other methods.
-PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key);
+/// lower one is seen, as with the other methods. Cancelled: what is left follows unsorted.
+PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key,
+                           WorkProgress* progress = nullptr);
 
 }  // namespace viewing

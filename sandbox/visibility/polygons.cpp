@@ -46,13 +46,15 @@ std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int o
 PolygonSet polygons_of(std::span<const MeshInstance> instances) {
     PolygonSet set;
     int source = 0, object = 0;
+    std::size_t count = 0;
+    for (const MeshInstance& instance : instances) count += instance.mesh->triangle_count();
+    set.polygons.reserve(count);
     for (const MeshInstance& instance : instances) {
         const Mesh& mesh = *instance.mesh;
         const auto corner = [&](std::size_t index) {
             const glm::dvec3 position = mesh.positions[mesh.indices[index]];
             return glm::dvec3(instance.world_from_model * glm::dvec4(position, 1.0));
         };
-        set.polygons.reserve(set.polygons.size() + mesh.triangle_count());
         for (std::size_t i = 0; i < mesh.triangle_count(); ++i, ++source) {
             auto polygon = make_polygon({corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}, object, source);
             if (polygon) {

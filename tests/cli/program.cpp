@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,7 +44,11 @@ std::map<std::string, std::string> environment_for(const Surroundings& surroundi
 
 /// In the child: only calls that are allowed between fork and exec; everything was made before.
 [[noreturn]] void become(const char* program, char** arguments, char** variables, const char* folder, int in, int out,
-                         int err) {
+                         int err, const std::map<int, unsigned long>& limits) {
+    for (const auto& [resource, value] : limits) {
+        const rlimit limit{value, value};
+        ::setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+    }
     if (::chdir(folder) == 0 && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 &&
         ::dup2(err, STDERR_FILENO) >= 0)
         ::execve(program, arguments, variables);
@@ -109,7 +114,7 @@ Ended Program::run(const std::vector<std::string>& arguments, const Surroundings
     const pid_t child = ::fork();
     if (child == 0)
         become(program, const_cast<char**>(argument_pointers.data()), const_cast<char**>(variable_pointers.data()),
-               where.c_str(), in, out, err);
+               where.c_str(), in, out, err, surroundings.limits);
 
     Ended result;
     result.status = wait_for(child);

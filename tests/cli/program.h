@@ -28,6 +28,7 @@ struct Surroundings {
     std::vector<std::string> without = {};                ///< variables taken out
     bool input_stays_open = false;                        ///< a pipe that nobody writes into
     std::string output = {};                              ///< standard output goes into this file
+    std::map<int, unsigned long> limits = {};             ///< of the process: RLIMIT_… and its value
 };
 
 /// Every test has a folder of its own that is gone afterwards, and is the program's working directory. There is no

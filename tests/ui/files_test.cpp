@@ -162,7 +162,7 @@ TEST_F(FilesTest, SavesAndOpensThroughTheDialogs) {
     ASSERT_TRUE(ui.has("file/name"));
     ui.type("mine.json");
     ui.click("file/Save");
-    ui.frames(2);
+    desk.settle();
     EXPECT_FALSE(ui.has("file/name"));
     ASSERT_TRUE(fs::exists(folder_ / "mine.json"));
     EXPECT_EQ(*parse_state(read(folder_ / "mine.json"), "mine.json"), saved);
@@ -192,7 +192,7 @@ TEST_F(FilesTest, EnterAnswersWhetherAFileIsReplaced) {
     EXPECT_NE(trouble().find("save once more"), std::string::npos);
     EXPECT_EQ(read(folder_ / "mine.json"), "old");
     ui.key(ImGuiKey_Enter);
-    ui.frames(2);
+    desk.settle();
     EXPECT_FALSE(ui.has("file/name"));
     EXPECT_EQ(*parse_state(read(folder_ / "mine.json"), "mine.json"), params);
 }
@@ -203,7 +203,7 @@ TEST_F(FilesTest, ADialogSaysWhatIsWrongAndStaysOpen) {
     desk.press_with(Key::ctrl, Key::s);
     ui.type("no-such-folder/mine.json");
     ui.click("file/Save");
-    ui.frames(2);
+    desk.settle();
     EXPECT_NE(trouble().find("cannot be written"), std::string::npos) << trouble();
     ui.click("file/Cancel");
     EXPECT_FALSE(ui.has("file/name"));
@@ -211,6 +211,7 @@ TEST_F(FilesTest, ADialogSaysWhatIsWrongAndStaysOpen) {
     desk.press_with(Key::ctrl, Key::o);
     EXPECT_EQ(trouble(), "");
     ui.double_click("file/broken.json");
+    desk.settle();
     EXPECT_NE(trouble().find("projection.near"), std::string::npos) << trouble();
     desk.press(Key::escape);
     ui.frames(2);
@@ -275,6 +276,40 @@ TEST_F(FilesTest, ABrokenFileChangesNothingAndSaysWhy) {
         EXPECT_FALSE(desk.session.can_undo());
         EXPECT_TRUE(ui.has("Dismiss"));
     }
+}
+
+TEST_F(FilesTest, AFileOutsideTheStatesFolderIsAskedAbout) {
+    fs::create_directories(folder_ / "own");
+    fs::create_directories(folder_ / "other");
+    write("other/m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("own/s.json", R"({"camera": {"yaw": 3}, "scene": {"objects": [)"
+                        R"({"name": "m", "shape": "mesh", "file": "../other/m.obj"}]}})");
+    const Params before = params;
+    const int objects = static_cast<int>(desk.session.scene().objects.size());
+    for (const char* answer : {"outside/No", "escape", "outside/Yes, read it"}) {
+        SCOPED_TRACE(answer);
+        drop("own/s.json");
+        desk.settle();
+        ASSERT_TRUE(ui.has("outside/Yes, read it"));
+        EXPECT_TRUE(ui.has("outside/file"));
+        ASSERT_NE(desk.session.asks_to_read(), nullptr);
+        EXPECT_EQ(desk.session.asks_to_read()->file, fs::canonical(folder_ / "other/m.obj"));
+        desk.press(Key::n);
+        EXPECT_EQ(params, before) << "keys rest";
+        EXPECT_EQ(desk.session.scene().objects.size(), objects);
+        if (std::string(answer) == "escape")
+            desk.press(Key::escape);
+        else
+            ui.click(answer);
+        desk.settle();
+        EXPECT_FALSE(ui.has("outside/Yes, read it"));
+        EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
+    }
+    EXPECT_EQ(params.camera.yaw, 3);
+    EXPECT_EQ(desk.session.scene().objects.size(), 1U);
+    desk.undo();
+    desk.settle();
+    EXPECT_EQ(params, before);
 }
 
 TEST_F(FilesTest, ABigMeshShowsItsProgressAndCanBeCancelled) {

@@ -100,11 +100,13 @@ TEST_F(GrowthView, TheRowsAreWrittenToANameThatNoFileHas) {
     const TemporaryFolder folder;
     measure_current_scene();
     ui.click("lower/Save CSV");
+    desk.settle();
     EXPECT_EQ(content("viewing-growth.csv"), growth_csv(rows()));
     EXPECT_NE(desk.session.message.text.find((folder.path / "viewing-growth.csv").string()), std::string::npos);
     EXPECT_FALSE(desk.session.message.is_error);
     std::ofstream("viewing-growth.csv") << "mine";
     ui.click("lower/Save CSV");
+    desk.settle();
     EXPECT_EQ(content("viewing-growth.csv"), "mine");
     EXPECT_EQ(content("viewing-growth-2.csv"), growth_csv(rows()));
 }
@@ -116,6 +118,7 @@ TEST_F(GrowthView, AFileThatCannotBeWrittenIsToldAsAnError) {
     std::filesystem::current_path("gone");
     std::filesystem::remove(folder.path / "gone");
     ui.click("lower/Save CSV");
+    desk.settle();
     EXPECT_TRUE(desk.session.message.is_error) << desk.session.message.text;
     std::filesystem::current_path(folder.path);
 }

@@ -185,8 +185,8 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
     result.fragments = polygons;
     const Stopwatch watch;
     if (visibility.method == VisibilityMethod::painter) {
-        auto painter =
-            std::make_shared<const PainterOrder>(painter_order(*polygons, request.viewpoint, visibility.sort_key));
+        auto painter = std::make_shared<const PainterOrder>(
+            painter_order(*polygons, request.viewpoint, visibility.sort_key, progress));
         result.order = painter->order;
         counters.comparisons = painter->comparisons;
         counters.swaps = painter->swaps;

@@ -62,6 +62,11 @@ const std::string& HiddenAnswer::problem() const {
     return camera->problem;
 }
 
+Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question) {
+    const auto builds = [](const HiddenRequest& request) { return request.visibility.method == VisibilityMethod::bsp; };
+    return check_hidden_budget(scene, builds(question.camera) || (question.other && builds(*question.other)));
+}
+
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,
                                     WorkProgress* progress) {
     HiddenAnswer answer{.question = question, .camera = solver.solve(question.camera, progress)};

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/hidden_drawing.h"
 #include "frame/plan.h"
 #include "visibility/difference.h"
@@ -31,6 +32,9 @@ struct HiddenAnswer {
     /// A sentence when some method stopped at a budget or was cancelled; else empty.
     const std::string& problem() const;
 };
+
+/// Whether the scene is not too large for what is asked (hidden_budget.h).
+Status check_hidden_budget(const Scene& scene, const HiddenQuestion& question);
 
 HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQuestion& question,
                                     WorkProgress* progress = nullptr);

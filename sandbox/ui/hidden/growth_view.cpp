@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/scene_surface.h"
 #include "platform/file.h"
 #include "text/catalogue.h"
@@ -55,12 +56,15 @@ int triangle_count(const Scene& scene) {
 /// Everything is made on the worker's thread; the scene shares its meshes.
 void start(GrowthViewState& state, const Scene& scene) {
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
-    state.measuring.start(
-        [log = state.log, which = static_cast<GrowthScene>(state.scene), scene](WorkProgress& progress) {
-            GrowthRequest request{.scene = which};
-            if (which == GrowthScene::own_polygons) request.own_polygons = surface_of(scene).polygons;
-            return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
-        });
+    state.measuring.start([log = state.log, which = static_cast<GrowthScene>(state.scene),
+                           scene](WorkProgress& progress) -> Result<std::vector<GrowthRow>> {
+        GrowthRequest request{.scene = which};
+        if (which == GrowthScene::own_polygons) {
+            if (const Status fits = check_hidden_budget(scene, true); !fits) return Error{fits.error()};
+            request.own_polygons = surface_of(scene).polygons;
+        }
+        return measure_growth(request, &progress, [&log](const GrowthRow& row) { log->add(row); });
+    });
 }
 
 /// A name in the working directory that no file has: viewing-growth.csv, viewing-growth-2.csv, …
@@ -75,11 +79,12 @@ std::filesystem::path free_file(const std::string& extension) {
 }
 
 void save_csv(const GrowthViewState& state, Session& session) {
-    const std::string text = growth_csv(shown_rows(state));
     const std::filesystem::path file = free_file(".csv");
-    const Status written = write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-    session.message = written ? Message{say("costs written to {file}", "file"_a = file.string()), false}
-                              : Message{written.error(), true};
+    session.write(
+        [file, text = growth_csv(shown_rows(state))] {
+            return write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+        },
+        say("costs written to {file}", "file"_a = file.string()));
 }
 
 /// What to measure, and the way to begin or end it.

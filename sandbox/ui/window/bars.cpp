@@ -4,6 +4,7 @@
 
 #include "state/fields.h"
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
@@ -150,7 +151,7 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
         ImGui::SameLine(0.0F, px(2.0F));
         if (step_button("▸###next preset", after, marked("this is the last preset"))) chosen = after;
     }
-    if (chosen) session.report(session.open(chosen->name));
+    if (chosen) session.open(chosen->name);
 }
 
 void Workbench::draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests) {
@@ -227,7 +228,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
         ImGui::SameLine(0.0F, px(18.0F));
         ImGui::TextUnformatted(text.c_str());
     };
-    if (!session.message.is_error) append(session.message.text);
+    if (!session.message.is_error) append(printable(session.message.text));
     for (const std::string& part : status.pixel) append(part);
     ImGui::SameLine(hint_x);
     ImGui::TextUnformatted(hint);

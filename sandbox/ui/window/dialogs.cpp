@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "text/words.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
@@ -43,6 +44,7 @@ void FileDialog::show(Purpose purpose) {
     purpose_ = purpose;
     requested_ = true;
     error_.clear();
+    waits_ = false;
     to_replace_.clear();
     std::error_code ignored;
     if (folder_.empty()) folder_ = std::filesystem::current_path(ignored);
@@ -51,19 +53,38 @@ void FileDialog::show(Purpose purpose) {
 }
 
 void FileDialog::list_folder() {
+    constexpr double a_moment_s = 0.02;
     entries_.clear();
-    std::error_code failed;
-    for (std::filesystem::directory_iterator at(folder_, failed), end; !failed && at != end; at.increment(failed)) {
-        const std::string name = at->path().filename().string();
-        std::error_code ignored;
-        const bool is_folder = at->is_directory(ignored);
-        if (name.starts_with('.') || (!is_folder && !is_known_file(at->path()))) continue;
-        entries_.push_back({name, is_folder});
-    }
-    if (failed) error_ = folder_.string() + ": " + failed.message();
-    std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-        return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+    listing_.start([folder = folder_](WorkProgress& progress) {
+        Listing listing;
+        std::error_code failed;
+        for (std::filesystem::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
+            if (is_cancelled(&progress)) break;
+            const std::string name = at->path().filename().string();
+            std::error_code ignored;
+            const bool is_folder = at->is_directory(ignored);
+            if (name.starts_with('.') || (!is_folder && !is_known_file(at->path()))) continue;
+            listing.entries.push_back({name, is_folder});
+        }
+        if (failed) listing.error = folder.string() + ": " + failed.message();
+        std::sort(listing.entries.begin(), listing.entries.end(), [](const Entry& a, const Entry& b) {
+            return a.is_folder != b.is_folder ? a.is_folder : a.name < b.name;
+        });
+        return listing;
     });
+    listing_.wait(a_moment_s);
+    take_listing();
+}
+
+void FileDialog::take_listing() {
+    std::optional<Result<Listing>> listing = listing_.take();
+    if (!listing) return;
+    if (!*listing) {
+        error_ = listing->error();
+        return;
+    }
+    entries_ = std::move((*listing)->entries);
+    if (!(*listing)->error.empty()) error_ = (*listing)->error;
 }
 
 bool FileDialog::confirm(Session& session) {
@@ -81,9 +102,24 @@ bool FileDialog::confirm(Session& session) {
         error_ = say("{file} exists: save once more to replace it", "file"_a = file.filename().string());
         return false;
     }
-    const Status done = purpose_ == Purpose::open ? session.open(file.string()) : session.save(file);
-    error_ = done ? "" : done.error();
-    return static_cast<bool>(done);
+    error_.clear();
+    if (purpose_ == Purpose::open)
+        session.open(file.string());
+    else
+        session.save(file);
+    waits_ = purpose_ == Purpose::save || !is_obj_file(file);
+    return !waits_;
+}
+
+bool FileDialog::ends_with_outcome(Session& session) {
+    const std::optional<Status> outcome = waits_ ? session.take_outcome() : std::nullopt;
+    if (!outcome) return false;
+    waits_ = false;
+    if (*outcome) return true;
+    error_ = outcome->error();
+    session.message = {};  // it is said here
+    takes_keyboard_ = true;
+    return false;
 }
 
 void FileDialog::draw(Session& session) {
@@ -92,6 +128,8 @@ void FileDialog::draw(Session& session) {
     is_open_ = begin_dialog("file", {px(580.0F), px(440.0F)});
     if (!is_open_) return;
     takes_keyboard_ |= std::exchange(requested_, false);
+    take_listing();
+    bool is_done = ends_with_outcome(session);
 
     title(purpose_ == Purpose::open ? marked("Open a state (.json) or a mesh (.obj)") : marked("Save the state"));
     widgets::Note(folder_.string().c_str());
@@ -118,15 +156,51 @@ void FileDialog::draw(Session& session) {
     chosen |=
         ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
-    if (!error_.empty()) widgets::Trouble(error_.c_str());
+    if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
     chosen |= widgets::Button(purpose_ == Purpose::open ? marked("Open") : marked("Save"), !name_.empty(),
                               "choose or type a name first");
     ImGui::SameLine();
     const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    const bool is_done = chosen && confirm(session);
-    takes_keyboard_ = chosen && !is_done;  // Enter took it from the field, and the next one is the answer
+    if (chosen && !waits_ && !is_done) {
+        is_done = confirm(session);
+        takes_keyboard_ = !is_done;  // Enter took it from the field, and the next one is the answer
+    }
+    if (cancelled && waits_ && purpose_ == Purpose::open) session.cancel_loading();
     if (is_done || cancelled) {
+        waits_ = false;
         is_open_ = false;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+void draw_permission(Session& session) {
+    const widgets::Group group("outside");
+    const OutsideFile* const asked = session.asks_to_read();
+    if (asked) ImGui::OpenPopup("outside");
+    if (!begin_dialog("outside", {px(580.0F), px(250.0F)})) return;
+    if (!asked) {
+        ImGui::CloseCurrentPopup();
+        return ImGui::EndPopup();
+    }
+    title(marked("Read a file outside the state's folder?"));
+    ImGui::BeginChild("question", {0.0F, -ImGui::GetFrameHeightWithSpacing() - px(4.0F)});
+    widgets::Note(say("{state} names a file that lies neither in its own folder nor in the sandbox's:",
+                      "state"_a = printable(asked->named_by))
+                      .c_str());
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(printable(asked->file.string()).c_str());
+    ImGui::PopTextWrapPos();
+    widgets::Record("file");
+    widgets::Note(
+        tr("A yes holds for all files of that folder until the window is closed. Say no to a state of which you "
+           "do not know whose it is."));
+    ImGui::EndChild();
+    const bool yes = widgets::Button("Yes, read it");
+    ImGui::SameLine();
+    const bool no = widgets::Button("No") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (yes || no) {
+        session.answer(yes);
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "platform/background.h"
 #include "session/session.h"
 
 namespace viewing {
@@ -20,21 +21,33 @@ public:
 
 private:
     void list_folder();
+    void take_listing();
+    /// Whether the dialog has nothing left to do.
     bool confirm(Session& session);
+    bool ends_with_outcome(Session& session);
 
     struct Entry {
         std::string name;
         bool is_folder = false;
+    };
+    struct Listing {
+        std::vector<Entry> entries;
+        std::string error;
     };
     Purpose purpose_ = Purpose::open;
     bool requested_ = false, is_open_ = false;
     bool takes_keyboard_ = false;  ///< the name's field does, in the next frame
     std::filesystem::path folder_;
     std::vector<Entry> entries_;
+    BackgroundTask<Listing> listing_;
     std::string name_;
     std::string error_;
+    bool waits_ = false;                ///< for what comes of opening or saving
     std::filesystem::path to_replace_;  ///< exists and was asked about: the next Save replaces it
 };
+
+/// Asks for a yes while a state waits to read a file that lies outside its folder.
+void draw_permission(Session& session);
 
 /// The table of keys; `open` becomes false when it is closed.
 void draw_help(bool& open);

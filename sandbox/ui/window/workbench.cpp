@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
@@ -57,9 +58,11 @@ const NamedFile* Workbench::open_preset(const Session& session) const {
 }
 
 const NamedFile* Workbench::preset_at(const Session& session, int places) const {
-    const OpenPreset* open = session.preset();
-    const auto at = std::find_if(presets_.begin(), presets_.end(),
-                                 [&](const NamedFile& preset) { return open && preset.name == open->name; });
+    // One that is being read counts as open already: Page down twice goes two places on.
+    const OpenPreset* const open = session.preset();
+    const std::string name = !session.opening().empty() ? session.opening() : open ? open->name : "";
+    const auto at =
+        std::find_if(presets_.begin(), presets_.end(), [&](const NamedFile& preset) { return preset.name == name; });
     // Without an open one the first is next.
     const std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
     return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
@@ -92,7 +95,7 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput alone still says yes in the frame after the typing has ended.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool in_dialog = help_open_ || file_dialog_.is_open();
+    const bool in_dialog = help_open_ || file_dialog_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
         const Key key = press.key;
@@ -123,7 +126,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (key == Key::c) caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
         if (key == Key::page_down || key == Key::page_up)
             if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
-                session.report(session.open(preset->name));
+                session.open(preset->name);
         if (key == Key::escape) {
             if (arrangement.maximised != ViewName::none)
                 arrangement.maximised = ViewName::none;
@@ -131,7 +134,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
                 session.params.follow.reset();
         }
     }
-    for (const std::filesystem::path& file : input.dropped_files) session.report(session.open(file.string()));
+    for (const std::filesystem::path& file : input.dropped_files) session.open(file.string());
 }
 
 void Workbench::draw_columns(Session& session, const Derived& derived, const Derived& before,
@@ -205,7 +208,7 @@ void Workbench::draw_loading(Session& session, const Layout& layout) {
     ImGui::SetNextWindowSize(size);
     ImGui::Begin("loading", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::TextUnformatted(say("Loading {name}", "name"_a = session.loading_name()).c_str());
+    ImGui::TextUnformatted(say("Loading {name}", "name"_a = printable(session.loading_name())).c_str());
     ImGui::ProgressBar(*fraction, {-1.0F, 0.0F});
     if (widgets::Button("Cancel")) session.cancel_loading();
     ImGui::End();
@@ -221,7 +224,7 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
     ImGui::Begin("message", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_AlwaysAutoResize);
-    widgets::Trouble(session.message.text.c_str());
+    widgets::Trouble(printable(session.message.text).c_str());
     if (widgets::SmallButton("Dismiss")) session.message = {};
     ImGui::End();
     ImGui::PopStyleColor();
@@ -255,6 +258,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_message(session, now);
     file_dialog_.draw(session);
     draw_help(help_open_);
+    draw_permission(session);
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));

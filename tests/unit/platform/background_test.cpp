@@ -61,6 +61,26 @@ TEST(Background, AnotherStartReplacesWhatRuns) {
     EXPECT_EQ(**task.take(), 8);
 }
 
+TEST(Background, WhatIsDroppedHoldsUpNobody) {
+    std::atomic<bool> may_end{false}, has_ended{false};
+    {
+        BackgroundTask<int> task;
+        task.start([&](WorkProgress&) {  // hears of no cancelling
+            while (!may_end) std::this_thread::yield();
+            has_ended = true;
+            return 1;
+        });
+        task.start([](WorkProgress&) { return 2; });
+        task.wait(-1.0);
+        EXPECT_EQ(**task.take(), 2);
+        EXPECT_FALSE(has_ended);
+        task.drop();
+        EXPECT_FALSE(task.is_running());
+        may_end = true;
+    }
+    EXPECT_TRUE(has_ended) << "the end of all waits for it";
+}
+
 TEST(Background, IsCancelledAndWaitedForAtItsEnd) {
     bool ended = false;
     {

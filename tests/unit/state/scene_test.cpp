@@ -199,9 +199,9 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     const SceneDescription missing = scene_of_mesh(folder_ / "none.obj");
     const std::string path = (folder_ / "none.obj").string();
     EXPECT_EQ(load_scene(missing, "").error(), "scene.objects[0].file: " + path + ": no such file");
-    EXPECT_EQ(load_scene(missing, "", {}, nullptr, "mine.json: scene").error(),
+    EXPECT_EQ(load_scene(missing, "", {}, {.origin = "mine.json: scene"}).error(),
               "mine.json: scene.objects[0].file: " + path + ": no such file");
-    EXPECT_EQ(load_scene(path, "", {}, nullptr, "--mesh").error(), "--mesh: " + path + ": no such file");
+    EXPECT_EQ(load_scene(path, "", {}, {.origin = "--mesh"}).error(), "--mesh: " + path + ": no such file");
 }
 
 TEST_F(SceneFiles, LoadingCanBeCancelled) {
@@ -209,7 +209,7 @@ TEST_F(SceneFiles, LoadingCanBeCancelled) {
     scene.objects[0].file = write("t.obj", triangle_obj).string();
     WorkProgress progress;
     progress.cancelled = true;
-    EXPECT_NE(load_scene(scene, "", {}, &progress).error().find("cancelled"), std::string::npos);
+    EXPECT_NE(load_scene(scene, "", {}, {.progress = &progress}).error().find("cancelled"), std::string::npos);
 }
 
 TEST(Presets, AllLoadWithTheirScenes) {

@@ -1,0 +1,11 @@
+// What would end the process by a signal ends it with a status of the table, where that is possible.
+#pragma once
+
+namespace viewing {
+
+/// For the whole process, once, at its beginning. A write beyond the file size limit fails like one on a full disk
+/// instead of ending the process. A fault or an abort, which is what a driver makes of a lack of memory or threads, is
+/// one sentence on stderr and exit status 9. Without effect on faults where a sanitizer reports them.
+void end_faults_with_a_status();
+
+}  // namespace viewing

@@ -1,0 +1,264 @@
+// What a session reads and writes beside the interface's thread: the state before stays until the new one is there.
+// Read background.h for what runs there.
+#include <algorithm>
+
+#include "platform/file.h"
+#include "session/session.h"
+#include "state/json.h"
+#include "text/catalogue.h"
+
+namespace viewing {
+namespace {
+
+/// Most scenes are there at once: a short wait spares a frame with the old one.
+constexpr double a_moment_s = 0.02;
+
+/// A scene that would look the same: nothing has to be drawn anew.
+bool is_same(const Scene& a, const Scene& b) {
+    return a.made_from == b.made_from &&
+           std::equal(a.objects.begin(), a.objects.end(), b.objects.begin(), b.objects.end(),
+                      [](const SceneObject& one, const SceneObject& other) {
+                          return one.mesh == other.mesh && one.description == other.description;
+                      });
+}
+
+}  // namespace
+
+Result<Session> Session::begin(const LoadedState& state, double patience_s) {
+    LoadedState opening;
+    opening.params.ui = state.params.ui;
+    Result<Scene> scene = load_scene(opening.params.scene, {}, opening.params.coplanar);
+    if (!scene) return Error{scene.error()};
+    Session session(opening, *std::move(scene));
+    session.start_reading({.state = state, .is_whole = true, .is_first = true});
+    session.reading_.wait(patience_s);
+    session.has_just_begun_ = false;
+    session.update_scene();
+    if (const std::optional<Status> outcome = session.take_outcome(); outcome && !*outcome)
+        return Error{outcome->error()};
+    return session;
+}
+
+void Session::start_reading(Wanted wanted) {
+    wanted_ = std::move(wanted);
+    question_.reset();
+    const LoadedState& known = wanted_->state;
+    const bool is_there = wanted_->argument.empty() && known.params.scene == loaded_source_ &&
+                          (known.base == loaded_base_ || scene_.read.empty());
+    if (is_there) {
+        reading_.drop();
+        return end_reading(Arrived{known, scene_, {}});
+    }
+    has_just_begun_ = true;
+    reading_.start([wanted = *wanted_, allowed = allowed_](WorkProgress& progress) -> Result<Arrived> {
+        Arrived arrived{wanted.state, {}, {}};
+        if (!wanted.argument.empty()) {
+            Result<LoadedState> state = load_state(wanted.argument);
+            if (!state) return Error{state.error()};
+            arrived.state = *std::move(state);
+        }
+        FileReach reach = arrived.state.reach;
+        reach.add(allowed);
+        const Params& read = arrived.state.params;
+        Result<Scene> scene = load_scene(
+            read.scene, arrived.state.base, read.coplanar,
+            {.progress = &progress, .origin = arrived.state.scene_origin, .reach = reach, .outside = &arrived.outside});
+        if (!arrived.outside.empty()) return arrived;
+        if (!scene) return Error{scene.error()};
+        arrived.scene = *std::move(scene);
+        return arrived;
+    });
+}
+
+void Session::update_scene() {
+    take_written();
+    if (question_) return;
+    const bool awaits = awaits_scene();
+    const bool is_overtaken = wanted_ && (wanted_->is_whole ? awaits
+                                                            : !awaits || wanted_->state.params.scene != params.scene ||
+                                                                  wanted_->state.base != base_);
+    if (is_overtaken) {
+        wanted_.reset();
+        reading_.drop();
+    }
+    if (!wanted_ && awaits) {
+        LoadedState state;
+        state.params = params;
+        state.base = base_;
+        state.reach = {false, {}};
+        start_reading({.state = std::move(state)});
+    }
+    if (!wanted_) {
+        steps_back_ = 0;
+        return remake_scene();
+    }
+    if (std::exchange(has_just_begun_, false)) reading_.wait(a_moment_s);
+    if (std::optional<Result<Arrived>> arrived = reading_.take()) end_reading(*std::move(arrived));
+}
+
+void Session::end_reading(Result<Arrived> result) {
+    if (result && !result->outside.empty()) {
+        const std::string& argument = wanted_->argument;
+        question_ = OutsideFile{result->outside, argument.empty() ? result->state.scene_origin : argument};
+        outcome_ = Status(std::monostate{});
+        return;
+    }
+    const Wanted wanted = *std::exchange(wanted_, std::nullopt);
+    if (!result) {
+        message = {result.error(), true};
+        if (wanted.is_whole)
+            outcome_ = Status(Error{result.error()});
+        else
+            keep_scene();
+        return;
+    }
+    for (const std::filesystem::path& file : result->scene.read) allowed_.add(file);
+    if (wanted.is_whole) {
+        // A state that says nothing of its looks keeps the ones that the person has chosen.
+        UiParams& looks = result->state.params.ui;
+        if (!wanted.argument.empty() && looks == UiParams{}) looks = params.ui;
+        params = result->state.params;
+        preset_ = result->state.preset;
+        base_ = result->state.base;
+        begin_here();
+        motion_ = {};
+        outcome_ = Status(std::monostate{});
+    }
+    if (wanted.told) message = {*wanted.told, false};
+    steps_back_ = 0;
+    loaded_source_ = params.scene;
+    loaded_base_ = base_;
+    scene_.file = result->scene.file;
+    if (!is_same(scene_, result->scene)) {
+        scene_ = std::move(result->scene);
+        ++scene_version_;
+    }
+    if (wanted.is_first && !history_.can_undo()) {
+        history_ = History(now());
+        at_rest_ = before_ = params;
+    }
+}
+
+void Session::answer(bool may_read) {
+    if (!question_) return;
+    const std::filesystem::path file = std::exchange(question_, std::nullopt)->file;
+    if (may_read) {
+        allowed_.add(file.parent_path());
+        return start_reading(*std::exchange(wanted_, std::nullopt));
+    }
+    if (!std::exchange(wanted_, std::nullopt)->is_whole) keep_scene();
+    message = {say("{file} was not read: everything is as it was", "file"_a = file.string()), false};
+}
+
+void Session::take_written() {
+    const std::optional<Result<std::monostate>> written = writing_.take();
+    if (!written) return;
+    message = *written ? Message{written_, false} : Message{written->error(), true};
+    outcome_ = *written;
+}
+
+void Session::keep_scene() {
+    wanted_.reset();
+    reading_.drop();
+    for (; steps_back_ > 0; --steps_back_)
+        if (const std::optional<Step> later = history_.redo()) take_over(*later);
+    for (; steps_back_ < 0; ++steps_back_)
+        if (const std::optional<Step> earlier = history_.undo()) take_over(*earlier);
+    params.scene = loaded_source_;
+    base_ = loaded_base_;
+}
+
+void Session::finish_loading() {
+    writing_.wait(-1.0);
+    update_scene();
+    while (reading_.is_running()) {
+        reading_.wait(-1.0);
+        update_scene();
+    }
+}
+
+std::optional<float> Session::loading_fraction() const {
+    if (!reading_.is_running()) return std::nullopt;
+    return reading_.fraction();
+}
+
+std::string Session::loading_name() const {
+    if (!wanted_) return {};
+    if (!wanted_->argument.empty()) return wanted_->argument;
+    if (const auto* name = std::get_if<std::string>(&wanted_->state.params.scene)) return *name;
+    const SceneDescription& scene = std::get<SceneDescription>(wanted_->state.params.scene);
+    return scene.objects.empty() ? tr("scene") : scene.objects.front().name;
+}
+
+void Session::cancel_loading() {
+    if (!wanted_) return;
+    if (wanted_->is_whole) {
+        wanted_.reset();
+        reading_.drop();
+        outcome_ = Status(std::monostate{});
+    } else {
+        keep_scene();
+    }
+    message = {tr("loading cancelled: the scene is as it was"), false};
+}
+
+void Session::replace(const LoadedState& state) {
+    start_reading({.state = state, .is_whole = true});
+}
+
+void Session::open(const std::string& argument) {
+    if (is_obj_file(argument)) {
+        params.scene = std::filesystem::absolute(argument).string();
+        allowed_.add(argument);
+        return;
+    }
+    start_reading({.argument = argument, .is_whole = true, .told = say("opened {file}", "file"_a = argument)});
+}
+
+const std::string& Session::opening() const {
+    static const std::string nothing;
+    return wanted_ ? wanted_->argument : nothing;
+}
+
+Status Session::paste(const std::string& text) {
+    Result<Params> pasted = parse_state(text, "clipboard");
+    if (!pasted) return Error{pasted.error()};
+    LoadedState state;
+    state.params = *std::move(pasted);
+    state.scene_origin = "clipboard: scene";
+    state.reach = {false, {}};
+    start_reading({.state = std::move(state), .is_whole = true, .told = tr("state pasted from the clipboard")});
+    return std::monostate{};
+}
+
+std::string Session::text() const {
+    // A name that is relative to the state's folder means nothing elsewhere; names of assets stay.
+    const auto from_root = [this](const std::filesystem::path& file) {
+        return std::filesystem::absolute(base_ / file).lexically_normal().string();
+    };
+    Params portable = params;
+    if (auto* name = std::get_if<std::string>(&portable.scene)) {
+        if (!awaits_scene() && !scene_.file.empty())
+            *name = std::filesystem::absolute(scene_.file).lexically_normal().string();
+    } else {
+        for (ObjectDescription& object : std::get<SceneDescription>(portable.scene).objects)
+            if (object.shape == ShapeKind::mesh) object.file = from_root(object.file);
+    }
+    return write_state(portable);
+}
+
+void Session::write(std::function<Status()> work, std::string told) {
+    written_ = std::move(told);
+    outcome_.reset();
+    writing_.start([work = std::move(work)](WorkProgress&) { return work(); });
+}
+
+void Session::save(const std::filesystem::path& file) {
+    write(
+        [file, whole = text()] {
+            return write_file(file, {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
+        },
+        say("saved {file}", "file"_a = file.string()));
+}
+
+}  // namespace viewing

@@ -1,0 +1,54 @@
+// What the system refuses a process, and the limits of its time: the status is one of the table all the same.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+class Limits : public Program {};
+
+TEST_F(Limits, EveryCommandHasATimeout) {
+    const std::vector<std::vector<std::string>> waiting{{"state", "-"},
+                                                        {"matrices", "-"},
+                                                        {"inspect", "-", "--pixel", "0,0"},
+                                                        {"measure", "-", "--what", "visibility"},
+                                                        {"snapshot", "-", "-o", "a.png"},
+                                                        {"open", "-"}};
+    for (std::vector<std::string> arguments : waiting) {
+        arguments.insert(arguments.end(), {"--timeout", "0.2"});
+        const Ended ended = expect(8, arguments, {.input_stays_open = true});
+        EXPECT_NE(ended.err.find("--timeout"), std::string::npos) << ended.told();
+    }
+    for (const char* command :
+         {"open", "snapshot", "compare", "matrices", "inspect", "measure", "state", "params", "presets", "doctor"}) {
+        const Ended help = expect(0, {command, "--help"});
+        EXPECT_NE(help.out.find("--timeout S"), std::string::npos) << command;
+        EXPECT_NE(help.out.find("\n  8  "), std::string::npos) << command;
+        refused({command, "--timeout", "0"}, {"--timeout"});
+    }
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Limits, AFileThatMayNotGrowIsLikeAFullDisk) {
+    const Ended ended = expect(2, {"snapshot", "-o", "a.png", "--size", "320x240"},
+                               {.environment = {{"MESA_SHADER_CACHE_DISABLE", "1"}}, .limits = {{RLIMIT_FSIZE, 2000}}});
+    EXPECT_NE(ended.err.find("a.png: cannot be written"), std::string::npos) << ended.told();
+    EXPECT_EQ(files(), 0U);
+}
+
+/// Wherever the memory ends, in the program or inside the driver.
+TEST_F(Limits, ShortMemoryEndsWithAStatusOfTheTable) {
+    for (const unsigned long megabytes : {60, 100, 140, 180, 220, 260, 300, 400}) {
+        const Ended ended =
+            run({"snapshot", "-o", "a.png", "--size", "320x240"},
+                {.environment = {{"MESA_SHADER_CACHE_DISABLE", "1"}}, .limits = {{RLIMIT_AS, megabytes << 20U}}});
+        EXPECT_GE(ended.status, 0) << megabytes << " MB: " << ended.told();
+        EXPECT_LE(ended.status, 9) << megabytes << " MB: " << ended.told();
+        EXPECT_EQ(ended.status == 0, exists("a.png")) << megabytes << " MB: " << ended.told();
+    }
+}
+
+}  // namespace
+}  // namespace cli_tests

@@ -1,0 +1,80 @@
+// What the methods cost on many objects: memory in proportion to the polygons, and an end soon after cancelling.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <numeric>
+
+#include "geometry/shapes.h"
+#include "scenes.h"
+#include "visibility/newell.h"
+#include "visibility/painter.h"
+
+namespace {
+
+std::atomic<std::size_t> allocated_bytes{0};
+
+}  // namespace
+
+// Not inlined, so that each new is seen to belong to its delete.
+[[gnu::noinline]] void* operator new(std::size_t bytes) {
+    allocated_bytes += bytes;
+    if (void* const memory = std::malloc(bytes)) return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace viewing {
+namespace {
+
+std::size_t bytes_for(int boxes) {
+    const Mesh box = box_mesh();
+    const std::vector<MeshInstance> instances(static_cast<std::size_t>(boxes), MeshInstance{&box});
+    const std::size_t before = allocated_bytes;
+    EXPECT_EQ(polygons_of(instances).polygons.size(), 12U * static_cast<std::size_t>(boxes));
+    return allocated_bytes - before;
+}
+
+TEST(Cost, OfManyObjectsIsThatOfTheirPolygons) {
+    const auto few = static_cast<double>(bytes_for(500)), many = static_cast<double>(bytes_for(4000));
+    EXPECT_LT(many / few, 8.5) << "eight times as many";
+}
+
+std::vector<Polygon> boxes_in_a_row(int count) {
+    const Mesh box = box_mesh();
+    std::vector<MeshInstance> instances;
+    for (int i = 0; i < count; ++i) instances.push_back({&box, world_from_model({3.0 * i, 0, 0}, {}, glm::dvec3(1.0))});
+    return polygons_of(instances).polygons;
+}
+
+TEST(Cost, ACancelledPainterSortsNoFurther) {
+    const std::vector<Polygon> polygons = boxes_in_a_row(1000);
+    WorkProgress progress;
+    progress.cancelled = true;
+    const PainterOrder whole = painter_order(polygons, viewpoint_on_z(), PainterKey::farthest);
+    PainterOrder cut = painter_order(polygons, viewpoint_on_z(), PainterKey::farthest, &progress);
+    EXPECT_LT(cut.comparisons, 3 * static_cast<std::int64_t>(polygons.size())) << "the heap alone";
+    EXPECT_GT(whole.comparisons, 10 * static_cast<std::int64_t>(polygons.size()));
+    std::sort(cut.order.begin(), cut.order.end());
+    std::vector<int> each(polygons.size());
+    std::iota(each.begin(), each.end(), 0);
+    EXPECT_EQ(cut.order, each) << "every polygon is drawn all the same";
+}
+
+TEST(Cost, ACancelledNewellComparesNothing) {
+    WorkProgress progress;
+    progress.cancelled = true;
+    const NewellOrder cut = newell_order(boxes_in_a_row(1000), viewpoint_on_z(), {}, &progress);
+    EXPECT_EQ(cut.counters.pairs, 0);
+    EXPECT_FALSE(cut.problem.empty());
+}
+
+}  // namespace
+}  // namespace viewing
