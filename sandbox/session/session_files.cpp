@@ -98,8 +98,8 @@ void Session::update_scene() {
 
 void Session::end_reading(Result<Arrived> result) {
     if (result && !result->outside.empty()) {
-        const std::string& argument = wanted_->argument;
-        question_ = OutsideFile{result->outside, argument.empty() ? result->state.scene_origin : argument};
+        const std::string& origin = result->state.scene_origin;  // "room.json: scene"
+        question_ = OutsideFile{result->outside, origin.substr(0, origin.rfind(": "))};
         outcome_ = Status(std::monostate{});
         return;
     }

@@ -178,7 +178,7 @@ void draw_permission(Session& session) {
     const widgets::Group group("outside");
     const OutsideFile* const asked = session.asks_to_read();
     if (asked) ImGui::OpenPopup("outside");
-    if (!begin_dialog("outside", {px(580.0F), px(250.0F)})) return;
+    if (!begin_dialog("outside", {px(580.0F), px(200.0F)})) return;
     if (!asked) {
         ImGui::CloseCurrentPopup();
         return ImGui::EndPopup();
@@ -193,8 +193,8 @@ void draw_permission(Session& session) {
     ImGui::PopTextWrapPos();
     widgets::Record("file");
     widgets::Note(
-        tr("A yes holds for all files of that folder until the window is closed. Say no to a state of which you "
-           "do not know whose it is."));
+        tr("A yes holds for all files of that folder until the window is closed. Say no if you do not know "
+           "whose state this is."));
     ImGui::EndChild();
     const bool yes = widgets::Button("Yes, read it");
     ImGui::SameLine();

@@ -188,7 +188,7 @@ TEST_F(SessionOpen, WhatIsPastedHasNoFolderOfItsOwn) {
     ASSERT_TRUE(session.paste(state_with(mesh.string(), 5)));
     session.finish_loading();
     ASSERT_NE(session.asks_to_read(), nullptr);
-    EXPECT_EQ(session.asks_to_read()->named_by.substr(0, 9), "clipboard");
+    EXPECT_EQ(session.asks_to_read()->named_by, "clipboard");
     session.answer(false);
 
     open(write("own/s.json", state_with("m.obj", 4)));
