@@ -9,6 +9,7 @@ uniform highp sampler2D surface_positions;  // xyz world; w standard window dept
 uniform highp sampler2D surface_normals;    // xyz towards the eye; w 1 front face, 0 back face
 uniform highp sampler2D surface_colors;     // linear; w the object's number from 1 on
 uniform highp sampler2D surface_counts;     // how often the pixel was drawn
+uniform vec2 picture_share;                 // of the view that the picture fills, around its middle
 uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 uniform vec4 clip_plane_model[CLIP_PLANES];
@@ -193,12 +194,19 @@ vec3 lit_color(vec3 surface_albedo) {
 #endif
 
 #ifdef FROM_PICTURE
+vec2 position_picture() {
+    return (position_texture - 0.5) / picture_share + 0.5;
+}
+
 ivec2 texel_of(highp sampler2D picture) {  // whose first row is the top one
     ivec2 size = textureSize(picture, 0);
-    return min(ivec2(vec2(position_texture.x, 1.0 - position_texture.y) * vec2(size)), size - 1);
+    vec2 position = position_picture();
+    return clamp(ivec2(vec2(position.x, 1.0 - position.y) * vec2(size)), ivec2(0), size - 1);
 }
 
 void fetch_surface() {
+    vec2 from_middle = abs(position_picture() - 0.5);
+    if (max(from_middle.x, from_middle.y) > 0.5) discard;
     ivec2 texel = texel_of(surface_positions);
     vec4 position = texelFetch(surface_positions, texel, 0);
     vec4 normal = texelFetch(surface_normals, texel, 0);

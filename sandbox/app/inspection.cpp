@@ -12,6 +12,8 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
         wishes.pixel = params.view.pixel;
         if (const auto pointed = views.told_pixel; pointed && !wishes.pixel)
             wishes.pixel = glm::min(*pointed, shown.camera_px - 1);  // it may have shrunk since
+        // A block that is asked for is somewhere from the beginning.
+        if (!wishes.pixel && tells_cells && params.view.cells) wishes.pixel = shown.camera_px / 2;
         if (wishes.pixel && !glm::all(glm::lessThan(*wishes.pixel, shown.camera_px))) wishes.pixel.reset();
     }
     wishes.fragments = tells_pixel;

@@ -34,7 +34,7 @@ Json report_as_json(const PixelReport& report) {
 }
 
 /// In drawing order; "culled", "tie" and "rounding" stand only where they are true.
-Json as_json(const std::vector<Fragment>& fragments) {
+Json fragments_as_json(const std::vector<Fragment>& fragments) {
     Json list = Json::array();
     for (const Fragment& fragment : fragments) {
         Json entry = {{"object", fragment.object},
@@ -50,6 +50,12 @@ Json as_json(const std::vector<Fragment>& fragments) {
         list.push_back(std::move(entry));
     }
     return list;
+}
+
+/// The pixel of the small raster that a pixel of the view lies in; null beside it.
+Json raster_as_json(const HiddenRequest& request, glm::ivec2 pixel, glm::ivec2 size_px) {
+    const auto own = raster_pixel(glm::dvec2(pixel) + 0.5, size_px, request.size_px, request.share);
+    return {{"size", as_json(request.size_px)}, {"pixel", own ? as_json(*own) : Json()}};
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
@@ -83,7 +89,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Json json = report_as_json(report);
     std::vector<Fragment> fragments = FragmentFinder(scene).at(*frame, pixel, size_px);
     reconcile(fragments, report, frame->clears_depth());
-    json["fragments"] = as_json(fragments);
+    json["fragments"] = fragments_as_json(fragments);
+    if (has_raster(params.visibility))
+        json["raster"] = raster_as_json(hidden_request(params, derived, size_px), pixel, size_px);
     print(print_document(json) + "\n");
     return ExitStatus::done;
 }
@@ -108,7 +116,11 @@ constinit const Command inspect_command{
     "drawn is what is seen. \"culled\", \"tie\" "
     "(the same code as the one it is compared with) and \"rounding\" (surfaces so close that GL's "
     "rounding decides, not the codes) stand only where they are true. "
-    "Mirror image and shadows are left out.",
+    "Mirror image and shadows are left out. \"raster\" stands only where visibility.raster makes a picture of few "
+    "large "
+    "pixels: its size and the one of its pixels that this one shows, whose middle then is what the fragments are "
+    "about; "
+    "null beside the picture.",
     "inspect --pixel 640,360\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
     "023489",

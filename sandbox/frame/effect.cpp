@@ -83,6 +83,10 @@ std::span<const Reason> reasons() {
          marked("Only the scene coplanar has pairs to place."),
          {"coplanar."}},
 
+        {[](const State& s) { return is_drawn_by_gl_alone(s.params.visibility.method); },
+         marked("GL's own pixels are those of the view."),
+         {"visibility.raster", "visibility.pixel"}},
+
         {[](const State& s) { return !s.params.cull.enabled; }, marked("No face is culled."), {"cull.face"}},
         {[](const State& s) { return !s.tells_faces(); },
          marked("Front and back are told apart only while faces are culled, or shown."),

@@ -229,7 +229,8 @@ void add_world(std::vector<Pass>& passes, Level level) {
 }
 
 bool shows_effects(const Params& params) {
-    return params.visibility.step < 0 && params.view.shows != Shows::fighting && params.view.shows != Shows::overdraw;
+    return !is_taken_apart(params.visibility) && params.view.shows != Shows::fighting &&
+           params.view.shows != Shows::overdraw;
 }
 
 std::span<const DerivedPlane> drawn_planes(const Params& params, const Derived& derived) {
@@ -253,7 +254,7 @@ FramePlan plan(const Params& asked, const Derived& derived, const HiddenPictures
     Params params = asked;
     const bool shows_fighting = params.view.shows == Shows::fighting;
     if (shows_fighting) params.visibility = VisibilityParams{};  // it is about the depth buffer
-    if (params.visibility.step >= 0 || shows_fighting) params.shadow.enabled = params.reflection.enabled = false;
+    if (is_taken_apart(params.visibility) || shows_fighting) params.shadow.enabled = params.reflection.enabled = false;
     FramePlan made = frame_plan(params, derived);
     set_depth(made, params, derived);
     made.shows = params.view.shows;

@@ -39,6 +39,13 @@ Status DepthInspector::prepare(Renderer& renderer, const FramePlan& frame, const
     return std::monostate{};
 }
 
+void DepthInspector::find_touches(FramePlan frame, const Scene& scene, glm::ivec2 pixel, glm::ivec2 size_px) {
+    frame.limit = {};
+    const std::vector<DrawCall> calls = draw_calls(frame, scene);
+    for (const Fragment& fragment : finder_->at(frame, pixel, size_px))
+        if (const std::optional<DrawLimit> limit = limit_after(fragment, calls)) data_.touches.push_back(*limit);
+}
+
 void DepthInspector::read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes) {
     const glm::ivec2 cells = glm::min(wishes.cells, size_px);
     const glm::ivec2 first = first_pixel_of(*wishes.pixel, cells, size_px);
@@ -78,6 +85,7 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
             data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
             reconcile(data_.fragments, *data_.pixel, frame.clears_depth());
         }
+        if (wishes.calls) find_touches(frame, scene, *wishes.pixel, size_px);
         if (wishes.cells.x > 0) read_cells(frame, size_px, wishes);
     }
     if (wishes.counts) {

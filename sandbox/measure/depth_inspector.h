@@ -12,7 +12,7 @@ namespace viewing {
 struct DepthWishes {
     std::optional<glm::ivec2> pixel{};  ///< inside the picture
     bool fragments = false;             ///< all surfaces on its ray
-    bool calls = false;                 ///< the frame's draw calls
+    bool calls = false;                 ///< the frame's draw calls, and those that touch the pixel
     glm::ivec2 cells{0};                ///< columns and rows of the block around it; 0: none
     bool counts = false;                ///< the histogram
     bool operator==(const DepthWishes&) const = default;
@@ -36,6 +36,7 @@ public:
 private:
     Status prepare(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                    glm::ivec2 size_px, const DepthWishes& wishes);
+    void find_touches(FramePlan frame, const Scene& scene, glm::ivec2 pixel, glm::ivec2 size_px);
     void read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes);
 
     /// What the buffers hold already.

@@ -67,6 +67,7 @@ struct SurfaceProgram : ShaderProgram {
     Uniform<Sampler> surface_normals{*this, "surface_normals"};
     Uniform<Sampler> surface_colors{*this, "surface_colors"};
     Uniform<Sampler> surface_counts{*this, "surface_counts"};
+    Uniform<glm::vec2> picture_share{*this, "picture_share"};
 
     Uniform<Sampler> mask_texture{*this, "mask_texture"};
     Uniform<int> mask_func{*this, "mask_func"};
@@ -112,6 +113,7 @@ struct ShowOverdrawProgram : ShaderProgram {
 
 struct ShowPictureProgram : ShaderProgram {
     Uniform<Sampler> picture{*this, "picture"};
+    Uniform<glm::vec2> picture_share{*this, "picture_share"};
 };
 
 struct ReadDepthProgram : ShaderProgram {

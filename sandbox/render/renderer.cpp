@@ -89,7 +89,9 @@ void Renderer::Implementation::draw_ordered(const FrameState& frame, const Pass&
 }
 
 void Renderer::Implementation::draw_pixels(const FrameState& frame, const Pass& pass, const SurfaceProgram& program) {
-    drawings.of(drawing_of(frame.plan, pass)).bind_textures();
+    const std::shared_ptr<const HiddenDrawing>& hidden = drawing_of(frame.plan, pass);
+    drawings.of(hidden).bind_textures();
+    program.picture_share.set(hidden->share);
     int unit = 0;
     for (const auto* sampler :
          {&program.surface_positions, &program.surface_normals, &program.surface_colors, &program.surface_counts})
@@ -109,6 +111,7 @@ Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
     if (!program) return Error{program.error()};
     (*program)->use();
     (*program)->picture.set(Sampler{0});
+    (*program)->picture_share.set(plan.hidden.difference->share);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, drawings.texture_of(plan.hidden.difference));
     presenter.fullscreen().draw(**program);

@@ -677,6 +677,24 @@ const Field all_fields[] = {
      .place = IN(visibility.numbers),
      .label = "numbers",
      .help = "Writes on each polygon the place it has in the drawing order."},
+    {.path = "visibility.raster",
+     .place = IN(visibility.raster),
+     .label = "raster",
+     .unit = "pixels",
+     .min = 1,
+     .max = 256,
+     .step = 1,
+     .help = "Columns and rows of the picture that a method finds, shown as large squares with the depth in each; "
+             "null takes the view's own pixels. GL's depth buffer draws those in any case. Shadow and mirror wait."},
+    {.path = "visibility.pixel",
+     .place = IN(visibility.pixel),
+     .label = "chosen pixel",
+     .unit = "pixels",
+     .min = 0,
+     .max = 16383,
+     .step = 1,
+     .help = "The pixel of that picture, from the top left one on, whose fragments are listed, whose next fragment "
+             "one can go to, and whose ray is shown; null is none."},
 
     // view
     {.path = "view.shows",
@@ -762,6 +780,15 @@ const Field all_fields[] = {
      .step = 1,
      .help = "The pixel of the camera view that the pixel and cell views tell about, from the top left one on; null is "
              "the one under the pointer."},
+    {.path = "view.cells",
+     .place = IN(view.cells),
+     .label = "cells",
+     .unit = "pixels",
+     .min = 1,
+     .max = 64,
+     .step = 1,
+     .help = "Columns and rows of the block around that pixel which the cell view shows, in the middle of the picture "
+             "until there is one; null shows as many as can be read."},
     {.path = "view.call",
      .place = IN(view.call),
      .label = "draw call",

@@ -113,7 +113,8 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
                    [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
                    [&](std::optional<glm::ivec2>* value) {
                        if (*value)
-                           **value = glm::clamp(**value, glm::ivec2(0), glm::ivec2(static_cast<int>(field.max)));
+                           **value = glm::clamp(**value, glm::ivec2(static_cast<int>(field.min)),
+                                                glm::ivec2(static_cast<int>(field.max)));
                    },
                    [](auto&&) {},
                },

@@ -56,6 +56,7 @@ struct ViewParams {
     int plane = 1, light = 1;               ///< the ones looked at more closely, counted from 1 on
     BesideParams beside;
     std::optional<glm::ivec2> pixel;  ///< pinned, of the camera's picture; (0, 0) is the top left one
+    std::optional<glm::ivec2> cells;  ///< columns and rows of the block of cells around it; none: what can be read
     int call = -1;                    ///< draws stop within this draw call of the frame, from 0 on; −1: all of them
     int triangle = -1;                ///< and after so many of its triangles; −1: all of them
     int pass = -1;                    ///< the frame stops after this pass, from 0 on; −1: it does not

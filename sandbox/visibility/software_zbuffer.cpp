@@ -43,7 +43,8 @@ public:
 
     bool stopped() const { return left_to_test_ == 0; }
 
-    void draw(const Polygon& polygon, int index) {
+    void draw(const Polygon& polygon, int index, int place) {
+        place_ = place;
         clip_.clear();
         for (const glm::dvec3& vertex : polygon.vertices) clip_.push_back(clip_from_world_ * glm::dvec4(vertex, 1.0));
         keep_where([](const glm::dvec4& p) { return p.w + p.z; });
@@ -157,22 +158,43 @@ private:
         }
     }
 
+    double depth_at(int x, double depth_of_row) const {
+        return std::min(std::max(depth_of_row + depth_per_x_ * (x + 0.5), nearest_), farthest_);
+    }
+    double depth_of_row(int y) const { return depth_at_origin_ + depth_per_y_ * (y + 0.5); }
+
+    template <PaintRule rule>
+    static bool lets_through(int id, double stored, double depth) {
+        if constexpr (rule == PaintRule::keep_first) return id == IdImage::background;
+        if constexpr (rule == PaintRule::depth_test) return depth < stored - same_depth;
+        return true;
+    }
+
+    /// Before the row is filled.
+    template <PaintRule rule>
+    void touch(int x, int y, std::int64_t number) {
+        const std::size_t at = result_.image.index(x, y);
+        const double depth = depth_at(x, depth_of_row(y)), stored = result_.image.depths[at];
+        const bool passes = lets_through<rule>(result_.image.ids[at], stored, depth);
+        result_.touches.push_back({number, place_, {x, y, polygon_index_, depth, stored, passes}});
+    }
+
     template <PaintRule rule>
     void fill_row(int begin, int end, int y) {
         if (begin >= end) return;
         IdImage& image = result_.image;
         int* const ids = image.ids.data() + image.index(0, y);
         double* const depths = image.depths.data() + image.index(0, y);
-        const double depth_of_row = depth_at_origin_ + depth_per_y_ * (y + 0.5);
+        const double row_depth = depth_of_row(y);
         const int id = polygon_->source;
         std::uint32_t* const counts =
             result_.written_per_pixel.empty() ? nullptr : result_.written_per_pixel.data() + image.index(0, y);
         std::int64_t written = 0;
+        if (options_.watched && options_.watched->y == y && options_.watched->x >= begin && options_.watched->x < end)
+            touch<rule>(options_.watched->x, y, result_.counters.pixels_tested + options_.watched->x - begin + 1);
         for (int x = begin; x < end; ++x) {
-            const double depth = std::min(std::max(depth_of_row + depth_per_x_ * (x + 0.5), nearest_), farthest_);
-            bool passes = true;
-            if constexpr (rule == PaintRule::keep_first) passes = ids[x] == IdImage::background;
-            if constexpr (rule == PaintRule::depth_test) passes = depth < depths[x] - same_depth;
+            const double depth = depth_at(x, row_depth);
+            const bool passes = lets_through<rule>(ids[x], depths[x], depth);
             if (x == end - 1) result_.last = {x, y, polygon_index_, depth, depths[x], passes};
             if (!passes) continue;
             ids[x] = id;
@@ -194,7 +216,7 @@ private:
     int row_begin_ = 0, row_end_ = 0;
     double nearest_ = 0.0, farthest_ = 0.0;
     const Polygon* polygon_ = nullptr;
-    int polygon_index_ = 0;
+    int polygon_index_ = 0, place_ = 0;
     double depth_at_origin_ = 0.0, depth_per_x_ = 0.0, depth_per_y_ = 0.0;
     std::int64_t left_to_test_;
 };
@@ -206,13 +228,15 @@ RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> o
     RasterResult result;
     result.image = IdImage(options.width, options.height);
     if (options.count_per_pixel) result.written_per_pixel.assign(result.image.ids.size(), 0);
+    result.tested_after.reserve(order.size());
     Rasteriser rasteriser(clip_from_world, options, result);
     for (std::size_t i = 0; i < order.size() && !rasteriser.stopped(); ++i) {
         if (i % polygons_between_reports == 0) {
             if (is_cancelled(progress)) break;
             report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
         }
-        rasteriser.draw(polygons[static_cast<std::size_t>(order[i])], order[i]);
+        rasteriser.draw(polygons[static_cast<std::size_t>(order[i])], order[i], static_cast<int>(i));
+        result.tested_after.push_back(result.counters.pixels_tested);
     }
     result.counters.pixels_covered = std::count_if(result.image.ids.begin(), result.image.ids.end(),
                                                    [](int id) { return id != IdImage::background; });

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,8 @@ struct RasterOptions {
     int width = 0, height = 0;
     std::int64_t stop_after = -1;  ///< replay: stop after so many fragments; −1: all
     int subpixel_bits = -1;  ///< round screen positions to 2^−bits of a pixel, as GL does (0 … 16); −1: do not
-    bool count_per_pixel = false;  ///< fill RasterResult::written_per_pixel
+    bool count_per_pixel = false;         ///< fill RasterResult::written_per_pixel
+    std::optional<glm::ivec2> watched{};  ///< fill RasterResult::touches for this pixel
 };
 
 /// One fragment: a polygon's point in a pixel, held against what the pixel had.
@@ -33,6 +35,13 @@ struct RasterStep {
     double depth = 0.0;
     double stored_depth = 0.0;  ///< before; infinite on the background
     bool written = false;
+};
+
+/// A fragment of the pixel that is watched.
+struct RasterTouch {
+    std::int64_t number = 0;  ///< among all fragments that are tested, from 1 on
+    int place = 0;            ///< of its polygon in the order
+    RasterStep fragment;
 };
 
 struct RasterCounters {
@@ -51,6 +60,8 @@ struct RasterResult {
     RasterCounters counters;
     RasterStep last;                               ///< the last fragment that was tested
     std::vector<std::uint32_t> written_per_pixel;  ///< overdraw view; empty unless asked for
+    std::vector<std::int64_t> tested_after;        ///< of each place in the order that was come to: pixels_tested then
+    std::vector<RasterTouch> touches;              ///< in the order of their tests
 };
 
 /// Draws `polygons` in `order` (indices into them, any number of them). A pixel belongs to a polygon that its centre

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "frame/depth/fragments.h"
+#include "frame/depth/reconcile.h"
 #include "frame/hidden/hidden_views.h"
 #include "gl_test.h"
 #include "render/probe.h"
@@ -117,6 +118,10 @@ protected:
             const PixelReport report = probe.at(pixel, scene);
             const std::string what = "pixel " + std::to_string(pixel.x) + " " + std::to_string(pixel.y) + ", read " +
                                      report.object + " " + std::to_string(report.stored) + told(fragments);
+            std::vector<Fragment> told_fragments = fragments;
+            reconcile(told_fragments, report, frame.clears_depth());
+            for (const Fragment& fragment : told_fragments)
+                EXPECT_FALSE(!fragment.is_sent && fragment.decided_by_rounding);
             const Fragment* const last = last_drawn(fragments);
             EXPECT_EQ(report.object, last ? last->object : "") << what;
             if (!last) continue;
@@ -271,6 +276,20 @@ TEST_F(Fragments, FollowEveryTest) {
     tell(seen);
     EXPECT_GT(seen.compared, 600);
     EXPECT_GT(seen.codes_compared, 100);
+}
+
+TEST_F(Fragments, OfASmallRasterAreThoseOfItsSquaresMiddle) {
+    const Scene scene = scene_named("few-triangles");
+    Random random(seed + 9);
+    Seen seen;
+    for (const char* const method : {"painter", "newell", "software_depth_buffer", "ray_cast"})
+        for (const char* const raster : {"[13,9]", "[5,20]", "[40,7]"})
+            compare(params_with({setting("visibility.method", method), setting("visibility.raster", raster),
+                                 "depth.format=d24", "camera.position=[0.2,1.7,6]", "camera.yaw=3", "camera.pitch=0",
+                                 "projection.near=3"}),
+                    scene, random, 40, seen);
+    tell(seen);
+    EXPECT_GT(seen.compared, 300);
 }
 
 TEST_F(Fragments, HaveTheDepthOfALogarithmPerVertex) {

@@ -303,6 +303,60 @@ TEST_F(Hidden, OverdrawIsCountedByGlAsInSoftware) {
     }
 }
 
+TEST_F(Hidden, ASmallRasterIsDrawnInSquares) {
+    constexpr glm::ivec2 view_px(160, 90);
+    const Scene scene = scene_named("few-triangles");
+    Params params = params_with({"view.samples=0", "camera.position=[0,1.7,6]", "camera.yaw=0", "camera.pitch=0"});
+    for (const auto& [raster, side] : {std::pair(glm::ivec2(16, 9), 10), std::pair(glm::ivec2(12, 9), 10),
+                                       std::pair(glm::ivec2(16, 3), 10), std::pair(glm::ivec2(4, 18), 5)})
+        for (const VisibilityMethod method : software_methods) {
+            SCOPED_TRACE(std::to_string(raster.x) + " " + std::to_string(static_cast<int>(method)));
+            params.visibility.raster = raster;
+            params.visibility.method = method;
+            const Image drawn = picture(params, scene, view_px);
+            HiddenSurfaceSolver solver(scene);
+            const IdImage ids =
+                solver.solve(hidden_request(params, derive_for(params, scene, view_px), view_px))->image;
+            const glm::ivec2 corner = (view_px - side * raster) / 2;
+            const Color ground = frame_of(params, scene, view_px, renderer()).background;
+            const Rgb background{ground.r, ground.g, ground.b};
+            int covered = 0;
+            for (int y = 0; y < view_px.y; ++y)
+                for (int x = 0; x < view_px.x; ++x) {
+                    const glm::ivec2 from_corner = glm::ivec2(x, y) - corner, pixel = from_corner / side;
+                    const bool inside = glm::all(glm::greaterThanEqual(from_corner, glm::ivec2(0))) &&
+                                        glm::all(glm::lessThan(pixel, raster));
+                    const bool is_covered = inside && ids.id(pixel.x, pixel.y) >= 0;
+                    covered += is_covered ? 1 : 0;
+                    ASSERT_EQ(rgb_at(drawn, {x, y}) == background, !is_covered) << x << " " << y;
+                    if (is_covered) {
+                        EXPECT_EQ(rgb_at(drawn, {x, y}), rgb_at(drawn, corner + pixel * side)) << x << " " << y;
+                    }
+                }
+            EXPECT_GT(covered, 200);
+        }
+}
+
+TEST_F(Hidden, InASmallRasterGlsOwnPolygonsAreComparedToo) {
+    constexpr glm::ivec2 view_px(160, 90);
+    const Scene scene = scene_named("few-triangles");
+    Params params = params_with({"view.samples=0", "visibility.method=newell", "visibility.raster=[15,15]",
+                                 "camera.position=[0,1.7,6]", "camera.yaw=0", "camera.pitch=0"});
+    HiddenSurfaceSolver solver(scene);
+    const Derived derived = derive_for(params, scene, view_px);
+    HiddenRequest request = hidden_request(params, derived, view_px);
+    const IdImage sorted = solver.solve(request)->image;
+    request.visibility.method = VisibilityMethod::depth_buffer;
+    const auto result = solver.solve(request);
+    View view;
+    const Result<IdImage> by_gl =
+        renderer().read_polygon_ids(plan_polygon_ids(params, derived, *result), scene, request.size_px, view);
+    ASSERT_TRUE(by_gl) << by_gl.error();
+    const Disagreement found = disagreement(sorted, *by_gl, *result);
+    EXPECT_EQ(found.unexplained, 0);
+    EXPECT_GT(std::ranges::count_if(sorted.ids, [](int id) { return id >= 0; }), 60);
+}
+
 TEST_F(Hidden, TheDepthBuffersStepsAreReadBackToo) {
     constexpr glm::ivec2 size_px(64, 48);
     const Scene scene = scene_named("torus-and-boxes");

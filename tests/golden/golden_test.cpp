@@ -98,6 +98,7 @@ constexpr WindowCase windows[] = {
     {"window-light", "light-theme", {1600, 900}},
     {"window-depth-buffer", "depth-buffer", {1600, 900}},
     {"window-depth-cells", "depth-cells", {1600, 900}},
+    {"window-z-buffer-small", "z-buffer-small", {1600, 900}},
     {"window-depth-precision", "depth-precision", {1600, 900}},
     {"window-fighting-map", "fighting-map", {1600, 900}},
     {"window-fighting-divider", "fighting-divider", {1280, 720}},

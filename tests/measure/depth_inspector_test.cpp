@@ -61,6 +61,31 @@ TEST_F(Inspector, FindsFragmentsOfTheSceneThatIsThere) {
         EXPECT_EQ(fragment.object.find("box"), std::string::npos) << fragment.object;
 }
 
+/// A triangle touches the pixel when it is one more surface on its ray.
+TEST_F(Inspector, TouchesAreTheTrianglesThatSendThePixelAFragment) {
+    const glm::ivec2 pixel(77, 48);
+    const DepthWishes wishes{.pixel = pixel, .calls = true};
+    const std::vector<DrawCall> calls = tell(wishes).calls;
+    const std::vector<DrawLimit> touches = tell(wishes).touches;
+    const FragmentFinder finder(scene);
+    const Derived derived = derive(params, scene, Viewport{size_px});
+    std::vector<DrawLimit> expected;
+    std::size_t before = 0;
+    for (int call = 0; call < static_cast<int>(calls.size()); ++call)
+        for (int triangle = 1; triangle <= calls[static_cast<std::size_t>(call)].triangles; ++triangle) {
+            FramePlan frame = plan(params, derived);
+            frame.limit = {call, triangle};
+            const std::size_t now = finder.at(frame, pixel, size_px).size();
+            if (now > before) expected.push_back({call, triangle});
+            before = now;
+        }
+    EXPECT_GT(expected.size(), 2U);
+    EXPECT_EQ(touches, expected);
+    params.view.call = 1;  // of a limited frame those still to come, too
+    params.view.triangle = 1;
+    EXPECT_EQ(tell_anew(wishes).touches, expected);
+}
+
 /// Whatever the step, what changes between the two blocks is what the fragments say, cell by cell.
 TEST_F(Inspector, StepsChangeTheCellsThatTheirFragmentsPass) {
     const DepthWishes wishes{.pixel = glm::ivec2(77, 48), .calls = true, .cells = glm::ivec2(9, 7)};

@@ -108,7 +108,8 @@ private:
         frame_plan.limit = {};
         data.calls = draw_calls(frame_plan, session.scene());
         const std::optional<glm::ivec2> pixel = params.view.pixel ? params.view.pixel : hovered_pixel;
-        const auto asked = std::make_tuple(params.view.call, params.view.triangle, pixel, cell_block_size(rect));
+        const auto asked =
+            std::make_tuple(params.view.call, params.view.triangle, pixel, cell_block_size(rect, params.view.cells));
         if (asked == asked_) return;
         asked_ = asked;
         data.pixel.reset();
@@ -116,7 +117,7 @@ private:
         data.fragments.clear();
         data.incoming.clear();
         if (!pixel) return;
-        const glm::ivec2 size = cell_block_size(rect), first = *pixel - size / 2;
+        const glm::ivec2 size = cell_block_size(rect, params.view.cells), first = *pixel - size / 2;
         data.now = block(stopped.limit, first, size);
         data.before = block(step_before(stopped.limit, data.calls), first, size);
         data.fragments = finder.at(frame_plan, *pixel, camera_px);
@@ -184,6 +185,29 @@ TEST_F(PixelView, ListsTheSurfacesWithTheirTestsAndMarksTheOneThatIsSeen) {
     }
     EXPECT_EQ(labels_with(", seen").size(), 1U);
     EXPECT_EQ(labels_with("stored: ").size(), 1U);
+}
+
+TEST_F(PixelView, ARowThatIsClickedIsTheStepThatSendsItsFragment) {
+    params.view.pixel = busy_pixel();
+    ui.frames(2);
+    const std::vector<Fragment> fragments = data.fragments;
+    ASSERT_GT(fragments.size(), 1U);
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        const std::vector<std::string> rows =
+            labels_with("pixel/" + std::to_string(i + 1) + " " + fragments[i].object + ": ");
+        ASSERT_EQ(rows.size(), 1U);
+        ui.click(rows.front());
+        const FramePlan whole = plan(params, derived);
+        // The frame that stops there is the first one in which the fragment is.
+        const auto count_in = [&](int step) {
+            FramePlan stopped = whole;
+            stopped.limit = limit_of(step, data.calls);
+            return finder.at(stopped, *params.view.pixel, camera_px).size();
+        };
+        const int step = step_of({params.view.call, params.view.triangle}, data.calls);
+        EXPECT_EQ(count_in(step), i + 1);
+        EXPECT_EQ(count_in(step - 1), i);
+    }
 }
 
 TEST_F(PixelView, APinCanBeReleased) {
@@ -381,7 +405,7 @@ TEST_F(DepthViews, CellsAreLargeEnoughForTheirNumbers) {
             const CellLayout layout = lay_out_cells(view);
             ASSERT_GE(layout.block.x, 2);
             ASSERT_GE(layout.block.y, 2);
-            EXPECT_EQ(layout.block, cell_block_size(view));
+            EXPECT_EQ(layout.block, cell_block_size(view, std::nullopt));
             EXPECT_GE(layout.colors.width() - 8.0F, 29.0F * static_cast<float>(layout.block.x));
             EXPECT_GE(layout.colors.height() - 8.0F, 29.0F * static_cast<float>(layout.block.y));
             EXPECT_LE(layout.colors.max.x, layout.depths.min.x);

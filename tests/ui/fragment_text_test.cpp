@@ -294,6 +294,27 @@ const PixelNumber& named(const std::vector<PixelNumber>& numbers, const std::str
     throw std::runtime_error("no number " + name);
 }
 
+TEST(DrawSteps, NextAndPreviousOfSomeAreTheNearestOnEitherSide) {
+    const std::vector<DrawCall> calls = {{0, 0, 3}, {0, 1, 0}, {1, 0, 2}, {2, -1, 1}};
+    const std::vector<DrawLimit> some = {{0, 2}, {2, 1}, {3, 1}};
+    const std::vector<int> steps = {2, 4, 6};
+    for (int step = 0; step <= 6; ++step) {
+        std::optional<int> before, after;
+        for (const int other : steps) {
+            if (other < step) before = other;
+            if (other > step && !after) after = other;
+        }
+        const auto step_or_none = [&](const std::optional<DrawLimit>& limit) {
+            return limit ? std::optional(step_of(*limit, calls)) : std::nullopt;
+        };
+        EXPECT_EQ(step_or_none(previous_of(some, limit_of(step, calls), calls)), before) << step;
+        EXPECT_EQ(step_or_none(next_of(some, limit_of(step, calls), calls)), after) << step;
+    }
+    EXPECT_EQ(previous_of(some, {}, calls), (DrawLimit{3, 1})) << "from the whole frame to its last step";
+    EXPECT_FALSE(next_of(some, {}, calls));
+    EXPECT_FALSE(next_of({}, {0, 0}, calls));
+}
+
 TEST(PixelNumbers, KeepTheirPlacesWithAndWithoutASign) {
     PixelReport pixel;
     pixel.written = pixel.has_depth = true;

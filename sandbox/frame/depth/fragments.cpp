@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 
+#include "frame/depth/depth_data.h"
 #include "frame/depth/fragment_depth.h"
 #include "frame/depth/pixel_triangle.h"
 #include "frame/draw_calls.h"
@@ -26,8 +27,10 @@ struct Met {
 /// Finds what one pass draws over one pixel.
 class Meeting {
 public:
-    Meeting(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px)
-        : plan_(plan), pass_(pass), pixel_(pixel), size_px_(size_px) {}
+    /// `clip_from_world`: the pass's, or that part of it of which `size_px` are the pixels.
+    Meeting(const FramePlan& plan, const Pass& pass, const glm::dmat4& clip_from_world, glm::ivec2 pixel,
+            glm::ivec2 size_px)
+        : plan_(plan), pass_(pass), clip_from_world_(clip_from_world), pixel_(pixel), size_px_(size_px) {}
 
     /// `drawn`: how many of the mesh's triangles.
     void mesh(int object, const Mesh& mesh, int drawn, const BoxTree& triangles, const glm::dmat4& world_from_model,
@@ -58,7 +61,7 @@ public:
 
 private:
     PixelView view_of(const glm::dmat4& world_from_model) const {
-        return {pass_.clip_from_world * world_from_model, pass_.view_from_world * world_from_model, pixel_, size_px_};
+        return {clip_from_world_ * world_from_model, pass_.view_from_world * world_from_model, pixel_, size_px_};
     }
 
     void triangle(int object, std::size_t place, const PixelView& view, const std::array<glm::dvec3, 3>& corners,
@@ -73,8 +76,37 @@ private:
 
     const FramePlan& plan_;
     const Pass& pass_;
+    const glm::dmat4 clip_from_world_;
     const glm::ivec2 pixel_, size_px_;
 };
+
+/// The picture that a pass shows pixel by pixel, as a method in software found it; null: GL draws it.
+const HiddenDrawing* picture_of(const FramePlan& plan, const Pass& pass) {
+    return pass.subject == Subject::pixels ? plan.hidden.camera.get() : nullptr;
+}
+
+std::optional<glm::ivec2> pixel_of_picture(const HiddenDrawing* picture, glm::ivec2 pixel, glm::ivec2 size_px) {
+    return picture ? raster_pixel(glm::dvec2(pixel) + 0.5, size_px, picture->size_px, picture->share) : std::nullopt;
+}
+
+/// The index of the object that a method's picture of large pixels has there, −1 for the background; none where GL
+/// draws, or the pixels are the view's.
+std::optional<int> object_in_picture(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
+    const HiddenDrawing* picture = picture_of(plan, pass);
+    if (!picture || picture->size_px == size_px) return std::nullopt;
+    const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);
+    if (!own) return -1;
+    const SurfacePixel& seen = picture->pixels[static_cast<std::size_t>(own->y * picture->size_px.x + own->x)];
+    return static_cast<int>(seen.color.w) - 1;
+}
+
+/// What one pass draws over one pixel. A method's pixel may be larger: its middle counts.
+Meeting meeting_of(const FramePlan& plan, const Pass& pass, glm::ivec2 pixel, glm::ivec2 size_px) {
+    const HiddenDrawing* picture = picture_of(plan, pass);
+    const std::optional<glm::ivec2> own = pixel_of_picture(picture, pixel, size_px);
+    if (!own) return {plan, pass, pass.clip_from_world, pixel, size_px};
+    return {plan, pass, part_from_view(picture->share) * pass.clip_from_world, *own, picture->size_px};
+}
 
 bool is_front(const CullParams& cull, const PixelHit& hit) {
     return hit.is_counter_clockwise == (cull.front_face == FrontFace::ccw);
@@ -169,11 +201,12 @@ struct Batch {
     std::optional<std::size_t> only;  ///< the one that GL gets where a method finds one surface for each pixel
 };
 
-/// The nearest that is not culled.
-std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found) {
+/// The nearest that is not culled, of those that the picture may show.
+std::optional<std::size_t> only_one_sent(const Pass& pass, const std::vector<Met>& found, std::optional<int> object) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (is_culled(pass.cull, is_front(pass.cull, found[i].hit))) continue;
+        if (object && found[i].object != *object) continue;
         if (!nearest || found[i].hit.distance < found[*nearest].hit.distance) nearest = i;
     }
     return nearest;
@@ -240,7 +273,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
             continue;
         }
         if (!is_mask(pass) && !shows_surfaces(pass)) continue;
-        Meeting meeting(plan, pass, pixel, size_px);
+        Meeting meeting = meeting_of(plan, pass, pixel, size_px);
         const auto meet = [&](int object, const Mesh& mesh, const BoxTree& triangles,
                               const glm::dmat4& world_from_model, const DepthOffset& offset) {
             const int drawn = triangles_drawn(plan.limit, call++, static_cast<int>(mesh.triangle_count()));
@@ -259,7 +292,7 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
                 meet(static_cast<int>(i), *object.mesh, *trees_[i], object.world_from_model, pass.offset.value_or(own));
             }
         }
-        const auto only = only_one_sent(pass, meeting.found);
+        const auto only = only_one_sent(pass, meeting.found, object_in_picture(plan, pass, pixel, size_px));
         batches.push_back({number, &pass, std::move(meeting.found), only});
     }
 
@@ -273,6 +306,14 @@ std::vector<Fragment> FragmentFinder::at(const FramePlan& plan, glm::ivec2 pixel
 std::string FragmentFinder::name_of(int object) const {
     return object < 0 ? plane_name(static_cast<std::size_t>(-1 - object))
                       : scene_.objects[static_cast<std::size_t>(object)].description.name;
+}
+
+std::optional<DrawLimit> limit_after(const Fragment& fragment, const std::vector<DrawCall>& calls) {
+    const auto call = std::find_if(calls.begin(), calls.end(), [&](const DrawCall& drawn) {
+        return drawn.pass == fragment.pass && drawn.object == std::max(fragment.object_index, -1);
+    });
+    if (call == calls.end()) return std::nullopt;
+    return DrawLimit{static_cast<int>(call - calls.begin()), fragment.triangle + 1};
 }
 
 std::vector<Fragment> fragments_at(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 pixel,

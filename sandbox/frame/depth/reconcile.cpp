@@ -17,7 +17,7 @@ bool is_of_surface(const Fragment& fragment, const PixelReport& report) {
 }
 
 bool is_compared(const Fragment& fragment) {
-    return fragment.depth.test && !fragment.culled && !fragment.stencil_fails;
+    return fragment.is_sent && fragment.depth.test && !fragment.culled && !fragment.stencil_fails;
 }
 
 /// The last one that is drawn if it is of the surface that is read back; else the nearest of that surface that rounding

@@ -95,6 +95,7 @@ HiddenDrawing hidden_drawing(const HiddenResult& result) {
         return made;
     }
     made.size_px = {result.image.width, result.image.height};
+    made.share = result.request.share;
     made.overdraw = result.written_per_pixel;
     made.pixels.reserve(result.image.ids.size());
     const Pixels pixels(result);

@@ -37,6 +37,7 @@ struct HiddenDrawing {
     std::vector<OrderedVertex> triangles;  ///< three a triangle, in drawing order
     std::vector<Run> runs;                 ///< all of them
     glm::ivec2 size_px{0};
+    glm::dvec2 share{1.0};                ///< of the view that they fill: HiddenRequest::share
     std::vector<SurfacePixel> pixels;     ///< rows from the top
     std::vector<std::uint32_t> overdraw;  ///< of each pixel; with `pixels`
 };
@@ -49,6 +50,7 @@ struct DifferenceDrawing {
     glm::ivec2 size_px{0};
     std::vector<glm::u8vec4> pixels;  ///< sRGB with alpha, rows from the top
     std::int64_t compared = 0, different = 0;
+    glm::dvec2 share{1.0};  ///< of the view that they fill
 };
 /// `differs`: not 0 for each pixel that does, rows from the top.
 DifferenceDrawing difference_drawing(std::span<const std::uint8_t> differs, glm::ivec2 size_px);

@@ -1,13 +1,43 @@
 // What a method is asked: the camera's picture, and that of the eye behind the mirror. Read hidden_surfaces.cpp next.
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "frame/hidden/hidden_surfaces.h"
 
 namespace viewing {
 
+namespace {
+
+/// Squares, as large as the view has room for.
+glm::dvec2 share_of(glm::ivec2 raster, glm::ivec2 size_px) {
+    const glm::dvec2 view(glm::max(size_px, glm::ivec2(1))), room = view / glm::dvec2(raster);
+    return std::min(room.x, room.y) * glm::dvec2(raster) / view;
+}
+
+}  // namespace
+
+glm::dmat4 part_from_view(const glm::dvec2& share) {
+    return glm::scale(glm::dmat4(1.0), {1.0 / share.x, 1.0 / share.y, 1.0});
+}
+
+std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 view_px, glm::ivec2 size_px,
+                                       const glm::dvec2& share) {
+    const glm::dvec2 position = (place_px / glm::dvec2(view_px) - 0.5) / share + 0.5;
+    if (glm::any(glm::lessThan(position, glm::dvec2(0.0))) || glm::any(glm::greaterThan(position, glm::dvec2(1.0))))
+        return std::nullopt;
+    return glm::min(glm::ivec2(position * glm::dvec2(size_px)), size_px - 1);
+}
+
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
-    return {params.visibility,
-            params.cull,
-            {derived.view_from_world, clip_from_view(params.projection.lens(), derived.aspect)},
-            size_px};
+    HiddenRequest request{params.visibility,
+                          params.cull,
+                          {derived.view_from_world, clip_from_view(params.projection.lens(), derived.aspect)},
+                          size_px};
+    if (!has_raster(params.visibility)) return request;
+    request.size_px = *params.visibility.raster;
+    request.share = share_of(request.size_px, size_px);
+    request.viewpoint.clip_from_view = part_from_view(request.share) * request.viewpoint.clip_from_view;
+    return request;
 }
 
 HiddenRequest mirrored_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
@@ -33,7 +63,7 @@ bool uses_exact_curves(const HiddenRequest& request) {
 
 bool draws_pixels(const VisibilityParams& visibility) {
     return visibility.method == VisibilityMethod::software_depth_buffer ||
-           visibility.method == VisibilityMethod::ray_cast ||
+           visibility.method == VisibilityMethod::ray_cast || has_raster(visibility) ||
            (visibility.method == VisibilityMethod::bsp && visibility.walk == BspOrder::front_to_back);
 }
 

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 
+#include "frame/hidden/step_groups.h"
+
 namespace viewing {
 namespace {
 
+bool draws(const NewellStep& step) {
+    return step.action == NewellAction::draws || step.action == NewellAction::forces;
+}
+
 /// How many polygons are drawn after so many rungs of the ladder.
 int drawn_after(const NewellOrder& newell, int steps) {
-    const auto end = newell.steps.begin() + steps;
-    return static_cast<int>(std::count_if(newell.steps.begin(), end, [](const NewellStep& step) {
-        return step.action == NewellAction::draws || step.action == NewellAction::forces;
-    }));
+    return static_cast<int>(std::count_if(newell.steps.begin(), newell.steps.begin() + steps, draws));
 }
 
 /// How many polygons are drawn by the visits so far; `order` is the walk's without those that are culled.
@@ -27,7 +30,40 @@ int drawn_by_visits(const HiddenResult& result) {
     return drawn;
 }
 
+constexpr std::int64_t most_steps = 1'000'000'000;
+
+int as_step(std::int64_t number) {
+    return static_cast<int>(std::min(number, most_steps));
+}
+
+/// Newell's polygons end with their drawing; a tree is built and then walked; rays go row by row.
+void find_groups(HiddenResult& result) {
+    std::vector<int>& ends = result.group_ends;
+    if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) return;
+    ends.clear();
+    if (result.newell) {
+        for (std::size_t step = 0; step < result.newell->steps.size(); ++step)
+            if (draws(result.newell->steps[step])) ends.push_back(static_cast<int>(step) + 1);
+    } else if (result.tree) {
+        ends = {static_cast<int>(result.tree->nodes.size()), result.step_count};
+    } else if (result.request.visibility.method == VisibilityMethod::ray_cast) {
+        for (int row = 1; row <= result.request.size_px.y; ++row) ends.push_back(row * result.request.size_px.x);
+    }
+}
+
 }  // namespace
+
+void find_fragment_steps(HiddenResult& result, const RasterResult& all) {
+    result.group_ends.clear();
+    for (const std::int64_t tested : all.tested_after) result.group_ends.push_back(as_step(tested));
+    for (const RasterTouch& touch : all.touches) result.touches.push_back({as_step(touch.number), touch.fragment});
+}
+
+void find_polygon_steps(HiddenResult& result, const RasterResult& all) {
+    const std::vector<int> steps = steps_of_order(result);
+    for (const RasterTouch& touch : all.touches)
+        result.touches.push_back({steps[static_cast<std::size_t>(touch.place)], touch.fragment});
+}
 
 void count_to_step(HiddenResult& result) {
     HiddenCounters& counters = result.counters;
@@ -59,9 +95,10 @@ void find_step(HiddenResult& result) {
     if (result.newell) result.step_count = static_cast<int>(result.newell->steps.size());
     if (!result.newell && !result.tree) result.step_count = order_count;
     if (result.tree) result.step_count = static_cast<int>(result.tree->nodes.size() + result.walk->visits.size());
-    if (method == VisibilityMethod::software_depth_buffer)
-        result.step_count = static_cast<int>(std::min<std::int64_t>(result.counters.pixels_tested, 1'000'000'000));
+    if (method == VisibilityMethod::software_depth_buffer) result.step_count = as_step(result.counters.pixels_tested);
     if (method == VisibilityMethod::ray_cast) result.step_count = result.request.size_px.x * result.request.size_px.y;
+
+    find_groups(result);
 
     const int wanted = result.request.visibility.step;
     result.step = wanted >= result.step_count ? -1 : wanted;
@@ -76,7 +113,7 @@ void find_step(HiddenResult& result) {
         }
     } else if (result.step >= 0) {
         result.drawn = result.newell ? drawn_after(*result.newell, result.step) : std::min(result.step, order_count);
-        if (draws_pixels(result.request.visibility)) result.drawn = order_count;
+        if (method == VisibilityMethod::software_depth_buffer) result.drawn = order_count;
     }
 }
 

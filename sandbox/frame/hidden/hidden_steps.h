@@ -5,6 +5,11 @@
 
 namespace viewing {
 
+/// From all that the software depth buffer tests: the last fragment of each polygon, and those of the followed pixel.
+void find_fragment_steps(HiddenResult& result, const RasterResult& all);
+/// From the whole order painted: the steps that draw a polygon over the followed pixel.
+void find_polygon_steps(HiddenResult& result, const RasterResult& all);
+
 /// Counts steps and says how far the wanted one reaches into the order, which has been found.
 void find_step(HiddenResult& result);
 

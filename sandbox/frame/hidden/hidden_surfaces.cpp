@@ -21,9 +21,10 @@ private:
     std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// The same but for the step: order, tree and counters of one serve the other.
-bool differ_in_step_alone(HiddenRequest a, const HiddenRequest& b) {
+/// The same but for the step and the pixel that is followed: order, tree and counters of one serve the other.
+bool have_one_order(HiddenRequest a, const HiddenRequest& b) {
     a.visibility.step = b.visibility.step;
+    a.visibility.pixel = b.visibility.pixel;
     return a == b;
 }
 
@@ -48,24 +49,49 @@ void take_counters(HiddenCounters& counters, const RasterCounters& raster) {
 
 PaintRule rule_of(const VisibilityParams& visibility) {
     if (visibility.method == VisibilityMethod::software_depth_buffer) return PaintRule::depth_test;
-    return draws_pixels(visibility) ? PaintRule::keep_first : PaintRule::overwrite;
+    const bool is_masked = visibility.method == VisibilityMethod::bsp && visibility.walk == BspOrder::front_to_back;
+    return is_masked ? PaintRule::keep_first : PaintRule::overwrite;
+}
+
+/// The whole order, with the followed pixel watched.
+RasterResult paint_all(const HiddenResult& result, WorkProgress* progress) {
+    const HiddenRequest& request = result.request;
+    return rasterise(*result.fragments, result.order, request.viewpoint.clip_from_world(),
+                     {.rule = rule_of(request.visibility),
+                      .width = request.size_px.x,
+                      .height = request.size_px.y,
+                      .count_per_pixel = true,
+                      .watched = request.visibility.pixel},
+                     progress);
+}
+
+void take_picture(HiddenResult& result, RasterResult raster) {
+    take_counters(result.counters, raster.counters);
+    if (result.request.visibility.method == VisibilityMethod::software_depth_buffer) result.compare = raster.last;
+    result.image = std::move(raster.image);
+    result.written_per_pixel = std::move(raster.written_per_pixel);
 }
 
 /// Paints what the step has reached. Asked for pixel steps, `stop_after` counts tested pixels.
 void paint(HiddenResult& result, std::int64_t stop_after, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const std::span<const int> drawn(result.order.data(), static_cast<std::size_t>(result.drawn));
-    RasterResult raster = rasterise(*result.fragments, drawn, request.viewpoint.clip_from_world(),
-                                    {.rule = rule_of(request.visibility),
-                                     .width = request.size_px.x,
-                                     .height = request.size_px.y,
-                                     .stop_after = stop_after,
-                                     .count_per_pixel = true},
-                                    progress);
-    take_counters(result.counters, raster.counters);
-    if (request.visibility.method == VisibilityMethod::software_depth_buffer) result.compare = raster.last;
-    result.image = std::move(raster.image);
-    result.written_per_pixel = std::move(raster.written_per_pixel);
+    take_picture(result, rasterise(*result.fragments, drawn, request.viewpoint.clip_from_world(),
+                                   {.rule = rule_of(request.visibility),
+                                    .width = request.size_px.x,
+                                    .height = request.size_px.y,
+                                    .stop_after = stop_after,
+                                    .count_per_pixel = true},
+                                   progress));
+}
+
+/// The pixel whose ray is shown: the step's, else the followed one.
+std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
+    const HiddenRequest& request = result.request;
+    const int columns = request.size_px.x;
+    if (result.step > 0) return glm::ivec2((result.step - 1) % columns, (result.step - 1) / columns);
+    const std::optional<glm::ivec2>& pixel = request.visibility.pixel;
+    return pixel && glm::all(glm::lessThan(*pixel, request.size_px)) ? pixel : std::nullopt;
 }
 
 }  // namespace
@@ -150,9 +176,9 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     RayCastResult cast = cast_rays(*rays_.scene, request.viewpoint.clip_from_world(),
                                    {request.size_px.x, request.size_px.y, result.step}, progress);
     result.time_ms = watch.ms();
-    if (result.step > 0) {
+    if (const std::optional<glm::ivec2> pixel = traced_pixel(result)) {
         TracedRay traced;
-        traced.pixel = {(result.step - 1) % request.size_px.x, (result.step - 1) / request.size_px.x};
+        traced.pixel = *pixel;
         const auto [ray, max_t] = PixelRays(request.viewpoint.clip_from_world(), request.size_px.x, request.size_px.y)
                                       .through(traced.pixel.x, traced.pixel.y);
         RayCounters uncounted;
@@ -213,13 +239,14 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     const bool is_pixel_method = request.visibility.method == VisibilityMethod::software_depth_buffer ||
                                  request.visibility.method == VisibilityMethod::ray_cast;
     const auto same_order = std::find_if(latest_.begin(), latest_.end(), [&](const auto& kept) {
-        return differ_in_step_alone(kept->request, request) && !is_pixel_method;
+        return have_one_order(kept->request, request) && !is_pixel_method;
     });
     if (same_order != latest_.end()) *result = **same_order;
     result->request = request;
     result->surface = surface_;
     result->compare.reset();
     result->traced.reset();
+    result->touches.clear();
 
     if (same_order == latest_.end())
         result->facing = count_facing(surface_->polygons, request.viewpoint, winding_for(request));
@@ -230,8 +257,10 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
         if (same_order == latest_.end()) find_order(*result, progress);
         if (request.visibility.method == VisibilityMethod::software_depth_buffer) {
             result->drawn = static_cast<int>(result->order.size());
-            paint(*result, -1, progress);
+            RasterResult raster = paint_all(*result, progress);
             result->time_ms = watch.ms();
+            find_fragment_steps(*result, raster);
+            take_picture(*result, std::move(raster));
             find_step(*result);
             if (result->step >= 0) paint(*result, result->step, progress);
         } else {
@@ -241,6 +270,7 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
                 const Stopwatch painting;
                 paint(*result, -1, progress);
                 result->painting_ms = painting.ms();
+                if (request.visibility.pixel) find_polygon_steps(*result, paint_all(*result, progress));
             }
         }
     }

@@ -22,9 +22,18 @@ struct HiddenRequest {
     VisibilityParams visibility;
     CullParams cull;
     Viewpoint viewpoint;
-    glm::ivec2 size_px{1};
+    glm::ivec2 size_px{1};  ///< of the picture that is found: the view's, or a raster's
+    glm::dvec2 share{1.0};  ///< of the view's width and height that the picture fills, around its middle
     bool operator==(const HiddenRequest&) const = default;
 };
+
+/// The part of the view around its middle, in clip space, so that it fills the picture: HiddenRequest::share.
+glm::dmat4 part_from_view(const glm::dvec2& share);
+
+/// The pixel of the picture that a place of the view lies in, both from the top left one on; none beside the picture.
+/// `place_px`: in the view's pixels.
+std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 view_px, glm::ivec2 size_px,
+                                       const glm::dvec2& share);
 
 /// The camera's request, and that of the eye behind the mirror, whose picture is the mirror image.
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px);
@@ -53,6 +62,12 @@ struct TracedRay {
     std::vector<RayCastHit> hits;
 };
 
+/// A fragment of the pixel that is followed, and the step that tests it.
+struct PixelTouch {
+    int step = 0;
+    RasterStep fragment;
+};
+
 /// Immutable once made; parts that do not depend on the step are shared with other results.
 struct HiddenResult {
     HiddenRequest request;
@@ -67,9 +82,11 @@ struct HiddenResult {
     std::shared_ptr<const BspWalk> walk;
     int built_nodes = 0, visited_nodes = 0;  ///< of tree and walk
     std::optional<RasterStep> compare;       ///< of the software depth buffer: the last one
-    std::optional<TracedRay> traced;         ///< of ray casting: the last one, only at a step
+    std::optional<TracedRay> traced;  ///< of ray casting: the last one at a step, else that of the followed pixel
+    std::vector<PixelTouch> touches;  ///< of the followed pixel: of all steps, in their order
 
     int step = -1, step_count = 0;  ///< −1: all
+    std::vector<int> group_ends;    ///< the last step of each group, see step_groups.h; empty: no groups
     CullCounts facing;              ///< of all the scene's polygons, whether or not they are culled
     HiddenCounters counters;
     IdImage image;                                 ///< polygon numbers; what is drawn at this step

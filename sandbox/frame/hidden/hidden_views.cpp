@@ -45,7 +45,7 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
     HiddenQuestion question{.camera = hidden_request(params, derived, size_px)};
     question.draws_camera = !gl_alone || visibility.step >= 0;
     const DerivedPlane& plane = derived.planes.front();
-    if (!gl_alone && visibility.step < 0 && params.reflection.enabled && params.reflection.bounces > 0 &&
+    if (!gl_alone && !is_taken_apart(visibility) && params.reflection.enabled && params.reflection.bounces > 0 &&
         plane.eye_side != 0.0 && !is_mirrored_by_gl_alone(params, plane))
         question.mirrored = mirrored_request(params, derived, size_px);
     if (compares) {
@@ -94,6 +94,7 @@ void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& 
     } else {
         drawing = difference_drawing(other, camera);
     }
+    drawing.share = answer.camera->request.share;
     answer.different_pixels = drawing.different;
     answer.compared_pixels = drawing.compared;
     answer.pictures.difference = std::make_shared<const DifferenceDrawing>(std::move(drawing));
@@ -102,9 +103,12 @@ void add_difference(HiddenAnswer& answer, const IdImage& camera, const IdImage& 
 FramePlan plan_polygon_ids(Params params, const Derived& derived, const HiddenResult& result) {
     params.visibility = result.request.visibility;
     params.view.shows = Shows::color;
+    Derived part = derived;
+    part.clip_from_view = part_from_view(result.request.share) * derived.clip_from_view;
+    part.clip_from_world = part.clip_from_view * derived.view_from_world;
     HiddenPictures pictures;
     pictures.camera = std::make_shared<const HiddenDrawing>(hidden_drawing(result));
-    return plan(params, derived, pictures);
+    return plan(params, part, pictures);
 }
 
 }  // namespace viewing

@@ -68,6 +68,9 @@ void use_hidden_surfaces(FramePlan& frame, const Params& params, const Derived& 
         pass.reason = reason_of(pass.subject);
         if (pass.subject == Subject::pixels) pass.depth = found_depth;
     }
+    // In a picture of few pixels nothing is as fine as a patch of GL's would be.
+    if (has_raster(params.visibility))
+        std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject == Subject::patch; });
     const bool sorts_itself = hidden.camera && !is_drawn_by_gl_alone(params.visibility.method);
     const DerivedPlane& plane = derived.planes.front();
     const glm::dvec4 towards_eye = plane.unit_plane * plane.eye_side;

@@ -19,12 +19,18 @@ float button_width() {
     return std::round(1.15F * ImGui::GetFrameHeight());
 }
 
-bool arrow(const char* sign, bool enabled, const char* title, const char* explanation) {
+/// Of those with two signs.
+float touch_width() {
+    return std::round(1.6F * ImGui::GetFrameHeight());
+}
+
+bool arrow(const char* sign, bool enabled, const char* title, const char* explanation,
+           const char* why_not = marked("It stands there already."), float width = button_width()) {
     ImGui::BeginDisabled(!enabled);
-    const bool clicked = ImGui::Button(sign, {button_width(), 0.0F});
+    const bool clicked = ImGui::Button(sign, {width, 0.0F});
     widgets::Record(sign);
     ImGui::EndDisabled();
-    widgets::Tooltip(title, enabled ? explanation : marked("It stands there already."));
+    widgets::Tooltip(title, enabled ? explanation : why_not);
     return clicked;
 }
 
@@ -57,18 +63,36 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
     }
 }
 
-void call_row(DrawLimit& limit, const std::vector<DrawCall>& calls, const FramePlan& plan, const Scene& scene,
-              const Rect& rect) {
+/// To the triangles that touch the pixel.
+void touch_buttons(DrawLimit& limit, const DepthData& data) {
+    const char* const why_not =
+        data.pixel ? marked("No triangle there touches this pixel.") : marked("Click a pixel of the picture first.");
+    const auto previous = previous_of(data.touches, limit, data.calls), next = next_of(data.touches, limit, data.calls);
+    if (arrow("←□", previous.has_value(), marked("Back at this pixel"),
+              marked("Back to the triangle before that touches the pixel."), why_not, touch_width()))
+        limit = *previous;
+    ImGui::SameLine(0.0F, px(gap));
+    if (arrow("□→", next.has_value(), marked("Next at this pixel"),
+              marked("On to the next triangle that touches the pixel."), why_not, touch_width()))
+        limit = *next;
+}
+
+void call_row(DrawLimit& limit, const DepthData& data, const FramePlan& plan, const Scene& scene, const Rect& rect) {
+    const std::vector<DrawCall>& calls = data.calls;
+    const float buttons = 2.0F * (button_width() + touch_width() + 2.0F * px(gap));
+
     const widgets::Group group("calls");
     ImGui::SetCursorScreenPos(rect.min);
     const bool is_nothing = limit.call == 0 && limit.triangles == 0;
     if (arrow("←", !is_nothing, marked("Call before"), marked("One whole draw call back.")))
         limit = previous_call(limit, calls);
     ImGui::SameLine(0.0F, px(gap));
-    choose_call(limit, calls, plan, scene, std::max(rect.width() - 2.0F * (button_width() + px(gap)), px(40.0F)));
+    choose_call(limit, calls, plan, scene, std::max(rect.width() - buttons, px(40.0F)));
     ImGui::SameLine(0.0F, px(gap));
     if (arrow("→", limit.call >= 0, marked("Next call"), marked("One whole draw call further.")))
         limit = next_call(limit, calls);
+    ImGui::SameLine(0.0F, px(gap));
+    touch_buttons(limit, data);
 }
 
 void play_button(int& step, int count, widgets::StepPlayer& player) {
@@ -116,8 +140,28 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
 
 }  // namespace
 
-void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const FramePlan& plan,
-                   const CellLayout& layout, widgets::StepPlayer& player) {
+void choose_cells(std::optional<glm::ivec2>& cells, float width) {
+    static constexpr glm::ivec2 offered[] = {{4, 4}, {8, 6}, {12, 8}, {16, 12}, {24, 16}};
+    const auto name_of_size = [](const std::optional<glm::ivec2>& size) {
+        return size ? std::to_string(size->x) + " × " + std::to_string(size->y) : std::string(tr("fitting"));
+    };
+    if (!widgets::BeginChoice("##cells", name_of_size(cells).c_str(), width)) {
+        widgets::Tooltip("Cells", "Columns and rows of the block: as many as can be read, or so many.");
+        return;
+    }
+    const auto offer_size = [&](const std::optional<glm::ivec2>& size) {
+        const std::string name = name_of_size(size);
+        if (ImGui::Selectable(name.c_str(), size == cells)) cells = size;
+        widgets::Record(size ? name.c_str() : "fitting");
+    };
+    offer_size(std::nullopt);
+    for (const glm::ivec2& size : offered) offer_size(size);
+    widgets::EndChoice();
+}
+
+void draw_cell_bar(Session& session, const DepthData& data, const FramePlan& plan, const CellLayout& layout,
+                   widgets::StepPlayer& player) {
+    const std::vector<DrawCall>& calls = data.calls;
     ViewParams& view = session.params.view;
     DrawLimit limit{view.call, view.triangle};
     const int count = step_count(calls);
@@ -135,7 +179,7 @@ void draw_cell_bar(Session& session, const std::vector<DrawCall>& calls, const F
 
     if (layout.has_calls) {
         const DrawLimit by_step = limit;
-        call_row(limit, calls, plan, session.scene(), layout.calls);
+        call_row(limit, data, plan, session.scene(), layout.calls);
         if (limit != by_step) player.playing = false;
     }
     view.call = limit.call;

@@ -213,7 +213,7 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     }
     const widgets::Group group("cells");
     const CellLayout layout = lay_out_cells(rect);
-    draw_cell_bar(session, data.calls, plan, layout, player);
+    draw_cell_bar(session, data, plan, layout, player);
     if (data.now.cells.empty() || data.now.size.x <= 0) {
         ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
         offer("Point at the camera's picture, or click a pixel to pin it.");
@@ -224,8 +224,8 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     draw_sentence(told(params.view, data, plan, cell), layout.sentence);
 }
 
-glm::ivec2 cell_block_size(const Rect& rect) {
-    return lay_out_cells(rect).block;
+glm::ivec2 cell_block_size(const Rect& rect, const std::optional<glm::ivec2>& asked) {
+    return asked.value_or(lay_out_cells(rect).block);
 }
 
 }  // namespace viewing

@@ -14,7 +14,7 @@ namespace viewing {
 void draw_cell_view(Session& session, const DepthData& data, const FramePlan& plan, const Rect& rect,
                     widgets::StepPlayer& player);
 
-/// How many columns and rows of cells fit so that their numbers can be read; at least 1 × 1.
-glm::ivec2 cell_block_size(const Rect& rect);
+/// The columns and rows that are asked for, else as many as fit so that their numbers can be read; at least 1 × 1.
+glm::ivec2 cell_block_size(const Rect& rect, const std::optional<glm::ivec2>& asked);
 
 }  // namespace viewing

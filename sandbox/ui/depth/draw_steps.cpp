@@ -46,4 +46,20 @@ DrawLimit previous_call(const DrawLimit& limit, const std::vector<DrawCall>& cal
     return call == 0 ? DrawLimit{0, 0} : DrawLimit{call - 1, -1};
 }
 
+std::optional<DrawLimit> next_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,
+                                 const std::vector<DrawCall>& calls) {
+    const int step = step_of(limit, calls);
+    const auto next = std::find_if(limits.begin(), limits.end(),
+                                   [&](const DrawLimit& other) { return step >= 0 && step_of(other, calls) > step; });
+    return next == limits.end() ? std::nullopt : std::optional(*next);
+}
+
+std::optional<DrawLimit> previous_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,
+                                     const std::vector<DrawCall>& calls) {
+    const int step = limit.call < 0 ? step_count(calls) + 1 : step_of(limit, calls);
+    const auto before = std::find_if(limits.rbegin(), limits.rend(),
+                                     [&](const DrawLimit& other) { return step_of(other, calls) < step; });
+    return before == limits.rend() ? std::nullopt : std::optional(*before);
+}
+
 }  // namespace viewing

@@ -2,6 +2,7 @@
 // the frame. Pure. Read cell_view.cpp for its use.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "frame/draw_calls.h"
@@ -21,5 +22,12 @@ DrawLimit limit_of(int step, const std::vector<DrawCall>& calls);
 /// A whole call further, or back: from the frame drawn whole to its last call, and from the first call to nothing.
 DrawLimit next_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
 DrawLimit previous_call(const DrawLimit& limit, const std::vector<DrawCall>& calls);
+
+/// Of limits in drawing order the first one that draws more than `limit`, and the last one that draws less; none: there
+/// is none.
+std::optional<DrawLimit> next_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,
+                                 const std::vector<DrawCall>& calls);
+std::optional<DrawLimit> previous_of(const std::vector<DrawLimit>& limits, const DrawLimit& limit,
+                                     const std::vector<DrawCall>& calls);
 
 }  // namespace viewing

@@ -113,21 +113,24 @@ void draw_object(const FragmentRow& row) {
     shortened_text(row.texts[object], ImGui::GetContentRegionAvail().x);
 }
 
-/// Something to point at over the whole row; recorded as "2 box: 812 < 812  tie: fails".
-void draw_row_item(const FragmentRow& row) {
+/// Something to point at and click over the whole row; recorded as "2 box: 812 < 812  tie: fails".
+bool draw_row_item(const FragmentRow& row, const std::string& on_click) {
     const float x = ImGui::GetCursorPosX();
     ImGui::PushStyleColor(ImGuiCol_HeaderHovered, palette().field);  // less than the one that is seen
     ImGui::PushStyleColor(ImGuiCol_HeaderActive, palette().field);
-    ImGui::Selectable("##row", false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
+    const bool is_clicked =
+        ImGui::Selectable("##row", false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap);
     ImGui::PopStyleColor(2);
     const std::string told =
         row.texts[compared].empty() ? row.texts[result] : row.texts[compared] + "  " + row.texts[result];
     widgets::Record((row.texts[number] + " " + row.texts[object] + ": " + told).c_str());
     ImGui::PushFont(widgets::CurrentContext().fonts.text);
-    widgets::Tooltip(row.texts[object].c_str(), row.explanation.c_str());
+    const std::string explanation = on_click.empty() ? row.explanation : row.explanation + "\n" + on_click;
+    widgets::Tooltip(row.texts[object].c_str(), explanation.c_str());
     ImGui::PopFont();
     ImGui::SameLine();
     ImGui::SetCursorPosX(x);
+    return is_clicked;
 }
 
 ImU32 color_of(const FragmentRow& row, int column) {
@@ -136,14 +139,16 @@ ImU32 color_of(const FragmentRow& row, int column) {
     return row.is_drawn ? palette().text : palette().quiet;
 }
 
-void draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fonts, float height) {
+bool draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fonts, float height,
+              const std::string& on_click) {
+    bool is_clicked = false;
     ImGui::TableNextRow(0, height);
     if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, 45U));
     for (int column = 0; column < column_count; ++column) {
         const auto c = static_cast<std::size_t>(column);
         if (widths[c] <= 0.0F) continue;
         ImGui::TableNextColumn();
-        if (column == number) draw_row_item(row);
+        if (column == number) is_clicked = draw_row_item(row, on_click);
         ImGui::PushFont(is_number(column) ? fonts.number : fonts.text);
         ImGui::PushStyleColor(ImGuiCol_Text, color_of(row, column));
         if (column == object)
@@ -155,6 +160,7 @@ void draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fo
         ImGui::PopStyleColor();
         ImGui::PopFont();
     }
+    return is_clicked;
 }
 
 void draw_titles(const Widths& widths) {
@@ -174,8 +180,9 @@ void draw_titles(const Widths& widths) {
 
 }  // namespace
 
-void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrecision& precision, const Scene& scene,
-                         bool is_large) {
+std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrecision& precision,
+                                               const Scene& scene, bool is_large, const std::string& on_click) {
+    std::optional<std::size_t> clicked;
     const widgets::Fonts& own = widgets::CurrentContext().fonts;
     const TableFonts fonts = is_large ? TableFonts{own.text, own.number} : TableFonts{own.note, own.small_number};
     const std::vector<FragmentRow> rows = rows_of(fragments, precision, scene);
@@ -202,7 +209,8 @@ void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrec
         while (clipper.Step())
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
                 ImGui::PushID(i);
-                draw_row(rows[static_cast<std::size_t>(i)], widths, fonts, row_height);
+                const auto row = static_cast<std::size_t>(i);
+                if (draw_row(rows[row], widths, fonts, row_height, on_click)) clicked = row;
                 ImGui::PopID();
             }
         ImGui::EndTable();
@@ -210,6 +218,7 @@ void draw_fragment_table(const std::vector<Fragment>& fragments, const DepthPrec
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopFont();
+    return clicked;
 }
 
 }  // namespace viewing

@@ -137,11 +137,18 @@ void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float 
     ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + 1) * height + px(4.0F)});
 }
 
-void draw_fragments(const Session& session, const DepthData& data, bool is_large) {
-    if (data.fragments.empty())
-        widgets::Note("No surface lies on this pixel's ray.");
-    else
-        draw_fragment_table(data.fragments, data.pixel->precision, session.scene(), is_large);
+/// Where the cells are shown, which have the draw calls, a click goes to the step that sends the fragment.
+void draw_fragments(Session& session, const DepthData& data, bool is_large) {
+    if (data.fragments.empty()) return widgets::Note("No surface lies on this pixel's ray.");
+    const std::string on_click =
+        data.calls.empty() ? std::string() : tr("Click: the frame stops after the triangle that sends it.");
+    const std::optional<std::size_t> clicked =
+        draw_fragment_table(data.fragments, data.pixel->precision, session.scene(), is_large, on_click);
+    if (!clicked || data.calls.empty()) return;
+    if (const std::optional<DrawLimit> limit = limit_after(data.fragments[*clicked], data.calls)) {
+        session.params.view.call = limit->call;
+        session.params.view.triangle = limit->triangles;
+    }
 }
 
 /// The numbers, and beside them, where there is room, else below, the surfaces.

@@ -7,7 +7,10 @@
 
 #include "frame/ground.h"
 #include "text/catalogue.h"
+#include "ui/hidden/raster_overlay.h"
+#include "ui/hidden/step_text.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
 
 namespace viewing {
 namespace {
@@ -51,22 +54,6 @@ bool covers(const Overlay& overlay, const Polygon& polygon, ImVec2 place) {
     return left != right;
 }
 
-/// The middle of a pixel of the method's picture, which may be of an earlier size.
-ImVec2 place_of_pixel(const Overlay& overlay, const IdImage& image, glm::ivec2 pixel) {
-    const Rect& rect = overlay.rect();
-    return {rect.min.x + rect.width() * (static_cast<float>(pixel.x) + 0.5F) / static_cast<float>(image.width),
-            rect.min.y + rect.height() * (static_cast<float>(pixel.y) + 0.5F) / static_cast<float>(image.height)};
-}
-
-std::optional<glm::ivec2> pixel_of_place(const Overlay& overlay, const IdImage& image, ImVec2 place) {
-    const Rect& rect = overlay.rect();
-    const glm::ivec2 pixel(static_cast<int>((place.x - rect.min.x) / rect.width() * static_cast<float>(image.width)),
-                           static_cast<int>((place.y - rect.min.y) / rect.height() * static_cast<float>(image.height)));
-    const bool inside =
-        place.x >= rect.min.x && place.y >= rect.min.y && pixel.x < image.width && pixel.y < image.height;
-    return inside ? std::optional(pixel) : std::nullopt;
-}
-
 struct NumberBox {
     ImVec2 min, max;
 
@@ -81,7 +68,7 @@ std::optional<NumberBox> number_box(const Overlay& overlay, const HiddenResult& 
     const std::optional<ImVec2> middle = overlay.project(centroid(polygon));
     if (!middle) return std::nullopt;
     if (!result.image.ids.empty()) {
-        const auto pixel = pixel_of_place(overlay, result.image, *middle);
+        const auto pixel = RasterPlaces(overlay.rect(), result).pixel_at(*middle);
         if (!pixel || result.image.id(pixel->x, pixel->y) != polygon.source) return std::nullopt;
     }
     const NumberBox box{{middle->x - size.x * 0.5F, middle->y - size.y * 0.5F},
@@ -109,23 +96,19 @@ void numbers(Overlay& overlay, const HiddenResult& result) {
     }
 }
 
-void pixel_mark(const Overlay& overlay, const IdImage& image, glm::ivec2 pixel, ImU32 color, const std::string& text) {
-    const ImVec2 place = place_of_pixel(overlay, image, pixel);
-    const float half = px(5.0F);
-    overlay.draw()->AddRect({place.x - half, place.y - half}, {place.x + half, place.y + half}, color, 0.0F, 0,
-                            px(1.6F));
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    const float x = std::min(place.x + half * 2.0F, overlay.rect().max.x - width - px(8.0F));
-    widgets::HaloText(overlay.draw(), {std::max(x, overlay.rect().min.x + px(4.0F)), place.y + half}, palette().text,
-                      text.c_str());
-}
-
 std::string decimals(double depth) {
     return depth < 1e300 ? number_text(depth, 5) : "∞";
 }
 
 /// The pair, node, pixel or ray that the step is about, in the camera's picture.
 void step_in_camera(Overlay& overlay, const HiddenResult& result) {
+    if (result.traced) {
+        const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
+        draw_pixel_of_step(
+            overlay, result, result.traced->pixel,
+            hits == 0 ? tr("no hit") : say_count(hits, "{count} hit", "{count} hits, the nearest counts"));
+        return;
+    }
     if (result.step < 0) return;
     if (result.newell && result.step > 0) {
         const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
@@ -138,15 +121,10 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
     if (result.compare && result.compare->polygon >= 0) {
         const RasterStep& step = *result.compare;
         const std::string depth = decimals(step.depth), stored = decimals(step.stored_depth);
-        pixel_mark(overlay, result.image, {step.x, step.y}, palette().accent,
-                   step.written ? say("{depth} < {stored}: written", "depth"_a = depth, "stored"_a = stored)
-                                : say("{depth} ≥ {stored}: not written", "depth"_a = depth, "stored"_a = stored));
-        return;
-    }
-    if (result.traced) {
-        const auto hits = static_cast<std::int64_t>(result.traced->hits.size());
-        pixel_mark(overlay, result.image, result.traced->pixel, palette().accent,
-                   hits == 0 ? tr("no hit") : say_count(hits, "{count} hit", "{count} hits, the nearest counts"));
+        draw_pixel_of_step(overlay, result, {step.x, step.y},
+                           step.written
+                               ? say("{depth} < {stored}: written", "depth"_a = depth, "stored"_a = stored)
+                               : say("{depth} ≥ {stored}: not written", "depth"_a = depth, "stored"_a = stored));
         return;
     }
     const int last = result.drawn - 1;
@@ -198,15 +176,29 @@ void node_in_observer(Overlay& overlay, const HiddenResult& result, int index) {
 
 }  // namespace
 
-int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, glm::ivec2 pixel) {
-    if (!hidden.answer) return -1;
+std::optional<glm::ivec2> method_pixel_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 place) {
+    if (!hidden.answer || hidden.answer->camera->image.ids.empty()) return std::nullopt;
+    return RasterPlaces(overlay.rect(), *hidden.answer->camera).pixel_at(place);
+}
+
+void choose_pixel(VisibilityParams& visibility, const HiddenResult& result, glm::ivec2 pixel) {
+    if (visibility.method == VisibilityMethod::ray_cast && visibility.step >= 0) {
+        visibility.step = pixel.y * result.image.width + pixel.x + 1;
+        visibility.pixel.reset();
+    } else if (visibility.pixel == pixel) {
+        visibility.pixel.reset();
+    } else {
+        visibility.pixel = pixel;
+    }
+}
+
+int fragment_at(const HiddenStatus& hidden, const Overlay& overlay, ImVec2 pointed) {
+    const std::optional<glm::ivec2> at = method_pixel_at(hidden, overlay, pointed);
+    if (!at) return -1;
     const HiddenResult& result = *hidden.answer->camera;
-    if (result.image.ids.empty()) return -1;
-    const ImVec2 place(overlay.rect().min.x + static_cast<float>(pixel.x) + 0.5F,
-                       overlay.rect().min.y + static_cast<float>(pixel.y) + 0.5F);
-    const auto at = pixel_of_place(overlay, result.image, place);
-    const int source = at ? result.image.id(at->x, at->y) : IdImage::background;
+    const int source = result.image.id(at->x, at->y);
     if (source == IdImage::background) return -1;
+    const ImVec2 place = RasterPlaces(overlay.rect(), result).middle(*at);
     const bool has_order = !result.order.empty();  // rays have none
     for (int turn = (has_order ? result.drawn : static_cast<int>(result.fragments->size())) - 1; turn >= 0; --turn) {
         const int fragment = has_order ? result.order[static_cast<std::size_t>(turn)] : turn;
@@ -225,8 +217,15 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
     }
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;
+    draw_raster(overlay, result);
     if (session.params.visibility.numbers) numbers(overlay, result);
+    draw_chosen_pixel(overlay, result);
     step_in_camera(overlay, result);
+    if (result.step >= 0 && session.params.view.shows == Shows::color) {
+        const std::string progress = progress_sentence(result, result.step);
+        overlay.keep_labels_off(
+            sentence_over_picture(overlay.draw(), overlay.rect(), palette().text, progress.c_str(), progress.c_str()));
+    }
     if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
 }
 

@@ -4,6 +4,7 @@
 
 #include "text/catalogue.h"
 #include "ui/hidden/method_words.h"
+#include "ui/hidden/step_rows.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/parts/panel_parts.h"
@@ -123,7 +124,7 @@ void culling_counts(const HiddenResult& result, bool steps) {
         text += result.tree ? say("Culling leaves {left} of {all} fragments.", "left"_a = left, "all"_a = all)
                             : say("Culling leaves {left} of {all}.", "left"_a = left, "all"_a = all);
     }
-    if (steps) text += std::string(" ") + tr("Shadow and mirror wait while steps are shown.");
+    if (steps) text += std::string(" ") + tr("Shadow and mirror wait while the method is taken apart.");
     // Its lines come and go with the numbers; what is below stays.
     const float top = ImGui::GetCursorPosY();
     widgets::Note(text.c_str());
@@ -151,10 +152,14 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     ImGui::SetCursorPosY(std::max(top + rows, ImGui::GetCursorPosY()));
     control(params, "visibility.numbers", {.label = marked("Numbers")});
     cancel_button(state, hidden);
+    if (!is_drawn_by_gl_alone(method)) draw_raster_row(params);
     control(params, "visibility.compare_with",
             {.width = choice_width, .names = method_names, .label = marked("compare")});
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
+    const int by_bar = params.visibility.step;
+    draw_step_rows(params, *result);
+    if (params.visibility.step != by_bar) state.player.playing = false;
     if (result->newell && result->newell->steps_left_out > 0) {
         const std::string note =
             say("Only the first {count} of {all} comparisons can be gone through.",
@@ -163,7 +168,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     }
     state.left_step = params.visibility.step;
     counters(*result, hidden.shows_time);
-    culling_counts(*result, params.visibility.step >= 0);
+    culling_counts(*result, is_taken_apart(params.visibility));
 }
 
 void stop_at_other_step(HiddenPanelState& state, const Session& session) {

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "frame/hidden/step_groups.h"
 #include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
 #include "ui/hidden/polygon_table.h"
+#include "ui/hidden/step_rows.h"
 #include "ui/hidden/step_text.h"
 #include "ui/parts/look.h"
 #include "ui/parts/table_parts.h"
@@ -17,7 +19,8 @@
 namespace viewing {
 namespace {
 
-void draw_list(OrderViewState& state, PolygonLinks& links, const HiddenResult& result, ImVec2 size) {
+/// While steps are shown a row that is clicked becomes the step that draws its polygon.
+void draw_list(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result, ImVec2 size) {
     const OrderRows rows(result, links.tree);
     PolygonTable table(links, result, "order", rows.detail_title(), rows.count(), size);
     if (!table.is_open()) return;
@@ -31,7 +34,11 @@ void draw_list(OrderViewState& state, PolygonLinks& links, const HiddenResult& r
     clipper.Begin(rows.count(), PolygonTable::row_height());
     while (clipper.Step())
         for (int place = clipper.DisplayStart; place < clipper.DisplayEnd; ++place)
-            if (table.row(place + 1, rows.row(place))) state.revealed = links.next.selected_fragment;
+            if (table.row(place + 1, rows.row(place))) {
+                state.revealed = links.next.selected_fragment;
+                if (params.visibility.step >= 0 && state.revealed >= 0)
+                    params.visibility.step = steps_of_order(result)[static_cast<std::size_t>(place)];
+            }
 }
 
 void draw_hits(PolygonLinks& links, const HiddenResult& result) {
@@ -52,6 +59,39 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
                                    .color = polygon_color(result.surface.get(), hit.source),
                                    .is_reached = number == 0,
                                    .is_current = number == 0});
+        }
+}
+
+/// What a test of the followed pixel came to.
+std::string detail_of(const HiddenResult& result, const RasterStep& fragment) {
+    const std::string depth = number_text(fragment.depth, 4);
+    if (result.request.visibility.method != VisibilityMethod::software_depth_buffer && fragment.written) return depth;
+    return fragment.written ? say("{depth} written", "depth"_a = depth) : say("{depth} hidden", "depth"_a = depth);
+}
+
+/// The fragments of the followed pixel, in the order in which they come; a click on one goes to its step.
+void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& result, ImVec2 size) {
+    const glm::ivec2 pixel = *result.request.visibility.pixel;
+    const float top = ImGui::GetCursorPosY();
+    recorded_note(say_count(static_cast<std::int64_t>(result.touches.size()), "pixel ({x}, {y}): one fragment",
+                            "pixel ({x}, {y}): {count} fragments", "x"_a = pixel.x, "y"_a = pixel.y));
+    size.y = std::max(size.y - (ImGui::GetCursorPosY() - top), px(40.0F));
+    PolygonTable table(links, result, "touches", marked("depth"), static_cast<int>(result.touches.size()), size);
+    if (!table.is_open()) return;
+    const int reached = result.step < 0 ? result.step_count : result.step;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(result.touches.size()), PolygonTable::row_height());
+    while (clipper.Step())
+        for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
+            const PixelTouch& touch = result.touches[static_cast<std::size_t>(number)];
+            const int source = (*result.fragments)[static_cast<std::size_t>(touch.fragment.polygon)].source;
+            if (table.row(number + 1, {.fragment = touch.fragment.polygon,
+                                       .name = listed_name(result.surface.get(), source),
+                                       .detail = detail_of(result, touch.fragment),
+                                       .color = polygon_color(result.surface.get(), source),
+                                       .is_reached = touch.step <= reached,
+                                       .is_current = touch.step == result.step}))
+                params.visibility.step = touch.step;
         }
 }
 
@@ -119,7 +159,7 @@ void draw_decided(const NewellCounters& counters) {
 }
 
 /// Beside the list where there is room, else above it.
-void draw_newell(OrderViewState& state, PolygonLinks& links, const HiddenResult& result) {
+void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(360.0F);
     const float gap = px(10.0F), list_width = beside ? std::floor(room.x * 0.5F) : room.x;
@@ -135,7 +175,8 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, const HiddenResult&
         recorded_note("Polygons are sorted by their farthest vertices; no pair has been compared yet.");
     ImGui::EndChild();
     ImGui::SetCursorScreenPos(beside ? from : ImVec2(from.x, from.y + ladder_height + gap));
-    draw_list(state, links, result, {list_width, std::max(beside ? room.y : room.y - ladder_height - gap, px(40.0F))});
+    draw_list(state, links, params, result,
+              {list_width, std::max(beside ? room.y : room.y - ladder_height - gap, px(40.0F))});
 }
 
 void draw_pixels_of(const HiddenResult& result) {
@@ -148,8 +189,26 @@ void draw_pixels_of(const HiddenResult& result) {
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
 
-void draw_result(OrderViewState& state, PolygonLinks& links, const HiddenResult& result) {
-    if (result.newell) return draw_newell(state, links, result);
+/// The order, and beside it the followed pixel's fragments; below it where there is no room beside it.
+void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
+    const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
+    const float least = px(40.0F), gap = px(10.0F);
+    const auto& pixel = result.request.visibility.pixel;
+    if (!pixel || result.image.ids.empty())
+        return draw_list(state, links, params, result, {0.0F, std::max(room.y, least)});
+    const bool beside = room.x >= px(360.0F);
+    const ImVec2 each = beside ? ImVec2(std::floor(0.5F * (room.x - gap)), std::max(room.y, least))
+                               : ImVec2(room.x, std::max(std::floor(0.5F * (room.y - gap)), least));
+    ImGui::BeginChild("pixel", each);
+    draw_touches(links, params, result, {0.0F, each.y});
+    ImGui::EndChild();
+    ImGui::SetCursorScreenPos(beside ? ImVec2(from.x + each.x + gap, from.y) : ImVec2(from.x, from.y + each.y + gap));
+    draw_list(state, links, params, result, each);
+}
+
+void draw_result(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
+    if (!is_drawn_by_gl_alone(result.request.visibility.method)) draw_step_line(params, result);
+    if (result.newell) return draw_newell(state, links, params, result);
     switch (result.request.visibility.method) {
         case VisibilityMethod::ray_cast:
             recorded_note(ray_sentence(result));
@@ -168,7 +227,7 @@ void draw_result(OrderViewState& state, PolygonLinks& links, const HiddenResult&
         offer("There is nothing to draw.");
         return;
     }
-    draw_list(state, links, result, {0.0F, std::max(ImGui::GetContentRegionAvail().y, px(40.0F))});
+    draw_lists(state, links, params, result);
 }
 
 }  // namespace
@@ -179,7 +238,7 @@ void draw_order_view(OrderViewState& state, PolygonLinks& links, Session& sessio
     const std::shared_ptr<const HiddenResult>& result = shown_result(hidden);
     if (result) {
         links.tree.follow(result);
-        return draw_result(state, links, *result);
+        return draw_result(state, links, session.params, *result);
     }
     if (!is_drawn_by_gl_alone(session.params.visibility.method)) return tell_waiting(hidden);
     if (offer("GL draws the polygons in the order in which the scene has them.", "Show their numbers"))

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "frame/hidden/step_groups.h"
 #include "text/catalogue.h"
 #include "ui/hidden/polygon_names.h"
 #include "widgets/widgets.h"
@@ -120,6 +121,26 @@ std::string compare_sentence(const HiddenResult& result) {
                      "polygon"_a = polygon, "depth"_a = depth, "relation"_a = relation, "stored"_a = stored);
 }
 
+std::string progress_sentence(const HiddenResult& result, int step) {
+    const std::optional<StepPlace> place = place_of_step(result, step);
+    if (!place)
+        return say("polygon {step} of {count}", "step"_a = grouped_number(step < 0 ? result.step_count : step),
+                   "count"_a = grouped_number(result.step_count));
+    const std::string group = grouped_number(place->group), groups = grouped_number(place->groups);
+    const std::string within = grouped_number(place->within), size = grouped_number(place->size);
+    if (result.tree)
+        return place->group == 1 ? say("building the tree: node {node} of {count}", "node"_a = within, "count"_a = size)
+                                 : say("walking the tree: node {node} of {count}", "node"_a = within, "count"_a = size);
+    if (result.newell)
+        return say("polygon {group} of {groups}, step {within} of {size}", "group"_a = group, "groups"_a = groups,
+                   "within"_a = within, "size"_a = size);
+    if (result.request.visibility.method == VisibilityMethod::ray_cast)
+        return say("row {group} of {groups}, ray {within} of {size}", "group"_a = group, "groups"_a = groups,
+                   "within"_a = within, "size"_a = size);
+    return say("triangle {group} of {groups}, fragment {within} of {size}", "group"_a = group, "groups"_a = groups,
+               "within"_a = within, "size"_a = size);
+}
+
 std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
     std::vector<RayHitRow> rows;
     if (!result.traced) return rows;
@@ -129,7 +150,8 @@ std::vector<RayHitRow> ray_rows(const HiddenResult& result) {
 
 std::string ray_sentence(const HiddenResult& result) {
     if (!result.traced)
-        return result.step < 0 ? tr("One ray went through every pixel. Go to a step to see what a single ray meets.")
+        return result.step < 0 ? tr("One ray went through every pixel. Go to a step, or click a pixel while the raster "
+                                    "is small, to see what a single ray meets.")
                                : tr("No ray has been cast yet.");
     const std::string pixel = pixel_text(result.traced->pixel);
     const auto hits = static_cast<std::int64_t>(result.traced->hits.size());

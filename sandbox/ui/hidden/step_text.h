@@ -29,6 +29,9 @@ std::optional<Ladder> newell_ladder(const HiddenResult& result);
 /// "pixel (3, 4): polygon 12 of box, depth 0.9321 < stored 0.9518 → written". Empty without such a step.
 std::string compare_sentence(const HiddenResult& result);
 
+/// How far a step has come, in two levels: "triangle 3 of 9, fragment 12 of 40". A negative one is the last.
+std::string progress_sentence(const HiddenResult& result, int step);
+
 /// What a ray met, nearest first.
 struct RayHitRow {
     int fragment = -1;  ///< −1 for an exact curved shape

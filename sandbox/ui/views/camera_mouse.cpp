@@ -4,6 +4,7 @@
 #include "state/fields.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
+#include "ui/hidden/hidden_overlay.h"
 #include "ui/parts/look.h"
 #include "ui/views/views.h"
 
@@ -88,7 +89,7 @@ void turn_wheel(Session& session, const FrameInput& input, float lines, MotionIn
 }  // namespace
 
 void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
-                  const FrameInput& input, MotionInput& motion) {
+                  const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool over = ImGui::IsItemHovered();
     const float degrees_per_px = 0.22F / widgets::CurrentContext().scale;
@@ -118,8 +119,12 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
             PolygonLinks& links = state.hidden.links;
             links.next.selected_fragment = links.now.hovered_fragment;
             links.next.selected_node = links.tree.node_of(links.next.selected_fragment);
-            if (state.hovered_pixel &&
-                (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
+            const bool steps =
+                is_taken_apart(session.params.visibility) && !is_drawn_by_gl_alone(session.params.visibility.method);
+            if (steps && state.method_pixel)
+                choose_pixel(session.params.visibility, *hidden.answer->camera, *state.method_pixel);
+            else if (state.hovered_pixel &&
+                     (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
                 pin(session.params, *state.hovered_pixel);
             else
                 session.params.follow = vertex_at(overlay, session.scene(), io.MousePos);

@@ -195,7 +195,7 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
         state.hovered_pixel = camera_pixel_at(rect, ImGui::GetIO().MousePos, state.camera_px);
         if (state.hovered_pixel) state.told_pixel = state.hovered_pixel;
     }
-    camera_mouse(state, session, derived, overlay, Handle::none, input, motion);
+    camera_mouse(state, session, derived, overlay, Handle::none, pictures.hidden, input, motion);
     if (session.params.view.pixel) draw_pin(overlay, *session.params.view.pixel);
     draw_beside_legend(session, derived, rect);
 }
@@ -222,17 +222,19 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (!told.empty()) overlay.keep_labels_off(told);
+    state.method_pixel = over ? method_pixel_at(pictures.hidden, overlay, mouse) : std::nullopt;
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
-    if (hovered == Handle::none && over && state.handles && !state.looking) hovered = handle_at(overlay, places, mouse);
+    const bool has_handles = state.handles && !has_raster(params.visibility);  // they would hide its numbers
+    if (hovered == Handle::none && over && has_handles && !state.looking) hovered = handle_at(overlay, places, mouse);
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    camera_mouse(state, session, derived, overlay, hovered, input, motion);
+    camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
     camera_legend(overlay, params, pictures.hidden);
     PolygonLinks& links = state.hidden.links;
-    if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, *state.hovered_pixel);
+    if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
-    if (!state.handles) return;
+    if (!has_handles) return;
     draw_handles(overlay, places, derived, hovered);
     draw_derivation_overlay(overlay, params, derived);
 }

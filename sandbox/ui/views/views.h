@@ -52,6 +52,7 @@ struct ViewState {
     glm::ivec2 camera_px{0};                  ///< size of the camera's picture when it was last seen
     double pan_distance = 1.0;                ///< eye distance of what the middle or right button has taken hold of
     std::optional<glm::ivec2> hovered_pixel;  ///< of the camera's picture, top left origin
+    std::optional<glm::ivec2> method_pixel;   ///< of the picture that a method has found, under the pointer
     std::optional<glm::ivec2> told_pixel;     ///< the last one of these, while the pointer is elsewhere
     ViewName hovered = ViewName::none;
     std::optional<LowerChoice> lower;
@@ -75,7 +76,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 /// Part of it. Pressing takes a handle or begins to look; dragging moves it; a click that stayed in place picks a
 /// vertex, or nothing where it meets no object. `hovered`: the handle under the pointer.
 void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
-                  const FrameInput& input, MotionInput& motion);
+                  const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion);
 
 /// The second picture of the camera's view, which answers the mouse as the first one does.
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,

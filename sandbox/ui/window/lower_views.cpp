@@ -3,6 +3,7 @@
 #include <cfloat>
 
 #include "text/catalogue.h"
+#include "ui/depth/cell_bar.h"
 #include "ui/depth/depth_views.h"
 #include "ui/depth/fighting_view.h"
 #include "ui/depth/pixel_view.h"
@@ -122,7 +123,9 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::pixel:
             return draw_pixel_view(session, derived, pictures.depth, rect);
         case Topic::cells:
-            state.cells = cell_block_size(rect);
+            if (const float width = px(84.0F); ImGui::GetCursorScreenPos().x + width <= rect.max.x)
+                choose_cells(session.params.view.cells, width);
+            state.cells = cell_block_size(rect, session.params.view.cells);
             return draw_cell_view(session, pictures.depth, plan, rect, state.call_player);
         case Topic::fighting:
             return draw_fighting_view(session, pictures.depth.fighting.get(), rect);

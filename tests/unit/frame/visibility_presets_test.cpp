@@ -91,7 +91,10 @@ TEST(VisibilityPresets, AskForTheMethodThatTheirNameSays) {
         {"bsp-walk", VisibilityMethod::bsp},
         {"bsp-many-splits", VisibilityMethod::bsp},
         {"bsp-cracks", VisibilityMethod::bsp},
+        {"newell-two-cuts", VisibilityMethod::newell},
         {"z-buffer", VisibilityMethod::software_depth_buffer},
+        {"z-buffer-small", VisibilityMethod::software_depth_buffer},
+        {"rays-small", VisibilityMethod::ray_cast},
         {"ray-cast-curved", VisibilityMethod::ray_cast}};
     for (const auto& [preset, method] : methods) {
         SCOPED_TRACE(preset);
@@ -175,6 +178,42 @@ TEST(VisibilityPresets, NewellCutsAndIsRight) {
         EXPECT_GT(newell.counters.splits, 0);
         EXPECT_EQ(newell.problem, "");
         EXPECT_EQ(stage.wrong(stage.draw(newell.fragments, newell.order)), 0);
+    }
+}
+
+TEST(VisibilityPresets, OfThreeTrianglesInACircleTwoCutsMakeFivePieces) {
+    const Stage stage("newell-two-cuts");
+    ASSERT_EQ(stage.polygons.size(), 3U);
+    const NewellOrder newell = newell_order(stage.polygons, stage.viewpoint);
+    EXPECT_EQ(newell.counters.splits, 2);
+    EXPECT_EQ(newell.counters.forced, 0);
+    EXPECT_EQ(newell.order.size(), 5U);
+    EXPECT_EQ(newell.problem, "");
+    EXPECT_EQ(stage.wrong(stage.draw(newell.fragments, newell.order)), 0);
+    std::vector<int> order{0, 1, 2};
+    do {
+        EXPECT_GT(stage.wrong(stage.draw(stage.polygons, order)), many / 3) << order[0] << order[1] << order[2];
+    } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(VisibilityPresets, OfAFewLargePixelsHaveAHandfulOfPolygonsAndMoreThanOneAtTheChosenPixel) {
+    for (const char* preset : {"z-buffer-small", "rays-small"}) {
+        SCOPED_TRACE(preset);
+        const Stage stage(preset);
+        EXPECT_EQ(stage.polygons.size(), 4U);
+        const Result<LoadedState> loaded = load_state(preset);
+        ASSERT_TRUE(loaded) << loaded.error();
+        const Params& params = loaded->params;
+        EXPECT_EQ(params.visibility.raster, glm::ivec2(24, 16)) << "as its sentence says";
+        const Result<Scene> scene = load_scene(params.scene, loaded->base, params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        HiddenSurfaceSolver solver(*scene);
+        const auto result = solver.solve(hidden_request(params, derive(params, *scene, {{900, 500}}), {900, 500}));
+        EXPECT_GT(result->traced ? result->traced->hits.size() : result->touches.size(), 2U);
+        if (params.visibility.step >= 0) {
+            EXPECT_EQ(glm::ivec2(result->compare->x, result->compare->y), *params.visibility.pixel)
+                << "opens where the chosen pixel is tested";
+        }
     }
 }
 

@@ -122,7 +122,8 @@ private:
         } else if (const auto* pixel = std::get_if<std::optional<glm::ivec2>*>(&ref)) {
             (*pixel)->reset();
             if (coin()) {
-                **pixel = glm::ivec2(whole(0, 16383), whole(0, 16383));
+                const int least = static_cast<int>(field.min), most = static_cast<int>(field.max);
+                **pixel = glm::ivec2(whole(least, most), whole(least, most));
             }
         }
     }

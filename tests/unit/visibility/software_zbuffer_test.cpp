@@ -99,6 +99,33 @@ TEST(Rasterise, ReplayStopsAfterEachFragment) {
     EXPECT_EQ(after(100).counters.pixels_tested, 9);
 }
 
+TEST(Rasterise, AWatchedPixelIsToldEachOfItsFragments) {
+    const std::vector<Polygon> polygons{on_screen({{0, 0, 0.6}, {8, 0, 0.6}, {8, 8, 0.6}, {0, 8, 0.6}}, 0),
+                                        on_screen({{7, 7, 0.1}, {8, 7, 0.1}, {8, 8, 0.1}}, 1),
+                                        on_screen({{0, 0, 0.7}, {8, 0, 0.7}, {8, 8, 0.7}, {0, 8, 0.7}}, 2),
+                                        on_screen({{1, 1, 0.2}, {5, 1, 0.2}, {5, 5, 0.2}, {1, 5, 0.2}}, 3)};
+    RasterOptions options = eight;
+    options.watched = glm::ivec2(2, 3);
+    const RasterResult all = rasterise(polygons, glm::dmat4(1), options);
+    EXPECT_EQ(all.tested_after,
+              (std::vector<std::int64_t>{64, all.tested_after[1], all.tested_after[1] + 64, all.tested_after[1] + 80}));
+    ASSERT_EQ(all.touches.size(), 3U);
+    std::size_t met = 0;
+    for (std::int64_t number = 1; number <= all.counters.pixels_tested; ++number) {
+        RasterOptions until = eight;
+        until.stop_after = number;
+        const RasterStep last = rasterise(polygons, glm::dmat4(1), until).last;
+        if (last.x != 2 || last.y != 3) continue;
+        const RasterTouch& touch = all.touches[met++];
+        EXPECT_EQ(touch.number, number);
+        EXPECT_EQ(touch.place, last.polygon);
+        EXPECT_EQ(touch.fragment.depth, last.depth);
+        EXPECT_EQ(touch.fragment.stored_depth, last.stored_depth);
+        EXPECT_EQ(touch.fragment.written, last.written);
+    }
+    EXPECT_EQ(met, 3U);
+}
+
 TEST(Rasterise, MeshesAreWatertight) {
     // Every pixel within a convex closed mesh has a front and a back.
     SCOPED_TRACE(seed);

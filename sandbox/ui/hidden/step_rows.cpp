@@ -1,0 +1,189 @@
+#include "ui/hidden/step_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "frame/hidden/step_groups.h"
+#include "state/fields.h"
+#include "text/catalogue.h"
+#include "ui/hidden/step_text.h"
+#include "ui/parts/controls.h"
+#include "ui/parts/panel_parts.h"
+#include "ui/parts/table_parts.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 first_raster{24, 16};
+constexpr float gap = 2.0F, slider_width = 124.0F;  // design pixels
+
+/// What the levels of a method's steps are called.
+struct LevelWords {
+    const char *group, *within;
+    const char *next, *previous;  ///< of groups
+};
+
+LevelWords words_of(const HiddenResult& result) {
+    if (result.newell)
+        return {marked("polygon"), marked("step"), marked("Until the next polygon is drawn."),
+                marked("Back to where this polygon, or the one before, begins.")};
+    if (result.tree)
+        return {marked("part"), marked("node"), marked("To the end of this part: the tree is built, then walked."),
+                marked("Back to the beginning of this part.")};
+    if (result.request.visibility.method == VisibilityMethod::ray_cast)
+        return {marked("row"), marked("ray"), marked("To the end of this row of rays."),
+                marked("Back to the beginning of this row.")};
+    return {marked("triangle"), marked("fragment"), marked("Until this triangle, or the next one, is drawn."),
+            marked("Back to where this triangle, or the one before, begins.")};
+}
+
+/// Goes to a step where there is one; as wide as its sign takes.
+void step_button(const char* id, const char* sign, std::optional<int> to, int& step, const char* title,
+                 const char* explanation, const char* why_not) {
+    ImGui::PushID(id);
+    ImGui::BeginDisabled(!to);
+    const float width = std::max(std::round(1.15F * ImGui::GetFrameHeight()), ImGui::CalcTextSize(sign).x + px(10.0F));
+    if (ImGui::Button(sign, {width, 0.0F})) step = *to;
+    widgets::Record(id);
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    widgets::Tooltip(title, to ? explanation : why_not);
+    ImGui::SameLine(0.0F, px(gap));
+}
+
+/// To the steps of the followed pixel.
+void touch_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
+    const char* const why_not = result.request.visibility.pixel ? marked("No step there touches this pixel.")
+                                                                : marked("Click a pixel of the picture first.");
+    step_button("touch before", previous_sign, previous_touch(result, step), step, marked("Back at this pixel"),
+                marked("Back to the step before that touches the chosen pixel."), why_not);
+    step_button("next touch", next_sign, next_touch(result, step), step, marked("Next at this pixel"),
+                marked("On to the next step that touches the chosen pixel."), why_not);
+}
+
+/// To the ends of groups.
+void group_buttons(int& step, const HiddenResult& result, const char* previous_sign, const char* next_sign) {
+    const LevelWords words = words_of(result);
+    step_button("group before", previous_sign, previous_group(result, step), step, marked("Back"), words.previous,
+                marked("It stands there already."));
+    step_button("next group", next_sign, next_group(result, step), step, marked("On"), words.next,
+                marked("It stands there already."));
+}
+
+/// `from` … `from + count` as a slider; true when it was moved.
+bool level_slider(const char* label, int& value, int least, int count) {
+    const std::string of = " / " + std::to_string(count);
+    double shown = value;
+    const widgets::NumberStyle style{.min = static_cast<double>(least),
+                                     .max = static_cast<double>(std::max(count, least + 1)),
+                                     .step = std::clamp(count / 400.0, 0.02, 100.0),
+                                     .decimals = 0,
+                                     .unit = of.c_str(),
+                                     .integer = true,
+                                     .default_value = static_cast<double>(count)};
+    ImGui::BeginDisabled(count <= least);
+    const bool moved = widgets::Slider(label, shown, style, px(slider_width));
+    ImGui::EndDisabled();
+    if (moved) value = std::clamp(static_cast<int>(std::lround(shown)), least, std::max(count, least));
+    return moved;
+}
+
+void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
+    const LevelWords words = words_of(result);
+    group_buttons(step, result, "←", "→");
+    int group = place.group;
+    if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);
+    // Below the group's, whose buttons have no partner here: the bar above goes by single steps.
+    const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(gap));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+    int within = place.within;
+    if (level_slider(words.within, within, 0, place.size)) step = place.first + within;
+}
+
+/// Buttons to the steps of the followed pixel, and which of them has been reached.
+void touch_row(int& step, const HiddenResult& result, const std::optional<glm::ivec2>& pixel) {
+    touch_buttons(step, result, "←", "→");
+    const int reached = step < 0 ? result.step_count : step;
+    const auto done = std::count_if(result.touches.begin(), result.touches.end(),
+                                    [reached](const PixelTouch& touch) { return touch.step <= reached; });
+    const std::string text = pixel ? say("pixel ({x}, {y}): {done} of {count}", "x"_a = pixel->x, "y"_a = pixel->y,
+                                         "done"_a = done, "count"_a = result.touches.size())
+                                   : std::string(tr("click a pixel to follow it"));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    ImGui::TextUnformatted(widgets::Shortened(text, ImGui::GetContentRegionAvail().x).c_str());
+    widgets::Record("touches");
+    ImGui::PopFont();
+    widgets::Tooltip("Chosen pixel", text.c_str());
+}
+
+bool has_touches(const HiddenResult& result) {
+    return !result.order.empty() && !is_drawn_by_gl_alone(result.request.visibility.method);
+}
+
+}  // namespace
+
+void draw_raster_row(Params& params) {
+    const Field& field = viewing::field("visibility.raster");
+    std::optional<glm::ivec2>& raster = params.visibility.raster;
+    const std::optional<glm::ivec2> before = raster;
+    bool is_small = raster.has_value();
+    if (widgets::Toggle("Small raster", is_small, false))
+        raster = is_small ? std::optional(first_raster) : std::nullopt;
+    explain(field, "Small raster");
+    const float number = px(44.0F), times = ImGui::CalcTextSize("×").x;
+    beside(118.0F, 2.0F * number + times + px(12.0F));
+    glm::ivec2 size = raster.value_or(first_raster);
+    ImGui::BeginDisabled(!raster);
+    const auto count = [&](const char* label, int& value, int by_default, const char* title) {
+        double shown = value;
+        const widgets::NumberStyle style{.min = field.min,
+                                         .max = field.max,
+                                         .step = 0.1,
+                                         .decimals = 0,
+                                         .integer = true,
+                                         .default_value = static_cast<double>(by_default)};
+        if (widgets::Number(label, shown, style, number)) value = static_cast<int>(std::lround(shown));
+        explain(field, title, raster ? "" : tr("The raster is the view's own."));
+    };
+    count("##columns", size.x, first_raster.x, marked("Columns"));
+    ImGui::SameLine(0.0F, px(6.0F));
+    ImGui::TextUnformatted("×");
+    ImGui::SameLine(0.0F, px(6.0F));
+    count("##rows", size.y, first_raster.y, marked("Rows"));
+    ImGui::EndDisabled();
+    if (raster) raster = size;
+    if (raster.has_value() != before.has_value()) params.visibility.pixel.reset();  // it was one of other pixels
+}
+
+void draw_step_rows(Params& params, const HiddenResult& result) {
+    const widgets::Group group("levels");
+    int& step = params.visibility.step;
+    if (has_touches(result)) touch_row(step, result, params.visibility.pixel);
+    if (const std::optional<StepPlace> place = place_of_step(result, step)) level_rows(step, result, *place);
+}
+
+void draw_step_line(Params& params, const HiddenResult& result) {
+    if (result.step_count == 0) return;
+    const widgets::Group group("line");
+    int& step = params.visibility.step;
+    const int reached = step < 0 ? result.step_count : std::min(step, result.step_count);
+    const auto one = [&](int to) { return to >= 0 && to <= result.step_count ? std::optional(to) : std::nullopt; };
+    ImGui::PushButtonRepeat(true);
+    step_button("step before", "←", one(reached - 1), step, marked("Back"), marked("One step back; hold to go on."),
+                marked("It stands there already."));
+    step_button("next step", "→", one(reached + 1), step, marked("On"), marked("One step on; hold to go on."),
+                marked("It stands there already."));
+    ImGui::PopButtonRepeat();
+    if (!result.group_ends.empty()) group_buttons(step, result, "⇤", "⇥");
+    if (has_touches(result)) touch_buttons(step, result, "←□", "□→");
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(widgets::CurrentContext().fonts.note);
+    const std::string progress = progress_sentence(result, step);
+    shortened_text(progress, ImGui::GetContentRegionAvail().x);
+    widgets::Record(progress.c_str());
+    ImGui::PopFont();
+}
+
+}  // namespace viewing
