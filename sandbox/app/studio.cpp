@@ -12,6 +12,8 @@
 namespace viewing {
 namespace {
 
+constexpr double slow_ms = 80.0;  // of a frame: what moves by hand does not follow any more
+
 std::string renderer_name() {
     std::string name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
     name = name.substr(0, name.find(" ("));
@@ -40,17 +42,16 @@ Studio::~Studio() {
     ImGui::DestroyContext();
 }
 
-Status Studio::draw_views(const Layout& layout, bool is_interactive) {
+Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_interactive) {
     // With a scene that is slow to draw, only the view that is being moved follows; the others catch up at rest.
-    constexpr double slow_ms = 80.0;
     views_are_behind_ = is_interactive && frame_ms_ > slow_ms && is_held();
-    if (!views_are_behind_) return pictures_.draw(shown_, session.scene(), layout);
+    if (!views_are_behind_) return pictures_.draw(shown_, scene, layout);
     for (const Slot slot : {Slot::left, Slot::right}) {
         const ViewName name = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
         const bool is_moved = workbench.views.hovered == name && topic_of(shown_.params, slot) == Topic::observer;
-        if (is_moved) return pictures_.draw_lower(slot, shown_, session.scene(), layout);
+        if (is_moved) return pictures_.draw_lower(slot, shown_, scene, layout);
     }
-    return pictures_.draw_camera(shown_, session.scene(), layout);
+    return pictures_.draw_camera(shown_, scene, layout);
 }
 
 bool Studio::is_held() const {
@@ -68,12 +69,16 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
                  layout.beside.size_px(),
                  layout.lower_left.size_px(),
                  layout.lower_right.size_px(),
-                 drawn_.hidden};
+                 drawn_.hidden,
+                 drawn_.is_coarse};
     if (wanted != drawn_) shown_.derived = derive(shown_.params, session.scene(), viewport);
     if (wanted != drawn_ || answer_.is_behind())
         session.report(
             answer_.update(renderer_, shown_.params, shown_.derived, session, shown_.camera_px, is_interactive));
     wanted.hidden = shown_.hidden = answer_.get();
+    if (is_interactive) stand_ins_.follow(session.scene(), session.scene_version());
+    const Scene* const coarse = stand_ins_.choose(is_interactive && is_held(), frame_ms_ > slow_ms);
+    wanted.is_coarse = coarse != nullptr;
     const bool catches_up = views_are_behind_ && !is_held();
     if (wanted == drawn_ && !catches_up) return;
     shown_.before = derive(animated(session.before_latest_edit(), moment_), session.scene(), viewport);
@@ -83,7 +88,7 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     if (shown_.hidden && !answer_.is_behind())
         if (const std::optional<Problem> wrong = painter_problem(*shown_.hidden)) shown_.problems.push_back(*wrong);
     shown_.inspected = plan(probed(shown_.params), shown_.derived, found);
-    session.report(draw_views(layout, is_interactive));
+    session.report(draw_views(layout, coarse ? *coarse : session.scene(), is_interactive));
     drawn_ = wanted;
     inspection_.forget();
     if (!moves_) settling_ = std::max(settling_, 2);
@@ -91,9 +96,10 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
 
 StatusLine Studio::status(bool shows_time) {
     StatusLine status{renderer_name_, shows_time ? fmt::format("{:5.1f} ms", frame_ms_) : "–", {}};
+    if (drawn_.is_coarse) status.told = {stand_ins_.sentence()};
     if (const auto& pixel = workbench.views.hovered_pixel; pixel && !is_held())
         if (const auto report = inspection_.at(shown_, session, pictures_.camera().size_px(), *pixel))
-            status.pixel = pixel_words(*report);
+            status.told = pixel_words(*report);
     return status;
 }
 
@@ -121,7 +127,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
 }
 
 double Studio::next_redraw_in_s() const {
-    const bool behind = views_are_behind_ && !ImGui::IsAnyItemActive();
+    const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
                       is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
@@ -150,7 +156,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     shown_.params = animated(session.params, moment_);
 
     update(workbench.layout(io.DisplaySize, session), surroundings);
-    if (!views_are_behind_) session.report(inspection_.read(shown_, session, workbench.views));
+    if (!views_are_behind_ && !drawn_.is_coarse) session.report(inspection_.read(shown_, session, workbench.views));
     const Requests requests = draw_interface(surroundings);
 
     if (settling_ > 0) --settling_;

@@ -8,6 +8,7 @@
 #include "app/looks.h"
 #include "app/preset_pictures.h"
 #include "app/shown_answer.h"
+#include "app/stand_ins.h"
 #include "app/view_pictures.h"
 #include "frame/animation.h"
 #include "ui/window/workbench.h"
@@ -48,7 +49,7 @@ public:
 private:
     /// Makes and draws again what the latest frame's parameters, sizes and answers have changed.
     void update(const Layout& layout, const Surroundings& surroundings);
-    Status draw_views(const Layout& layout, bool is_interactive);
+    Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
     StatusLine status(bool shows_time);
     Requests draw_interface(const Surroundings& surroundings);
     double next_redraw_in_s() const;
@@ -62,6 +63,7 @@ private:
     ViewPictures pictures_;
     Inspection inspection_;
     PresetPictures preset_pictures_;
+    StandIns stand_ins_;
     gl::ColorTarget window_;
 
     // What the pictures were drawn for: nothing is drawn again while it is the same.
@@ -71,6 +73,7 @@ private:
         Params animated;  ///< the same, as they are at the time
         glm::ivec2 camera_px{0}, beside_px{0}, lower_left_px{0}, lower_right_px{0};
         std::shared_ptr<const HiddenAnswer> hidden;
+        bool is_coarse = false;  ///< stand-ins were drawn
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;

@@ -1,5 +1,7 @@
 // What is on screen and what a snapshot writes are the same bytes, however often they are drawn. No references here.
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "app/picture.h"
 #include "app/studio.h"
@@ -67,6 +69,37 @@ TEST_F(WindowTest, ShowsThePictureThatTheCameraSnapshotIs) {
         ASSERT_GT(size_px.x, 200) << setting;
         EXPECT_EQ(driven.camera, snapshot(state, {PictureView::camera, size_px, std::nullopt})) << setting;
     }
+}
+
+/// As frames do it, until the stand-ins are made.
+const Scene* held(StandIns& stand_ins, const Scene& scene, int version, bool is_slow) {
+    for (int frame = 0; frame < 10000; ++frame) {
+        stand_ins.follow(scene, version);
+        if (const Scene* coarse = stand_ins.choose(true, is_slow)) return coarse;
+        if (!is_slow) return nullptr;
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return nullptr;
+}
+
+TEST_F(WindowTest, DrawsALargeSceneCoarselyWhileItIsHeldAndWasSlow) {
+    const Scene small = scene_of(state_with({}));
+    Scene large = small;
+    large.objects.front().mesh = std::make_shared<const Mesh>(sphere_mesh(600, 300));
+    ASSERT_GT(large.objects.front().mesh->triangle_count(), 300'000U);
+    StandIns stand_ins;
+    EXPECT_EQ(held(stand_ins, large, 1, false), nullptr) << "it is quick enough";
+    const Scene* const coarse = held(stand_ins, large, 1, true);
+    ASSERT_TRUE(coarse);
+    EXPECT_LT(coarse->objects.front().mesh->triangle_count(), 30'001U);
+    EXPECT_GT(coarse->objects.front().mesh->triangle_count(), 5'000U);
+    EXPECT_EQ(coarse->objects.back().mesh, large.objects.back().mesh) << "it is small";
+    EXPECT_NE(stand_ins.sentence().find(" of 358,824 triangles"), std::string::npos) << stand_ins.sentence();
+    EXPECT_EQ(stand_ins.choose(false, true), nullptr) << "at rest";
+    EXPECT_EQ(stand_ins.choose(true, false), coarse) << "it was slow once";
+    EXPECT_EQ(held(stand_ins, large, 2, false), nullptr) << "another scene";
+    stand_ins.follow(small, 3);
+    EXPECT_EQ(stand_ins.choose(true, true), nullptr) << "nothing is large";
 }
 
 TEST_F(WindowTest, RestsAfterItsFrameAndStaysAsItIs) {

@@ -229,7 +229,7 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
         ImGui::TextUnformatted(text.c_str());
     };
     if (!session.message.is_error) append(printable(session.message.text));
-    for (const std::string& part : status.pixel) append(part);
+    for (const std::string& part : status.told) append(part);
     ImGui::SameLine(hint_x);
     ImGui::TextUnformatted(hint);
     ImGui::PopStyleColor();

@@ -18,9 +18,9 @@ namespace viewing {
 
 /// What the status bar says beside what the sandbox itself knows.
 struct StatusLine {
-    std::string renderer;            ///< "OpenGL 3.3 · llvmpipe"
-    std::string frame_time;          ///< "–" in a picture that has to repeat
-    std::vector<std::string> pixel;  ///< what is under the pointer, the most wanted first
+    std::string renderer;           ///< "OpenGL 3.3 · llvmpipe"
+    std::string frame_time;         ///< "–" in a picture that has to repeat
+    std::vector<std::string> told;  ///< what is under the pointer or drawn coarsely, the most wanted first
 };
 
 /// What only the program around can do.
