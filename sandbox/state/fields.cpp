@@ -357,7 +357,7 @@ const Field all_fields[] = {
      .max = position_limit,
      .step = 0.05,
      .help =
-         "The light l = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light that comes from the "
+         "The light ℓ = (x, y, z, w): w = 1 is a point light at (x, y, z), w = 0 a parallel light that comes from the "
          "direction (x, y, z). Values between lie at (x, y, z) ÷ w.",
      .formula = shadow_formula},
     {.path = "lights",
@@ -534,7 +534,8 @@ const Field all_fields[] = {
      .label = "clip to mirror",
      .help =
          "How things behind the mirror are kept out of it: not at all, by a clip plane per vertex, or by an oblique "
-         "near plane in the projection, which needs no extra hardware but spoils depth.",
+         "near plane in the projection, which needs no extra hardware but measures depth from the mirror on: finer or "
+         "coarser, by where one looks.",
      .formula = "oblique: row₃ = 2 c / (c·q) − row₄",
      .gl_call = "glEnable(GL_CLIP_DISTANCE0)"},
     {.path = "reflection.flip_winding",

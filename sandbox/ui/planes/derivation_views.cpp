@@ -83,7 +83,7 @@ void light_slider(Params& params) {
     if (in_a_row) ImGui::SameLine(0.0F, gap);
     widgets::Slider("##l_w", light.w, style, std::clamp(room - behind - (in_a_row ? before : 0.0F), least, px(260.0F)));
     widgets::Tooltip("Parallel or point light",
-                     "The light's fourth coordinate. 1: a point light at l. 0: a parallel light from the direction (x, "
+                     "The light's fourth coordinate. 1: a point light at ℓ. 0: a parallel light from the direction (x, "
                      "y, z). Between them the light is at (x, y, z) divided by it, farther away the smaller it is.");
     ImGui::SameLine(0.0F, gap);
     ImGui::AlignTextToFramePadding();
