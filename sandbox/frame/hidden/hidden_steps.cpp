@@ -44,6 +44,9 @@ void find_groups(HiddenResult& result) {
     if (result.newell) {
         for (std::size_t step = 0; step < result.newell->steps.size(); ++step)
             if (draws(result.newell->steps[step])) ends.push_back(static_cast<int>(step) + 1);
+        // A record that is full ends within a polygon.
+        if (result.step_count > 0 && (ends.empty() || ends.back() < result.step_count))
+            ends.push_back(result.step_count);
     } else if (result.tree) {
         ends = {static_cast<int>(result.tree->nodes.size()), result.step_count};
     } else if (result.request.visibility.method == VisibilityMethod::ray_cast) {

@@ -110,7 +110,7 @@ TEST_F(StepGroups, TouchesAreTheStepsThatTestThePixel) {
                                               [&](const auto& a, const auto& b) { return tests_of(a) < tests_of(b); });
     params.visibility.pixel = glm::ivec2(most.x, most.y);
     const auto all = at(VisibilityMethod::software_depth_buffer, -1);
-    ASSERT_GT(all->touches.size(), 2U);
+    ASSERT_FALSE(all->touches.empty());
     std::vector<int> expected;
     for (int step = 1; step <= count; ++step) {
         const RasterStep& compare = compares[static_cast<std::size_t>(step - 1)];
