@@ -45,7 +45,7 @@ void choose_call(DrawLimit& limit, const std::vector<DrawCall>& calls, const Fra
                  float width) {
     const auto title = [&](int call) { return title_of(calls[static_cast<std::size_t>(call)], plan, scene); };
     const int count = static_cast<int>(calls.size());
-    const std::string all = say("all {count} draw calls", "count"_a = count);
+    const std::string all = say("all {count} calls", "count"_a = count);
     const bool shows_all = limit.call < 0 || limit.call >= count;
     if (widgets::BeginChoice("##call", shows_all ? all.c_str() : title(limit.call).c_str(), width)) {
         for (int call = -1; call < count; ++call) {
