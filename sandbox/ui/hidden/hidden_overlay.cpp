@@ -217,7 +217,7 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
     }
     if (!hidden.answer) return;
     const HiddenResult& result = *hidden.answer->camera;
-    draw_raster(overlay, result);
+    draw_raster_lines(overlay, result);
     if (session.params.visibility.numbers) numbers(overlay, result);
     draw_chosen_pixel(overlay, result);
     step_in_camera(overlay, result);
@@ -226,6 +226,7 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
         overlay.keep_labels_off(
             sentence_over_picture(overlay.draw(), overlay.rect(), palette().text, progress.c_str(), progress.c_str()));
     }
+    draw_raster_depths(overlay, result);
     if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
 }
 

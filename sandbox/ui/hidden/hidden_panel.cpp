@@ -152,7 +152,10 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     ImGui::SetCursorPosY(std::max(top + rows, ImGui::GetCursorPosY()));
     control(params, "visibility.numbers", {.label = marked("Numbers")});
     cancel_button(state, hidden);
-    if (!is_drawn_by_gl_alone(method)) draw_raster_row(params);
+    if (is_drawn_by_gl_alone(method))
+        ImGui::Dummy({0.0F, ImGui::GetFrameHeight()});
+    else
+        draw_raster_row(params);
     control(params, "visibility.compare_with",
             {.width = choice_width, .names = method_names, .label = marked("compare")});
     if (!result) return;

@@ -46,7 +46,7 @@ void draw_lines(ImDrawList* draw, const RasterPlaces& places, glm::ivec2 size) {
     draw->AddRect(whole.min, whole.max, palette().quiet, 0.0F, 0, px(1.2F));
 }
 
-void draw_depths(ImDrawList* draw, const RasterPlaces& places, const IdImage& image) {
+void draw_depths(const Overlay& overlay, const RasterPlaces& places, const IdImage& image) {
     const int decimals = decimals_in(places.of({0, 0}).width());
     if (decimals == 0) return;
     for (int y = 0; y < image.height; ++y)
@@ -55,8 +55,9 @@ void draw_depths(ImDrawList* draw, const RasterPlaces& places, const IdImage& im
             const std::string text = depth_digits(image.depths[image.index(x, y)], decimals);
             const ImVec2 size = digits_font()->CalcTextSizeA(digits_font()->FontSize, 1e9F, 0.0F, text.c_str());
             const ImVec2 middle = places.middle({x, y});
-            widgets::HaloText(draw, {std::round(middle.x - 0.5F * size.x), std::round(middle.y - 0.5F * size.y)},
-                              palette().text, text.c_str(), digits_font());
+            const ImVec2 at(std::round(middle.x - 0.5F * size.x), std::round(middle.y - 0.5F * size.y));
+            if (overlay.is_free({at, {at.x + size.x, at.y + size.y}}))
+                widgets::HaloText(overlay.draw(), at, palette().text, text.c_str(), digits_font());
         }
 }
 
@@ -64,6 +65,10 @@ void draw_depths(ImDrawList* draw, const RasterPlaces& places, const IdImage& im
 Rect ring_of(const Rect& pixel) {
     const float grow = std::max(0.0F, px(5.0F) - 0.5F * pixel.width());
     return {{pixel.min.x - grow, pixel.min.y - grow}, {pixel.max.x + grow, pixel.max.y + grow}};
+}
+
+bool shows_raster(const HiddenResult& result) {
+    return has_raster(result.request.visibility) && !result.image.ids.empty();
 }
 
 void draw_ring(ImDrawList* draw, const Rect& ring, ImU32 color) {
@@ -98,14 +103,16 @@ std::optional<glm::ivec2> RasterPlaces::pixel_at(ImVec2 place) const {
                         {result_.image.width, result_.image.height}, result_.request.share);
 }
 
-void draw_raster(Overlay& overlay, const HiddenResult& result) {
-    if (!has_raster(result.request.visibility) || result.image.ids.empty()) return;
-    const RasterPlaces places(overlay.rect(), result);
-    draw_lines(overlay.draw(), places, {result.image.width, result.image.height});
-    draw_depths(overlay.draw(), places, result.image);
+void draw_raster_lines(const Overlay& overlay, const HiddenResult& result) {
+    if (shows_raster(result))
+        draw_lines(overlay.draw(), RasterPlaces(overlay.rect(), result), {result.image.width, result.image.height});
 }
 
-void draw_pixel_of_step(const Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text) {
+void draw_raster_depths(const Overlay& overlay, const HiddenResult& result) {
+    if (shows_raster(result)) draw_depths(overlay, RasterPlaces(overlay.rect(), result), result.image);
+}
+
+void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text) {
     const Rect ring = ring_of(RasterPlaces(overlay.rect(), result).of(pixel)), &view = overlay.rect();
     draw_ring(overlay.draw(), ring, palette().accent);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
@@ -113,8 +120,9 @@ void draw_pixel_of_step(const Overlay& overlay, const HiddenResult& result, glm:
     const bool is_below = ring.max.y + gap + size.y + margin < view.max.y;
     const ImVec2 at(std::max(std::min(ring.max.x + gap, most_x), view.min.x + margin),
                     is_below ? ring.max.y + gap : ring.min.y - gap - size.y);
-    overlay.draw()->AddRectFilled({at.x - margin, at.y - 1.0F}, {at.x + size.x + margin, at.y + size.y + 1.0F},
-                                  with_alpha(palette().view_ground, 225), px(3.0F));
+    const Rect plate{{at.x - margin, at.y - 1.0F}, {at.x + size.x + margin, at.y + size.y + 1.0F}};
+    overlay.draw()->AddRectFilled(plate.min, plate.max, with_alpha(palette().view_ground, 225), px(3.0F));
+    overlay.keep_labels_off(plate);
     overlay.draw()->AddText(at, palette().text, text.c_str());
 }
 

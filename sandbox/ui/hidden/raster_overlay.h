@@ -28,12 +28,14 @@ private:
     const HiddenResult& result_;
 };
 
-/// The lines between pixels, and in each pixel its depth, in as many digits as there is room for; nothing where the
-/// pixels are those of the view.
-void draw_raster(Overlay& overlay, const HiddenResult& result);
+/// The lines between pixels; nothing where they are those of the view.
+void draw_raster_lines(const Overlay& overlay, const HiddenResult& result);
 
-/// The pixel that the step is at, with a sentence beside it.
-void draw_pixel_of_step(const Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
+/// In each pixel of a raster its depth, in as many digits as there is room for, but where labels are kept off.
+void draw_raster_depths(const Overlay& overlay, const HiddenResult& result);
+
+/// The pixel that the step is at, with a sentence beside it that labels are kept off.
+void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2 pixel, const std::string& text);
 
 /// The followed pixel.
 void draw_chosen_pixel(const Overlay& overlay, const HiddenResult& result);

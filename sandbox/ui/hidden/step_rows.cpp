@@ -160,8 +160,11 @@ void draw_raster_row(Params& params) {
 void draw_step_rows(Params& params, const HiddenResult& result) {
     const widgets::Group group("levels");
     int& step = params.visibility.step;
+    // As high whatever the method: what is below stays where it is while methods are compared.
+    const float bottom = ImGui::GetCursorPosY() + 3.0F * ImGui::GetFrameHeightWithSpacing();
     if (has_touches(result)) touch_row(step, result, params.visibility.pixel);
     if (const std::optional<StepPlace> place = place_of_step(result, step)) level_rows(step, result, *place);
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), bottom));
 }
 
 void draw_step_line(Params& params, const HiddenResult& result) {

@@ -9,7 +9,6 @@ namespace viewing {
 /// A switch for the small raster and its columns and rows.
 void draw_raster_row(Params& params);
 
-/// The step's group among all, the step within its group, and the steps that touch the followed pixel, each with
 /// The steps that touch the followed pixel, the step's group among all, and the step within its group, with buttons to
 /// the next and the one before. Groups are left out for a method whose steps are one level.
 void draw_step_rows(Params& params, const HiddenResult& result);

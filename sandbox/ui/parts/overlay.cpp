@@ -124,6 +124,13 @@ void Overlay::label(const glm::dvec3& point, const char* text, ImU32 color) {
     if (const auto place = project(point)) labels_.push_back({*place, text, color});
 }
 
+bool Overlay::is_free(const Rect& part) const {
+    return std::none_of(taken_.begin(), taken_.end(), [&part](const Rect& taken) {
+        return part.min.x < taken.max.x && taken.min.x < part.max.x && part.min.y < taken.max.y &&
+               taken.min.y < part.max.y;
+    });
+}
+
 bool Overlay::arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color) {
     const std::optional<ImVec2> place = project(point);
     if (place && rect_.contains(*place)) return false;

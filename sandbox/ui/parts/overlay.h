@@ -39,6 +39,7 @@ public:
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
     /// No label covers this part of the picture.
     void keep_labels_off(const Rect& taken) { taken_.push_back(taken); }
+    bool is_free(const Rect& part) const;
 
     ImDrawList* draw() const { return draw_; }
     const Rect& rect() const { return rect_; }

@@ -169,7 +169,9 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "epsilon": 1e-9,
     "exact_curves": false,
     "compare_with": "ray_cast",
-    "numbers": false
+    "numbers": false,
+    "raster": null,
+    "pixel": null
   },
   "view": {
     "shows": "color",
@@ -187,6 +189,7 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
       "mapping": "reversed"
     },
     "pixel": null,
+    "cells": null,
     "call": -1,
     "triangle": -1,
     "pass": -1,
