@@ -189,7 +189,8 @@ void draw_pixels_of(const HiddenResult& result) {
                       "written"_a = grouped_number(std::max<std::int64_t>(result.counters.pixels_written, 0))));
 }
 
-/// The order, and beside it the followed pixel's fragments; below it where there is no room beside it.
+/// The order, and beside it the followed pixel's fragments; below it where there is no room beside it, and nothing but
+/// the fragments in a low view.
 void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, const HiddenResult& result) {
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const float least = px(40.0F), gap = px(10.0F);
@@ -197,6 +198,7 @@ void draw_lists(OrderViewState& state, PolygonLinks& links, Params& params, cons
     if (!pixel || result.image.ids.empty())
         return draw_list(state, links, params, result, {0.0F, std::max(room.y, least)});
     const bool beside = room.x >= px(360.0F);
+    if (!beside && room.y < px(170.0F)) return draw_touches(links, params, result, {0.0F, std::max(room.y, least)});
     const ImVec2 each = beside ? ImVec2(std::floor(0.5F * (room.x - gap)), std::max(room.y, least))
                                : ImVec2(room.x, std::max(std::floor(0.5F * (room.y - gap)), least));
     ImGui::BeginChild("pixel", each);

@@ -73,7 +73,8 @@ void group_buttons(int& step, const HiddenResult& result, const char* previous_s
 
 /// `from` … `from + count` as a slider; true when it was moved.
 bool level_slider(const char* label, int& value, int least, int count) {
-    const std::string of = " / " + std::to_string(count);
+    constexpr int most_told = 999'999;  // beyond there is no room for both
+    const std::string of = count <= most_told ? " / " + std::to_string(count) : "";
     double shown = value;
     const widgets::NumberStyle style{.min = static_cast<double>(least),
                                      .max = static_cast<double>(std::max(count, least + 1)),

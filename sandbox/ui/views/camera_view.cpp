@@ -222,6 +222,10 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
 
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (!told.empty()) overlay.keep_labels_off(told);
+    if (has_divider) {  // what its sides are stands beside its upper end
+        const float middle = rect.min.x + static_cast<float>(beside.share) * rect.width(), half = px(220.0F);
+        overlay.keep_labels_off({{middle - half, rect.min.y}, {middle + half, rect.min.y + px(36.0F)}});
+    }
     state.method_pixel = over ? method_pixel_at(pictures.hidden, overlay, mouse) : std::nullopt;
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
