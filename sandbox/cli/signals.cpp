@@ -49,7 +49,7 @@ void end_faults_with_a_status() {
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;
     ::sigaction(SIGXFSZ, &ignore, nullptr);
-    if constexpr (VIEWING_IS_SANITIZED == 0) catch_faults();
+    if (VIEWING_IS_SANITIZED == 0) catch_faults();
 }
 
 }  // namespace viewing

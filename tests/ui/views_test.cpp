@@ -166,6 +166,40 @@ TEST_F(ViewsTest, AMaximisedObserverLetsGoOfItsHandle) {
     EXPECT_EQ(differing_fields(before, params), (Paths{"observer.yaw", "observer.pitch"}));
 }
 
+/// Where a point is seen in a picture of the camera's, whatever its aspect: the angle of view is the vertical one.
+ImVec2 seen_in(const Rect& rect, const Desk& desk, const glm::dvec3& point_world) {
+    const glm::dvec3 view = desk.derived.view_from_world * glm::dvec4(point_world, 1.0);
+    const double scale =
+        0.5 * rect.height() / (std::tan(glm::radians(0.5 * desk.session.params.projection.fovy)) * -view.z);
+    return {0.5F * (rect.min.x + rect.max.x) + static_cast<float>(scale * view.x),
+            0.5F * (rect.min.y + rect.max.y) - static_cast<float>(scale * view.y)};
+}
+
+TEST_F(ViewsTest, DepthPicturesAnswerThePointerWithTheCamerasPixel) {
+    const glm::dvec3 point(0.9, 0.4, 1.3);
+    const auto expect_pixel = [&](const Rect& rect, const char* what) {
+        ASSERT_FALSE(rect.empty()) << what;
+        const Rect camera = desk.layout().camera;
+        const ImVec2 there = seen_in(camera, desk, point);
+        ui.move_to(seen_in(rect, desk, point));
+        ui.frames(2);
+        const std::optional<glm::ivec2> told = desk.workbench.views.told_pixel;
+        ASSERT_TRUE(told) << what;
+        const double a_pixel_there = 1.5 * camera.height() / rect.height();
+        EXPECT_NEAR(told->x + 0.5, there.x - camera.min.x, a_pixel_there + 0.5) << what;
+        EXPECT_NEAR(told->y + 0.5, there.y - camera.min.y, a_pixel_there + 0.5) << what;
+    };
+    expect_pixel(desk.layout().camera, "the camera's picture");
+    expect_pixel(desk.layout().lower_right, "the depth buffer below");
+    params.view.beside.shows = Beside::depth;
+    params.view.beside.layout = BesideLayout::halves;
+    desk.settle();
+    expect_pixel(desk.layout().beside, "the depth half");
+    params.view.beside.shows = Beside::other_depth;
+    desk.settle();
+    expect_pixel(desk.layout().beside, "the half with another depth");
+}
+
 TEST_F(ViewsTest, AClickFollowsTheNearestVertexUntilItIsCleared) {
     const glm::dvec3 vertex = pick_small_box();
     ASSERT_TRUE(params.follow);

@@ -258,7 +258,8 @@ void draw_totals(const FightingReport& report) {
 /// A cure's button and, below it, what is counted with it: the share of the pairs' wrong pixels, and how many are wrong
 /// elsewhere.
 void draw_cure(Session& session, const FightingReport::Cured& cured, float width, bool is_behind) {
-    const auto& [cure, counts] = cured;
+    const Cure& cure = cured.cure;
+    const std::optional<FightingCounts>& counts = cured.counts;
     const bool is_so = cure.params == session.params;
     ImGui::BeginGroup();
     const float left = ImGui::GetCursorPosX();
