@@ -24,6 +24,10 @@ std::atomic<std::size_t> allocated_bytes{0};
     if (void* const memory = std::malloc(bytes)) return memory;
     throw std::bad_alloc();
 }
+[[gnu::noinline]] void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+    allocated_bytes += bytes;
+    return std::malloc(bytes);
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
