@@ -44,7 +44,7 @@ void StandIns::follow(const Scene& scene, int version) {
     }
     if (version == version_) return;
     version_ = version;
-    task_ = {};
+    task_.drop();
     scene_.reset();
     was_slow_ = false;
     if (std::none_of(scene.objects.begin(), scene.objects.end(), is_large)) return;

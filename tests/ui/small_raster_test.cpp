@@ -112,26 +112,21 @@ TEST_F(SmallZBuffer, ButtonsGoByTriangleAndByTouch) {
     const std::vector<int> ends = result().group_ends;
     std::vector<int> touches;
     for (const PixelTouch& touch : result().touches) touches.push_back(touch.step);
-    for (const int end : ends) {
-        desk.click("depth/levels/next group");
-        EXPECT_EQ(params.visibility.step, end);
-    }
-    EXPECT_FALSE(ui.find("depth/levels/next group").enabled);
-    for (std::size_t i = ends.size() - 1; i-- > 0;) {
-        desk.click("depth/levels/group before");
-        EXPECT_EQ(params.visibility.step, ends[i]);
-    }
+    const auto expect_forth_and_back = [&](const std::vector<int>& steps, const char* next, const char* previous) {
+        for (const int step : steps) {
+            desk.click(next);
+            EXPECT_EQ(params.visibility.step, step) << next;
+        }
+        EXPECT_FALSE(ui.find(next).enabled) << next;
+        for (std::size_t i = steps.size() - 1; i-- > 0;) {
+            desk.click(previous);
+            EXPECT_EQ(params.visibility.step, steps[i]) << previous;
+        }
+    };
+    expect_forth_and_back(ends, "depth/levels/next group", "depth/levels/group before");
     params.visibility.step = 0;
     desk.settle();
-    for (const int step : touches) {
-        desk.click("depth/levels/next touch");
-        EXPECT_EQ(params.visibility.step, step);
-    }
-    EXPECT_FALSE(ui.find("depth/levels/next touch").enabled);
-    for (std::size_t i = touches.size() - 1; i-- > 0;) {
-        desk.click("depth/levels/touch before");
-        EXPECT_EQ(params.visibility.step, touches[i]);
-    }
+    expect_forth_and_back(touches, "depth/levels/next touch", "depth/levels/touch before");
 }
 
 TEST_F(SmallZBuffer, TheOrdersOwnButtonsGoWhereThePanelsDo) {

@@ -6,6 +6,7 @@
 
 #include "text/numbers.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
 
 namespace viewing {
 namespace {
@@ -120,9 +121,8 @@ void draw_pixel_of_step(Overlay& overlay, const HiddenResult& result, glm::ivec2
     const bool is_below = ring.max.y + gap + size.y + margin < view.max.y;
     const ImVec2 at(std::max(std::min(ring.max.x + gap, most_x), view.min.x + margin),
                     is_below ? ring.max.y + gap : ring.min.y - gap - size.y);
-    const Rect plate{{at.x - margin, at.y - 1.0F}, {at.x + size.x + margin, at.y + size.y + 1.0F}};
-    overlay.draw()->AddRectFilled(plate.min, plate.max, with_alpha(palette().view_ground, 225), px(3.0F));
-    overlay.keep_labels_off(plate);
+    draw_plate(overlay.draw(), {at, {at.x + size.x, at.y + size.y}}, {margin, 1.0F});
+    overlay.keep_labels_off({{at.x - margin, at.y - 1.0F}, {at.x + size.x + margin, at.y + size.y + 1.0F}});
     overlay.draw()->AddText(at, palette().text, text.c_str());
 }
 
