@@ -1,0 +1,142 @@
+#include "lesson/targets.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+
+#include "state/fields.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// One kind of names and what may follow its colon; the kinds with a list of their own are added in target_names().
+struct Kind {
+    std::string_view kind;
+    std::span<const char* const> names;
+};
+
+constexpr const char* sections[] = {"camera", "slips", "projection", "visibility", "depth",
+                                    "light",  "plane", "shadow",     "observer"};
+constexpr const char* matrices[] = {"S", "R", "V", "C", "P"};
+constexpr const char* codes[] = {"display",
+                                 "display.projection",
+                                 "display.rotate",
+                                 "display.rotate.roll",
+                                 "display.rotate.pitch",
+                                 "display.rotate.yaw",
+                                 "display.translate",
+                                 "passes",
+                                 "lecture",
+                                 "lecture.shadow",
+                                 "lecture.mirror"};
+constexpr const char* charts[] = {"precision.near", "precision.far", "precision.quantisation", "precision.arithmetic"};
+constexpr const char* columns[] = {
+    "fighting.pair",      "fighting.z",         "fighting.gap",     "fighting.step",         "fighting.safe_gap",
+    "fighting.predicted", "fighting.trembling", "fighting.counted", "fighting.wrong_pixels", "pixel.object",
+    "pixel.eye_z",        "pixel.facing",       "pixel.stored",     "pixel.compare",         "pixel.test"};
+constexpr const char* facts[] = {"det_mirror", "det_shadow", "rank_shadow", "plane_dot_light"};
+constexpr const char* followed[] = {"p", "S p", "shadow", "mirrored", "foot", "distance"};
+constexpr const char* buttons[] = {"show C", "show V",    "normalise",  "copy",
+                                   "edit",   "mend",      "raise near", "lower near",
+                                   "home",   "frame all", "level",      "find a view where this key fails"};
+constexpr const char* texts[] = {"mirror_derivation",        "mirror_derivation.k",
+                                 "mirror_derivation.foot",   "mirror_derivation.mirrored",
+                                 "mirror_derivation.rows",   "mirror_derivation.matrix",
+                                 "shadow_derivation",        "shadow_derivation.lines",
+                                 "shadow_derivation.matrix", "unit normal"};
+constexpr const char* labels[] = {"mirrored", "heights"};
+constexpr const char* notes[] = {"depth_step"};
+constexpr const char* bars[] = {"pixel"};
+constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", codes},      {"chart", charts},
+                          {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
+                          {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
+/// What is said anywhere: red sentences, advice on z-near, formulas of tooltips, links between entries and controls.
+constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
+
+/// Fields that no control shows.
+constexpr const char* without_control[] = {"version", "overrides", "follow", "ui", "view.shows"};
+
+std::string group_of(std::string_view path) {
+    return std::string(path.substr(0, path.rfind('.')));
+}
+
+int component_count(const Field& field) {
+    const std::string_view type = type_name(field);
+    return type == "vec3" ? 3 : type == "vec4" ? 4 : 0;
+}
+
+/// "[2]" at the front of `rest`, which it takes away; none where there is no index below `count`.
+std::optional<int> take_index(std::string_view& rest, int count) {
+    if (rest.size() < 3 || rest[0] != '[' || rest[2] != ']' || rest[1] < '0' || rest[1] >= '0' + count)
+        return std::nullopt;
+    const int index = rest[1] - '0';
+    rest.remove_prefix(3);
+    return index;
+}
+
+/// How many indices a name may have behind it, and below what each must be.
+struct Indices {
+    int depth = 0, count = 0;
+};
+Indices indices_of(const std::string& name) {
+    constexpr std::string_view control = "control:", matrix = "matrix:";
+    if (name.starts_with(matrix)) return {2, 4};
+    if (!name.starts_with(control)) return {};
+    const Field* field = find_field(name.substr(control.size()));
+    const int components = field ? component_count(*field) : 0;
+    return {components > 0 ? 1 : 0, components};
+}
+
+std::string index_error(std::string_view name, const std::string& whole, const Indices& indices) {
+    const std::string most = std::to_string(indices.count - 1);
+    if (indices.depth == 0) return "\"" + one_line(name) + "\": " + whole + " has no entries";
+    return "\"" + one_line(name) + "\": " + whole + " may be followed by " +
+           (indices.depth == 2 ? "[row] or [row][column]" : "[component]") + ", each from 0 to " + most;
+}
+
+}  // namespace
+
+std::vector<std::string> target_names() {
+    std::vector<std::string> names;
+    const auto add = [&names](std::string name) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    };
+    for (const Field& field : fields()) {
+        const std::string path(field.path);
+        const bool is_shown = std::none_of(
+            std::begin(without_control), std::end(without_control),
+            [&path](const std::string_view out) { return path == out || path.starts_with(std::string(out) + "."); });
+        if (!is_shown) continue;
+        if (const std::string group = group_of(path); group != path) add("control:" + group);
+        add("control:" + path);
+    }
+    add("view:camera");
+    for (const char* topic : names_of<Topic>().subspan(1)) add(std::string("view:") + topic);
+    for (const Kind& kind : kinds)
+        for (const char* name : kind.names) add(std::string(kind.kind) + ":" + name);
+    for (const char* name : alone) add(name);
+    return names;
+}
+
+Result<std::string> read_target(std::string_view name) {
+    static const std::vector<std::string> known = target_names();
+    const std::string whole(name.substr(0, name.find('[')));
+    if (std::find(known.begin(), known.end(), whole) == known.end()) {
+        const std::string nearest = suggestion(whole, known);
+        if (!nearest.empty()) return Error{"\"" + one_line(name) + "\": nothing in the window has this name" + nearest};
+        std::string all = "control";
+        for (const Kind& kind : kinds) all += ", " + std::string(kind.kind);
+        return Error{"\"" + one_line(name) + "\": nothing in the window has this name; names begin with view, " + all +
+                     " and a colon, or are lamps, sentences, advice, formulas, links"};
+    }
+    const Indices indices = indices_of(whole);
+    std::string_view rest = name.substr(whole.size());
+    for (int depth = 0; depth < indices.depth && !rest.empty(); ++depth)
+        if (!take_index(rest, indices.count)) break;
+    if (!rest.empty()) return Error{index_error(name, whole, indices)};
+    return std::string(name);
+}
+
+}  // namespace viewing
