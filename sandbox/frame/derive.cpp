@@ -32,9 +32,10 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     derived.eye_world = seen_from[params.projection.type == ProjectionType::orthographic ? 2 : 3];
     derived.facts.view_residual = largest_entry(derived.view_from_world * derived.world_from_view - glm::dmat4(1.0));
 
-    const Lens lens = params.projection.lens();
+    const Lens lens = params.lens();
     const bool reversed = params.depth.mapping == DepthMapping::reversed;
-    derived.aspect = viewport.aspect();
+    derived.view_aspect = viewport.aspect();
+    derived.aspect = params.projection.aspect > 0.0 ? params.projection.aspect : derived.view_aspect;
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
     derived.clip_from_view = clip_from_view(lens, derived.aspect);
     if (reversed) {
@@ -51,7 +52,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     derived.facts.target_distance = std::clamp(-target_view.z, lens.near, lens.far);
     const DepthPrecision precision = precision_of(params.depth.format);
     Facts& facts = derived.facts;
-    facts.depth_step_at_target = depth_step(lens, params.depth.mapping, precision, facts.target_distance);
+    facts.depth_step_at_target = depth_step(params, facts.target_distance);
     facts.resolvable_step_at_target =
         resolvable_depth_step(lens, params.depth.mapping, precision, facts.target_distance);
 }
@@ -130,6 +131,10 @@ DepthPrecision precision_of(DepthFormat format) {
         default:
             return {4 + static_cast<int>(format), false};  // d4 … d12 stand first in the enumeration
     }
+}
+
+double depth_step(const Params& params, double z) {
+    return depth_step(params.lens(), params.depth.mapping, precision_of(params.depth.format), z);
 }
 
 Derived derive(const Params& params, const Scene& scene, const Viewport& viewport) {

@@ -62,7 +62,8 @@ struct DerivedPlane {
 };
 
 struct Derived {
-    double aspect = 1.0;
+    double aspect = 1.0;                       ///< of P
+    double view_aspect = 1.0;                  ///< of the picture, to which it is stretched
     glm::dmat4 world_from_view{1.0};           ///< C
     glm::dmat4 view_from_world{1.0};           ///< V, as uploaded (the slips included)
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
@@ -105,6 +106,10 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
 
 /// The precision of a depth format.
 DepthPrecision precision_of(DepthFormat format);
+
+/// The width in eye z of one stored code at the eye distance z, for this state's projection, mapping and format.
+/// Positive and finite; what is nearer than near counts as at near.
+double depth_step(const Params& params, double z);
 
 /// The eight corners of the view frustum in world space: near then far, each counter-clockwise from bottom left as the
 /// camera sees them. From the camera's pose and lens, so it shows where the camera is even while a slip breaks V.

@@ -16,6 +16,7 @@ struct DepthOffset {
 };
 
 struct DepthParams {
+    bool buffer = true;  ///< off: the window has none, as without GLUT_DEPTH
     bool test = true;
     CompareFunc func = CompareFunc::less;
     bool write = true;
@@ -32,6 +33,9 @@ struct DepthParams {
     bool reversed_clear = true;        ///< off: reversed depth is cleared to 1 as if it were standard
     bool reversed_offset = true;       ///< off: offsets keep their sign with reversed depth, and push away
     bool logarithm_per_vertex = false;
+
+    /// Whether anything is compared and written.
+    bool tests() const { return buffer && test; }
     bool operator==(const DepthParams&) const = default;
 };
 

@@ -31,7 +31,8 @@ template <> std::span<const char* const> names_of<DecalMethod>() { static conste
 template <> std::span<const char* const> names_of<DepthColors>() { static constexpr const char* names[] = {"grey", "bands"}; return names; }
 template <> std::span<const char* const> names_of<Beside>() { static constexpr const char* names[] = {"nothing", "depth", "other_depth"}; return names; }
 template <> std::span<const char* const> names_of<BesideLayout>() { static constexpr const char* names[] = {"halves", "divider"}; return names; }
-template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light"}; return names; }
+template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code"}; return names; }
+template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
 // clang-format on
@@ -195,7 +196,24 @@ const Field all_fields[] = {
      .formula = frustum_formula,
      .gl_call = "glm::perspective | glm::ortho"},
 
+    {.path = "projection.aspect",
+     .place = IN(projection.aspect),
+     .label = "aspect",
+     .min = 0,
+     .max = 10,
+     .step = 0.01,
+     .help = "The width of the picture in heights that the projection is made for; 0 is the view's own. With another "
+             "one, GL stretches the picture to the view: perspective(45, 1, …) is right in a square window only.",
+     .formula = "P₁₁ = P₂₂ / aspect",
+     .gl_call = "glm::perspective | glm::ortho"},
+
     // depth
+    {.path = "depth.buffer",
+     .place = IN(depth.buffer),
+     .label = "depth buffer",
+     .help = "Whether the window was asked for a depth buffer at all. Without one there is nothing to compare with: "
+             "the depth test passes always, whatever is set, and what is drawn last wins.",
+     .gl_call = "glutInitDisplayMode(… | GLUT_DEPTH)"},
     {.path = "depth.test",
      .place = IN(depth.test),
      .label = "depth test",
@@ -781,6 +799,15 @@ const Field all_fields[] = {
      .step = 1,
      .help = "The pixel of the camera view that the pixel and cell views tell about, from the top left one on; null is "
              "the one under the pointer."},
+    {.path = "view.pin",
+     .place = IN(view.pin),
+     .label = "pin",
+     .min = 0,
+     .max = 1,
+     .step = 0.01,
+     .help = "The pinned pixel by what lies there, so that it is the same place at every size: an object of the scene "
+             "and a fraction of its box in the picture, from the top left, left out for the middle of what is visible "
+             "of it; or without an object a fraction of the view. It goes before the pinned pixel; null is none."},
     {.path = "view.cells",
      .place = IN(view.cells),
      .label = "cells",
@@ -828,6 +855,25 @@ const Field all_fields[] = {
      .place = IN(view.lower_right),
      .label = "lower right",
      .help = "What the view below the camera's on the right shows; automatic goes by the hidden-surface method."},
+
+    {.path = "view.layout.big",
+     .place = IN(view.layout.big),
+     .label = "large",
+     .help = "What fills the place of all views: one of them, or the matrices; none shares it as usual."},
+    {.path = "view.layout.matrices",
+     .place = IN(view.layout.matrices),
+     .label = "matrices",
+     .help =
+         "The matrices that are shown, in this order: S, R, the followed point, V, C, P and the lecture's display(); "
+         "an empty list shows all as usual."},
+    {.path = "view.layout.controls",
+     .place = IN(view.layout.controls),
+     .label = "controls",
+     .help = "The controls that the panel shows, by the paths of fields and groups; an empty list shows all."},
+    {.path = "view.layout.folded",
+     .place = IN(view.layout.folded),
+     .label = "folded",
+     .help = "Which columns are folded away: the panel, the matrices."},
 
     // observer
     {.path = "observer.target",
@@ -907,6 +953,25 @@ const Field all_fields[] = {
      .help = "A famous slip: the camera's own matrix is sent where its inverse belongs, and everything moves the wrong "
              "way.",
      .formula = "C ≠ V = C⁻¹"},
+    {.path = "slips.degrees_as_radians",
+     .place = IN(slips.degrees_as_radians),
+     .label = "degrees as radians",
+     .help = "The slide's perspective(45, …): fovy's number of degrees is handed over where GLM takes radians. 45 "
+             "radians look like 58.3°, so the picture is believable.",
+     .formula = "P₂₂ = 1 / tan(fovy / 2), fovy read as radians",
+     .gl_call = "glm::perspective(45.f, …)"},
+    {.path = "slips.plus_2ab",
+     .place = IN(slips.plus_2ab),
+     .label = "+2ab in R",
+     .help = "A sign lost in the slide's expansion: row 2, column 1 of R is +2ab in place of −2ab. It shows where the "
+             "plane's normal has both an x and a y.",
+     .formula = "R₂₁ = −2ab"},
+    {.path = "slips.normal_not_unit",
+     .place = IN(slips.normal_not_unit),
+     .label = "n not divided by |n|",
+     .help = "R is filled from (a, b, c, d) as they are typed. The formula holds for a normal of length 1; with a "
+             "longer one points are thrown too far.",
+     .formula = mirror_formula},
 
     // animation
     {.path = "animation.jiggle",
@@ -950,6 +1015,11 @@ std::span<const Field> fields() {
     return all_fields;
 }
 
+std::string_view group_of(std::string_view path) {
+    const std::size_t dot = path.rfind('.');
+    return dot == std::string_view::npos ? "" : path.substr(0, dot);
+}
+
 std::vector<const Field*> fields_of(std::string_view group) {
     std::vector<const Field*> found;
     for (const Field& field : all_fields) {
@@ -958,6 +1028,20 @@ std::vector<const Field*> fields_of(std::string_view group) {
         }
     }
     return found;
+}
+
+std::vector<std::string> known_paths() {
+    std::vector<std::string> paths;
+    for (const Field& field : all_fields)
+        for (std::string_view path = field.path; !path.empty(); path = group_of(path))
+            if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.emplace_back(path);
+    return paths;
+}
+
+std::vector<std::string> allowed_names(const Field& field) {
+    if (field.path == "view.layout.matrices") return {"S", "R", "follow", "V", "C", "P", "display"};
+    if (field.path == "view.layout.folded") return {"panel", "matrices"};
+    return known_paths();
 }
 
 std::size_t element_count(const Field& field, const Params& params) {

@@ -45,7 +45,8 @@ struct FurtherOverrides {
 /// Where a field lives inside a Params.
 using FieldRef = std::variant<bool*, int*, double*, glm::dvec3*, glm::dvec4*, Color*, EnumRef, SceneSource*,
                               Further<LightParams>, Further<PlaneParams>, std::optional<glm::dmat4>*, FurtherOverrides,
-                              std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*>;
+                              std::optional<Follow>*, std::optional<glm::dvec2>*, std::optional<glm::ivec2>*,
+                              std::optional<Pin>*, std::vector<std::string>*>;
 
 struct Field {
     std::string_view path;  ///< "projection.near"
@@ -95,8 +96,23 @@ Range component_range(const Field& field, int component);
 std::string range_text(const Range& range);
 
 /// "bool", "int", "number", "vec3", "vec4", "color", "enum", "scene", "lights", "planes", "matrix",
-/// "matrices", "follow", "range", "pixel".
+/// "matrices", "follow", "range", "pixel", "pin", "names".
 std::string_view type_name(const Field& field);
+
+/// "projection" of "projection.near", "" of "scene".
+std::string_view group_of(std::string_view path);
+
+/// Paths of fields and of groups, in the order of the list.
+std::vector<std::string> known_paths();
+
+/// What a list of names may hold, each once.
+std::vector<std::string> allowed_names(const Field& field);
+
+/// One of them, to follow "must be".
+std::string allowed_name_text(const Field& field);
+
+/// Where the projection's aspect is neither 0 nor at least this, the picture would be a line.
+inline constexpr double min_aspect = 0.1;
 
 /// What the field accepts, to follow "must be": "a number from 1 to 179", "one of fly, walk, orbit" …
 std::string allowed_text(const Field& field);
@@ -131,6 +147,7 @@ template <> std::span<const char* const> names_of<DepthColors>();
 template <> std::span<const char* const> names_of<Beside>();
 template <> std::span<const char* const> names_of<BesideLayout>();
 template <> std::span<const char* const> names_of<Topic>();
+template <> std::span<const char* const> names_of<BigView>();
 template <> std::span<const char* const> names_of<Theme>();
 template <> std::span<const char* const> names_of<ShapeKind>();
 // clang-format on

@@ -20,7 +20,7 @@ std::string default_text(const Field& field) {
 bool has_range(const Field& field) {
     const std::string_view type = type_name(field);
     return type == "int" || type == "number" || type == "vec3" || type == "vec4" || type == "matrix" ||
-           type == "range" || type == "pixel";
+           type == "range" || type == "pixel" || type == "pin";
 }
 
 Json field_description(const Field& field) {
@@ -35,6 +35,9 @@ Json field_description(const Field& field) {
     const FieldRef value = field.in(defaults);
     if (const auto* choice = std::get_if<EnumRef>(&value)) {
         json["values"] = std::vector<std::string>(choice->names.begin(), choice->names.end());
+    }
+    if (std::holds_alternative<std::vector<std::string>*>(value)) {
+        json["values"] = allowed_names(field);
     }
     json["allowed"] = allowed_text(field);
     json["default"] = field_as_json(field, defaults);

@@ -38,6 +38,7 @@ struct CameraParams {
 struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
     double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
+    double aspect = 0.0;  ///< width : height that P is made for; 0: that of the view
 
     Lens lens() const { return {type == ProjectionType::orthographic, fovy, height, near, far}; }
     bool operator==(const ProjectionParams&) const = default;
@@ -73,13 +74,16 @@ struct ObserverParams {
     bool operator==(const ObserverParams&) const = default;
 };
 
-/// The five camera slips of facts: each a switch that breaks navigation or the view matrix.
+/// Famous slips: each a switch that breaks navigation or a matrix.
 struct SlipParams {
-    bool walk_slows = false;      ///< walking moves along the view direction, then sets the height back
-    bool creeping_roll = false;   ///< walking and orbiting turn yaw and pitch both about the camera's own axes
-    bool pole_flip = false;       ///< orbit uses a look-at with a fixed up and no limit on pitch
-    bool swapped_order = false;   ///< C = R T in place of T R
-    bool camera_as_view = false;  ///< uploads C where V belongs
+    bool walk_slows = false;          ///< walking moves along the view direction, then sets the height back
+    bool creeping_roll = false;       ///< walking and orbiting turn yaw and pitch both about the camera's own axes
+    bool pole_flip = false;           ///< orbit uses a look-at with a fixed up and no limit on pitch
+    bool swapped_order = false;       ///< C = R T in place of T R
+    bool camera_as_view = false;      ///< uploads C where V belongs
+    bool degrees_as_radians = false;  ///< P is given fovy's number of degrees where it takes radians
+    bool plus_2ab = false;            ///< row 2, column 1 of R is +2ab, as one line of the slide has it
+    bool normal_not_unit = false;     ///< R from (a, b, c, d) as they are typed, not divided by |n|
     bool operator==(const SlipParams&) const = default;
 };
 
@@ -123,6 +127,10 @@ struct Params {
     SlipParams slips;
     AnimationParams animation;
     UiParams ui;
+
+    /// What P is made of, the slip of degrees taken for radians included: an angle of view beyond ±180° turns the
+    /// picture upside down and is negative here.
+    Lens lens() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }
 

@@ -23,6 +23,9 @@ Overloaded(Handlers...) -> Overloaded<Handlers...>;
 bool is_light(const Field& field) {
     return field.path == "light.position";
 }
+bool is_aspect(const Field& field) {
+    return field.path == "projection.aspect";
+}
 bool is_samples(const Field& field) {
     return field.path == "view.samples";
 }
@@ -80,6 +83,17 @@ void mend_span(std::optional<glm::dvec2>& span, const Field& field) {
     }
 }
 
+/// Too narrow an aspect goes to the nearer one of the view's own and the narrowest.
+void mend_aspect(double& aspect) {
+    if (aspect > 0.0 && aspect < min_aspect) aspect = aspect < min_aspect / 2.0 ? 0.0 : min_aspect;
+}
+
+void mend_pin(std::optional<Pin>& pin, const Field& field) {
+    if (!pin) return;
+    if (pin->at) mend_vector(*pin->at, glm::dvec2(0.5), field);
+    if (*pin == Pin{}) pin.reset();
+}
+
 /// What belongs to planes and lights that are not there goes.
 void mend_overrides(Params& params) {
     for (std::size_t plane = 0; plane < most_planes; ++plane) {
@@ -107,7 +121,10 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
                            *value = *value >= 2 ? 4 : 0;
                        }
                    },
-                   [&](double* value) { *value = mended(*value, *std::get<double*>(fallback), field, 0); },
+                   [&](double* value) {
+                       *value = mended(*value, *std::get<double*>(fallback), field, 0);
+                       if (is_aspect(field)) mend_aspect(*value);
+                   },
                    [&](glm::dvec3* value) { mend_vector(*value, *std::get<glm::dvec3*>(fallback), field); },
                    [&](glm::dvec4* value) { mend_vector(*value, *std::get<glm::dvec4*>(fallback), field); },
                    [&](std::optional<glm::dvec2>* value) { mend_span(*value, field); },
@@ -116,6 +133,7 @@ void mend_field(const Field& field, Params& params, std::size_t element) {
                            **value = glm::clamp(**value, glm::ivec2(static_cast<int>(field.min)),
                                                 glm::ivec2(static_cast<int>(field.max)));
                    },
+                   [&](std::optional<Pin>* value) { mend_pin(*value, field); },
                    [](auto&&) {},
                },
                field.in(params, element));
@@ -143,11 +161,19 @@ Range component_range(const Field& field, int component) {
 }
 
 std::string_view type_name(const Field& field) {
-    static constexpr std::string_view names[] = {"bool",   "int",      "number", "vec3",   "vec4",
-                                                 "color",  "enum",     "scene",  "lights", "planes",
-                                                 "matrix", "matrices", "follow", "range",  "pixel"};
+    static constexpr std::string_view names[] = {"bool",   "int",   "number", "vec3",   "vec4",   "color",
+                                                 "enum",   "scene", "lights", "planes", "matrix", "matrices",
+                                                 "follow", "range", "pixel",  "pin",    "names"};
     static_assert(std::size(names) == std::variant_size_v<FieldRef>);
     return names[default_ref(field).index()];
+}
+
+std::string allowed_name_text(const Field& field) {
+    const std::vector<std::string> allowed = allowed_names(field);
+    if (allowed == known_paths()) return "the path of a field or group";
+    std::string all;
+    for (const std::string& name : allowed) all += (all.empty() ? "one of " : ", ") + name;
+    return all;
 }
 
 std::string allowed_text(const Field& field) {
@@ -160,7 +186,9 @@ std::string allowed_text(const Field& field) {
                        : field.min == field.max ? format_number(field.min)
                                                 : "a whole number " + range;
             },
-            [&](double*) -> std::string { return "a number " + range; },
+            [&](double*) -> std::string {
+                return is_aspect(field) ? "0 or a number " + range_text({min_aspect, field.max}) : "a number " + range;
+            },
             [&](glm::dvec3*) -> std::string { return "three numbers [x, y, z], each " + range; },
             [&](glm::dvec4*) -> std::string {
                 return is_light(field) ? "four numbers [x, y, z, w], x, y and z " + range + ", w from 0 to 1"
@@ -188,6 +216,12 @@ std::string allowed_text(const Field& field) {
             },
             [&](std::optional<glm::ivec2>*) -> std::string {
                 return "null or two whole numbers [x, y], each " + range;
+            },
+            [&](std::optional<Pin>*) -> std::string {
+                return "null, {\"object\": name, \"at\": [u, v]}, or either of the two alone, u and v " + range;
+            },
+            [&](std::vector<std::string>*) -> std::string {
+                return "an array, each of it once and " + allowed_name_text(field);
             },
         },
         default_ref(field));

@@ -12,26 +12,8 @@ namespace {
 
 constexpr std::string_view scene_must_be = "a scene's name, a path, or an object with \"objects\"";
 
-std::string_view parent_of(std::string_view path) {
-    const std::size_t dot = path.rfind('.');
-    return dot == std::string_view::npos ? "" : path.substr(0, dot);
-}
-
 std::string_view last_of(std::string_view path) {
     return path.substr(path.rfind('.') + 1);
-}
-
-/// The paths of all fields and all groups.
-std::vector<std::string> known_paths() {
-    std::vector<std::string> paths;
-    for (const Field& field : fields()) {
-        for (std::string_view path = field.path; !path.empty(); path = parent_of(path)) {
-            if (std::find(paths.begin(), paths.end(), path) == paths.end()) {
-                paths.emplace_back(path);
-            }
-        }
-    }
-    return paths;
 }
 
 template <typename Vector>
@@ -71,6 +53,55 @@ Follow read_follow(const Json& value, const Field& field, const Where& where) {
         where.key("object").refuse("is missing: the name of an object of the scene");
     }
     return follow;
+}
+
+/// A place in a picture as fractions of its width and height.
+glm::dvec2 read_fraction(const Json& value, const Field& field, const Where& where) {
+    if (!value.is_array() || value.size() != 2) {
+        refuse_value(value, where, "two numbers [u, v], each " + range_text({field.min, field.max}));
+    }
+    glm::dvec2 fraction;
+    for (int i = 0; i < 2; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        fraction[i] = read_number(value[index], where.at(index), {field.min, field.max});
+    }
+    return fraction;
+}
+
+Pin read_pin(const Json& value, const Field& field, const Where& where) {
+    static const std::vector<std::string> keys = {"object", "at"};
+    require_object(value, where, allowed_text(field));
+    Pin pin;
+    for (const auto& [key, member] : value.items()) {
+        require_known_key(key, where, keys);
+        if (key == "object") {
+            pin.object = read_name(member, where.key(key));
+        } else if (!member.is_null()) {
+            pin.at = read_fraction(member, field, where.key(key));
+        }
+    }
+    if (pin == Pin{}) {
+        refuse_value(value, where, allowed_text(field));
+    }
+    return pin;
+}
+
+std::vector<std::string> read_names(const Json& value, const Field& field, const Where& where) {
+    const std::vector<std::string> allowed = allowed_names(field);
+    require_array(value, where, allowed.size(), allowed_text(field));
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string name = read_name(value[i], where.at(i));
+        if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
+            where.at(i).refuse("must be " + allowed_name_text(field) + ", got " + describe(value[i]) +
+                               suggestion(name, allowed));
+        }
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            where.at(i).refuse(describe(value[i]) + " stands in the list twice");
+        }
+        names.push_back(name);
+    }
+    return names;
 }
 
 /// One of the lights or planes of a list; what the object leaves out keeps its default.
@@ -143,7 +174,13 @@ struct FieldReader {
         }
         *target = read_whole(value, where, static_cast<int>(field.min), static_cast<int>(field.max));
     }
-    void operator()(double* target) const { *target = read_number(value, where, component_range(field, 0)); }
+    void operator()(double* target) const {
+        const double number = read_number(value, where, component_range(field, 0));
+        if (field.path == "projection.aspect" && number > 0.0 && number < min_aspect) {
+            refuse_value(value, where, allowed_text(field));
+        }
+        *target = number;
+    }
     void operator()(glm::dvec3* target) const { read_vector(*target, field, value, where); }
     void operator()(glm::dvec4* target) const { read_vector(*target, field, value, where); }
     void operator()(Color* target) const { *target = read_color(value, where); }
@@ -207,6 +244,13 @@ struct FieldReader {
             *target = read_pixel(value, field, where);
         }
     }
+    void operator()(std::optional<Pin>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_pin(value, field, where);
+        }
+    }
+    void operator()(std::vector<std::string>* target) const { *target = read_names(value, field, where); }
 };
 
 void check_light(const glm::dvec4& position, const Where& where) {
@@ -294,10 +338,10 @@ void refuse_unknown(const Where& where) {
     if (is_near(distance(*nearest), word.size())) {
         where.refuse("no such field; did you mean " + *nearest + "?");
     }
-    const std::string_view group = is_group(parent_of(where.path)) ? parent_of(where.path) : "";
+    const std::string_view group = is_group(group_of(where.path)) ? group_of(where.path) : "";
     std::string all;
     for (const std::string& path : known) {
-        if (parent_of(path) == group) {
+        if (group_of(path) == group) {
             all += (all.empty() ? "" : ", ") + std::string(last_of(path));
         }
     }

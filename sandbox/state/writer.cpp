@@ -68,6 +68,14 @@ struct FieldWriter {
     Json operator()(const std::optional<glm::ivec2>* pixel) const {
         return *pixel ? Json{(*pixel)->x, (*pixel)->y} : Json(nullptr);
     }
+    Json operator()(const std::optional<Pin>* pin) const {
+        if (!*pin) return nullptr;
+        Json object = Json::object();
+        if (!(*pin)->object.empty()) object["object"] = (*pin)->object;
+        if ((*pin)->at) object["at"] = Json{(*pin)->at->x, (*pin)->at->y};
+        return object;
+    }
+    Json operator()(const std::vector<std::string>* names) const { return *names; }
 };
 
 }  // namespace

@@ -1,45 +1,46 @@
 #include "ui/matrices/display_code.h"
 
-#include <string>
+#include <algorithm>
+#include <cfloat>
 
-#include "text/numbers.h"
+#include "frame/display_code.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_window.h"
 
 namespace viewing {
+namespace {
 
-using widgets::Role;
+ImU32 color_of(const DisplayLine& line) {
+    return line.moves_world ? palette().of(widgets::Role::camera) : palette().text;
+}
+
+}  // namespace
 
 void draw_display_code(const Params& params, const Derived& derived) {
-    const CameraParams& camera = params.camera;
-    const ProjectionParams& projection = params.projection;
-    const widgets::Context& context = widgets::CurrentContext();
-    const auto line = [&](Role role, const std::string& code) {
-        ImGui::PushFont(context.fonts.small_number);
-        ImGui::PushStyleColor(ImGuiCol_Text, role == Role::none ? context.palette.text : context.palette.of(role));
-        ImGui::TextUnformatted(code.c_str());
+    ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
+    for (const DisplayLine& line : display_lines(params, derived)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, color_of(line));
+        ImGui::TextUnformatted(line.code.c_str());
         ImGui::PopStyleColor();
-        ImGui::PopFont();
-    };
-    // 0 − x, since −x would print a zero as −0.
-    const auto opposite = [](double value, int decimals) { return plain_decimals(0.0 - value, decimals); };
-    const std::string range = plain_decimals(projection.near, 3) + ", " + plain_decimals(projection.far, 1) + ");";
-    const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
+    }
+    ImGui::PopFont();
+}
 
-    line(Role::none, "void display() {");
-    if (projection.type == ProjectionType::perspective)
-        line(Role::none, "  P = perspective(radians(" + plain_decimals(projection.fovy, 1) + "),\n      " +
-                             plain_decimals(derived.aspect, 3) + ", " + range);
-    else
-        line(Role::none, "  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) +
-                             ",\n      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) +
-                             ", " + range);
-    line(Role::none, "  V = mat4(1);  // move the world instead:");
-    line(Role::camera, "  W = rotate(radians(" + opposite(camera.roll, 1) + "), z)  // −roll");
-    line(Role::camera, "    * rotate(radians(" + opposite(camera.pitch, 1) + "), x)  // −pitch");
-    line(Role::camera, "    * rotate(radians(" + opposite(camera.yaw, 1) + "), y)  // −heading");
-    line(Role::camera, "    * translate(" + opposite(camera.position.x, 2) + ", " + opposite(camera.position.y, 2) +
-                           ", " + opposite(camera.position.z, 2) + ");");
-    line(Role::none, "  drawObjects();  // with P V W\n}");
+void draw_display_code_view(const Params& params, const Derived& derived, const Rect& rect) {
+    const ViewWindow window("display code", rect);
+    const std::vector<DisplayLine> lines = display_lines(params, derived);
+    const ImFont* const font = widgets::CurrentContext().fonts.number;
+    float longest = 1.0F;  // in units of the font's size
+    for (const DisplayLine& line : lines)
+        longest = std::max(longest, font->CalcTextSizeA(1.0F, FLT_MAX, 0.0F, line.code.c_str()).x);
+    constexpr float spacing = 1.3F, largest = 3.0F;
+    const float margin = px(12.0F), rows = static_cast<float>(lines.size()) * spacing;
+    const float size = std::min(
+        {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize});
+    for (std::size_t row = 0; row < lines.size(); ++row) {
+        const ImVec2 at(rect.min.x + margin, rect.min.y + margin + size * spacing * static_cast<float>(row));
+        ImGui::GetWindowDrawList()->AddText(font, size, at, color_of(lines[row]), lines[row].code.c_str());
+    }
 }
 
 }  // namespace viewing

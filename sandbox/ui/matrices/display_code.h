@@ -1,11 +1,15 @@
-// The lecture's display() with the numbers of a camera: part of the matrices' column.
+// The lecture's display() with the numbers of a camera: a part of the matrices' column, and a view of its own.
 #pragma once
 
 #include "frame/derive.h"
+#include "ui/parts/layout.h"
 
 namespace viewing {
 
-/// As it would read for this camera, with the two slips of the slide put right.
+/// Below one another, where the window stands.
 void draw_display_code(const Params& params, const Derived& derived);
+
+/// As large as there is room for.
+void draw_display_code_view(const Params& params, const Derived& derived, const Rect& rect);
 
 }  // namespace viewing

@@ -56,7 +56,8 @@ std::span<const char* const> topic_names() {
                                             marked("Mirror, derived"),
                                             marked("The lecture's code"),
                                             marked("Mirror, four ways"),
-                                            marked("Seen from the light")};
+                                            marked("Seen from the light"),
+                                            marked("The lecture's display()")};
     return names;
 }
 

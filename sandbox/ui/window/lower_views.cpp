@@ -8,6 +8,7 @@
 #include "ui/depth/fighting_view.h"
 #include "ui/depth/pixel_view.h"
 #include "ui/depth/precision_view.h"
+#include "ui/matrices/display_code.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_views.h"
@@ -40,7 +41,8 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         "What this view shows",
         "The observer, who sees the camera from outside, and what the light sees; the world moving while the camera "
         "stays; the depth buffer and what can be told of it: histogram, precision, codes, one pixel, a block of them, "
-        "depth fighting; shadow and mirror as the lecture derives and codes them, and four ways to mirror; the frame "
+        "depth fighting; the lecture's display(); shadow and mirror as the lecture derives and codes them, and four "
+        "ways to mirror; the frame "
         "as GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
     if (!is_alone) return;
@@ -150,6 +152,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
             return draw_mirror_ways_view(session, rect, pictures.mirror_ways);
         case Topic::from_light:
             return draw_light_view(derived, rect, picture);
+        case Topic::display_code:
+            return draw_display_code_view(session.params, derived, rect);
         default:
             break;
     }

@@ -168,6 +168,23 @@ TEST(BadStates, WrongTypes) {
         {R"({"follow": {}})", "follow.object", "is missing"},
         {R"({"follow": {"object": "box", "vertex": -1}})", "follow.vertex", "whole number from 0"},
         {R"({"follow": {"object": "box", "vertex": 0.5}})", "follow.vertex", "whole number"},
+        {R"({"view": {"pin": {}}})", "view.pin", "must be null, {\"object\": name"},
+        {R"({"view": {"pin": [1, 2]}})", "view.pin", "must be null, {\"object\": name"},
+        {R"({"view": {"pin": {"object": ""}}})", "view.pin.object", "must not be empty"},
+        {R"({"view": {"pin": {"place": "box"}}})", "view.pin.place", "allowed here: object, at"},
+        {R"({"view": {"pin": {"at": [0.5]}}})", "view.pin.at", "two numbers [u, v], each from 0 to 1"},
+        {R"({"view": {"pin": {"at": [0.5, 1.5]}}})", "view.pin.at[1]", "a number from 0 to 1"},
+        {R"({"view": {"layout": {"matrices": "V"}}})", "view.layout.matrices", "an array, each of it once and one of"},
+        {R"({"view": {"layout": {"matrices": ["V", "W"]}}})", "view.layout.matrices[1]",
+         "must be one of S, R, follow, V, C, P, display, got the text \"W\""},
+        {R"({"view": {"layout": {"matrices": ["V", "V"]}}})", "view.layout.matrices[1]", "stands in the list twice"},
+        {R"({"view": {"layout": {"matrices": [4]}}})", "view.layout.matrices[0]", "must be a text"},
+        {R"({"view": {"layout": {"controls": ["projection.naer"]}}})", "view.layout.controls[0]",
+         "must be the path of a field or group, got the text \"projection.naer\"; did you mean projection.near?"},
+        {R"({"view": {"layout": {"folded": ["camera"]}}})", "view.layout.folded[0]", "must be one of panel, matrices"},
+        {R"({"view": {"layout": {"big": "lower"}}})", "view.layout.big", "must be one of none, camera, lower_left"},
+        {R"({"projection": {"aspect": 0.05}})", "projection.aspect", "must be 0 or a number from 0.1 to 10"},
+        {R"({"projection": {"aspect": 11}})", "projection.aspect", "must be a number from 0 to 10"},
     });
 }
 

@@ -24,6 +24,8 @@ constexpr std::string_view contract_paths[] = {
     "projection.height",
     "projection.near",
     "projection.far",
+    "projection.aspect",
+    "depth.buffer",
     "depth.test",
     "depth.func",
     "depth.write",
@@ -109,6 +111,7 @@ constexpr std::string_view contract_paths[] = {
     "view.beside.format",
     "view.beside.mapping",
     "view.pixel",
+    "view.pin",
     "view.cells",
     "view.call",
     "view.triangle",
@@ -116,6 +119,10 @@ constexpr std::string_view contract_paths[] = {
     "view.derivation_step",
     "view.lower_left",
     "view.lower_right",
+    "view.layout.big",
+    "view.layout.matrices",
+    "view.layout.controls",
+    "view.layout.folded",
     "observer.target",
     "observer.yaw",
     "observer.pitch",
@@ -128,6 +135,9 @@ constexpr std::string_view contract_paths[] = {
     "slips.pole_flip",
     "slips.swapped_order",
     "slips.camera_as_view",
+    "slips.degrees_as_radians",
+    "slips.plus_2ab",
+    "slips.normal_not_unit",
     "animation.jiggle",
     "animation.light_orbit",
     "animation.light_speed",
@@ -179,6 +189,7 @@ TEST(Fields, EnumsHaveTheContractsNames) {
     EXPECT_EQ(names("view.beside.layout"), (Names{"halves", "divider"}));
     EXPECT_EQ(names("view.beside.format"), names("depth.format"));
     EXPECT_EQ(names("depth.decals"), (Names{"offset", "equal", "stencil"}));
+    EXPECT_EQ(names("view.layout.big"), (Names{"none", "camera", "lower_left", "lower_right", "matrices"}));
     EXPECT_EQ(names("ui.theme"), (Names{"dark", "light", "projector"}));
 }
 
@@ -319,6 +330,16 @@ TEST(Clamp, PutsNumbersBackIntoTheirRanges) {
     EXPECT_EQ(params.observer.pitch, -90.0);
     EXPECT_EQ(params.camera.position.x, 3.9);
     EXPECT_EQ(params.projection.height, 1e4);
+}
+
+// Between 0 and the least aspect there is nothing: a drag jumps over it.
+TEST(Clamp, JumpsOverAspectsThatAreTooNarrow) {
+    for (const auto& [dragged, mended] : {std::pair(-1.0, 0.0), {0.04, 0.0}, {0.06, 0.1}, {0.1, 0.1}, {99.0, 10.0}}) {
+        Params params;
+        params.projection.aspect = dragged;
+        clamp_to_ranges(params);
+        EXPECT_EQ(params.projection.aspect, mended) << dragged;
+    }
 }
 
 TEST(Clamp, WrapsAnglesByWholeTurns) {

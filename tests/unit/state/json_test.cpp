@@ -33,7 +33,10 @@ TEST(State, ReadsEveryKindOfField) {
         "planes": [{"equation": [0, 0, 2, 1], "mirrors": false}],
         "shadow": {"color": "#0A0b0C"}, "reflection": {"bounces": 2.0},
         "overrides": {"mirror_from_world": [[1,2,3,4],[5,6,7,8],[9,10,11,12],[13,14,15,16]]},
-        "follow": {"object": "box", "vertex": 3}, "view": {"samples": 0}
+        "follow": {"object": "box", "vertex": 3},
+        "view": {"samples": 0, "pin": {"object": "torus", "at": [0.25, 1]},
+                 "layout": {"big": "lower_left", "matrices": ["display", "V"],
+                            "controls": ["camera", "projection.near"], "folded": ["panel"]}}
     })");
     EXPECT_EQ(std::get<std::string>(params.scene), "teapot");
     EXPECT_EQ(params.camera.position, glm::dvec3(1, 2.5, -300));
@@ -60,6 +63,9 @@ TEST(State, ReadsEveryKindOfField) {
     EXPECT_FALSE(params.overrides[0].shadowed_world_from_world[0]);
     EXPECT_EQ(params.follow, (Follow{"box", 3}));
     EXPECT_EQ(params.view.samples, 0);
+    EXPECT_EQ(params.view.pin, (Pin{"torus", glm::dvec2(0.25, 1.0)}));
+    EXPECT_EQ(params.view.layout,
+              (LayoutParams{BigView::lower_left, {"display", "V"}, {"camera", "projection.near"}, {"panel"}}));
 }
 
 TEST(State, WritesTheContractsFileForTheDefaults) {
@@ -79,9 +85,11 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "fovy": 40,
     "height": 6,
     "near": 0.5,
-    "far": 40
+    "far": 40,
+    "aspect": 0
   },
   "depth": {
+    "buffer": true,
     "test": true,
     "func": "less",
     "write": true,
@@ -189,13 +197,20 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
       "mapping": "reversed"
     },
     "pixel": null,
+    "pin": null,
     "cells": null,
     "call": -1,
     "triangle": -1,
     "pass": -1,
     "derivation_step": -1,
     "lower_left": "automatic",
-    "lower_right": "automatic"
+    "lower_right": "automatic",
+    "layout": {
+      "big": "none",
+      "matrices": [],
+      "controls": [],
+      "folded": []
+    }
   },
   "observer": {
     "target": [0, 1, 1],
@@ -211,7 +226,10 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
     "creeping_roll": false,
     "pole_flip": false,
     "swapped_order": false,
-    "camera_as_view": false
+    "camera_as_view": false,
+    "degrees_as_radians": false,
+    "plus_2ab": false,
+    "normal_not_unit": false
   },
   "animation": {
     "jiggle": false,

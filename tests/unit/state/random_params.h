@@ -86,6 +86,7 @@ private:
                               : whole(static_cast<int>(field.min), static_cast<int>(field.max));
         } else if (const auto* value_double = std::get_if<double*>(&ref)) {
             **value_double = number(field, 0);
+            if (field.path == "projection.aspect" && **value_double < min_aspect) **value_double = 0.0;
         } else if (const auto* vec3 = std::get_if<glm::dvec3*>(&ref)) {
             **vec3 = vector<glm::dvec3>(field);
         } else if (const auto* vec4 = std::get_if<glm::dvec4*>(&ref)) {
@@ -125,6 +126,15 @@ private:
                 const int least = static_cast<int>(field.min), most = static_cast<int>(field.max);
                 **pixel = glm::ivec2(whole(least, most), whole(least, most));
             }
+        } else if (const auto* pin = std::get_if<std::optional<Pin>*>(&ref)) {
+            (*pin)->reset();
+            const glm::dvec2 at(uniform(0.0, 1.0), uniform(0.0, 1.0));
+            const Pin kinds[] = {{"box \"1\"", {}}, {"box", at}, {"", at}};
+            if (coin()) **pin = kinds[whole(0, 2)];
+        } else if (const auto* names = std::get_if<std::vector<std::string>*>(&ref)) {
+            **names = allowed_names(field);
+            std::shuffle((*names)->begin(), (*names)->end(), random_);
+            (*names)->resize(static_cast<std::size_t>(whole(0, static_cast<int>((*names)->size()))));
         }
     }
 

@@ -1,0 +1,68 @@
+#include "frame/display_code.h"
+
+#include <algorithm>
+
+#include "text/numbers.h"
+
+namespace viewing {
+namespace {
+
+/// One of the factors of W, from left to right.
+struct Factor {
+    std::string code, comment;
+};
+
+/// W: V of this state, taken apart. `sign` is −1 for what undoes the camera, 1 where C itself is sent.
+std::vector<Factor> factors_of(const Params& params) {
+    const bool is_camera_itself = params.slips.camera_as_view;
+    const double sign = is_camera_itself ? 1.0 : -1.0;
+    const char* const minus = is_camera_itself ? "" : "−";
+    // 0 + x, since −1 · 0 would print as −0.
+    const auto number = [sign](double value, int decimals) { return plain_decimals(0.0 + sign * value, decimals); };
+    const CameraParams& camera = params.camera;
+    const auto turn = [&](double angle_deg, const char* axis, const char* name) -> Factor {
+        return {"rotate(radians(" + number(angle_deg, 1) + "), " + axis + ")", std::string(minus) + name};
+    };
+    std::vector<Factor> turns = {turn(camera.yaw, "y", "heading"), turn(camera.pitch, "x", "pitch"),
+                                 turn(camera.roll, "z", "roll")};
+    const Factor move = {"translate(" + number(camera.position.x, 2) + ", " + number(camera.position.y, 2) + ", " +
+                             number(camera.position.z, 2) + ")",
+                         ""};
+    const bool moves_last = params.slips.swapped_order;  // C = R T in place of T R
+    turns.insert(moves_last ? turns.end() : turns.begin(), move);
+    if (!is_camera_itself) std::reverse(turns.begin(), turns.end());
+    return turns;
+}
+
+}  // namespace
+
+std::vector<DisplayLine> display_lines(const Params& params, const Derived& derived) {
+    const ProjectionParams& projection = params.projection;
+    const std::string range = plain_decimals(projection.near, 3) + ", " + plain_decimals(projection.far, 1) + ");";
+    const double half_width = projection.height * derived.aspect * 0.5, half_height = projection.height * 0.5;
+
+    std::vector<DisplayLine> lines = {{"void display() {"}};
+    if (projection.type == ProjectionType::perspective) {
+        const std::string degrees = plain_decimals(projection.fovy, 1);
+        const std::string angle = params.slips.degrees_as_radians ? degrees : "radians(" + degrees + ")";
+        lines.push_back({"  P = perspective(" + angle + ","});
+        lines.push_back({"      " + plain_decimals(derived.aspect, 3) + ", " + range});
+    } else {
+        lines.push_back({"  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) + ","});
+        lines.push_back(
+            {"      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) + ", " + range});
+    }
+    lines.push_back({"  V = mat4(1);  // move the world instead:"});
+    const std::vector<Factor> factors = factors_of(params);
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const std::string& comment = factors[i].comment;
+        lines.push_back({(i == 0 ? "  W = " : "    * ") + factors[i].code + (i + 1 == factors.size() ? ";" : "") +
+                             (comment.empty() ? "" : "  // " + comment),
+                         true});
+    }
+    lines.push_back({"  drawObjects();  // with P V W"});
+    lines.push_back({"}"});
+    return lines;
+}
+
+}  // namespace viewing
