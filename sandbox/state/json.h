@@ -19,8 +19,10 @@ Result<Params> parse_state(std::string_view json, std::string_view source);
 std::string write_state(const Params& params);
 
 /// Applies PATH=VALUE in order. A PATH may name a leaf (projection.near), a group (camera={"yaw":3}: the
-/// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string.
-Result<Params> apply_settings(Params params, std::span<const std::string> settings);
+/// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string. `source` opens every
+/// message.
+Result<Params> apply_settings(Params params, std::span<const std::string> settings,
+                              const std::string& source = "--set ");
 
 /// The setting that gives a field its default: "depth.func" → "depth.func=less".
 std::string default_setting(std::string_view path);

@@ -9,8 +9,6 @@ namespace viewing {
 
 namespace {
 
-constexpr std::string_view prefix = "--set ";
-
 /// VALUE is JSON, else a string.
 Json value_of(const std::string& text, const Where& where) {
     try {
@@ -67,10 +65,11 @@ Json& member(Json& value, std::string_view& rest, Where& where) {
 }
 
 /// Changes a part of a field's value and reads the whole field again, so that the same rules hold.
-void set_part(const Field& field, std::string_view rest, const Json& value, Params& params) {
+void set_part(const Field& field, std::string_view rest, const Json& value, Params& params,
+              const std::string& prefix) {
     Json whole = field_as_json(field, params);
     Json* part = &whole;
-    Where where{std::string(prefix), std::string(field.path)};
+    Where where{prefix, std::string(field.path)};
     while (!rest.empty()) {
         if (rest.front() != '.' && rest.front() != '[') {
             where.refuse("\"" + std::string(rest) + "\" cannot follow");
@@ -78,20 +77,20 @@ void set_part(const Field& field, std::string_view rest, const Json& value, Para
         part = rest.front() == '[' ? &element(*part, rest, where) : &member(*part, rest, where);
     }
     *part = value;
-    read_field(field, params, whole, {std::string(prefix), std::string(field.path)});
+    read_field(field, params, whole, {prefix, std::string(field.path)});
 }
 
-void apply(const std::string& setting, Params& params) {
+void apply(const std::string& setting, Params& params, const std::string& prefix) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-        throw Refusal(std::string(prefix) + setting + ": must be PATH=VALUE, such as projection.near=0.01");
+        throw Refusal(prefix + setting + ": must be PATH=VALUE, such as projection.near=0.01");
     }
-    const Where where{std::string(prefix), setting.substr(0, equals)};
+    const Where where{prefix, setting.substr(0, equals)};
     const Json value = value_of(setting.substr(equals + 1), where);
 
     std::string_view rest;
     if (const Field* field = field_at(where.path, rest)) {
-        set_part(*field, rest, value, params);
+        set_part(*field, rest, value, params, prefix);
     } else if (is_group(where.path)) {
         read_group(params, value, where);
     } else {
@@ -107,13 +106,13 @@ std::string default_setting(std::string_view path) {
     return std::string(path) + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-Result<Params> apply_settings(Params params, std::span<const std::string> settings) {
+Result<Params> apply_settings(Params params, std::span<const std::string> settings, const std::string& source) {
     return guarded([&] {
         for (const std::string& setting : settings) {
-            apply(setting, params);
+            apply(setting, params, source);
         }
         if (!settings.empty()) {
-            check_together(params, std::string(prefix));
+            check_together(params, source);
         }
         return params;
     });

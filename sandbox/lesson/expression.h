@@ -1,0 +1,41 @@
+// The expressions of lesson files: one value, computed by Lua from names of a closed list alone. No files, no libraries
+// but the mathematics here, and an end to time and memory: a file from somebody else can do no harm.
+// Read names.h for what there is to be named, lesson.h for where expressions stand.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "state/document.h"
+#include "text/result.h"
+
+namespace viewing {
+
+/// What the names stand for that are not mathematics.
+struct Surroundings {
+    /// The value of a name of expression_names() of kind `value` or `measured`; `arguments` are those of a function. Asked
+    /// only for the names that the expression comes to. The error becomes the expression's.
+    std::function<Result<Json>(const std::string& name, std::span<const double> arguments)> look_up;
+    Json answer;  ///< what was typed; null before
+};
+
+/// What an expression may cost.
+struct ExpressionLimits {
+    int instructions = 1'000'000;
+    std::size_t memory_bytes = 8U << 20U;
+};
+
+/// The value: a number, a text, true or false, null, or a list of those; vectors are lists, matrices lists of rows. The
+/// error is one sentence without the expression: no such name, a wrong argument, too long, too much memory.
+Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings,
+                      const ExpressionLimits& limits = {});
+
+/// The same for what must be true or false.
+Result<bool> holds(const std::string& expression, const Surroundings& surroundings);
+
+/// Whether it can be evaluated at all: its syntax, and that it names only what there is. No value is computed.
+Status check_expression(const std::string& expression);
+
+}  // namespace viewing

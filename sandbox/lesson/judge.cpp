@@ -1,0 +1,111 @@
+#include "lesson/judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viewing {
+namespace {
+
+void append_numbers(const Json& value, std::vector<double>& numbers) {
+    if (value.is_number()) numbers.push_back(value.get<double>());
+    if (value.is_array())
+        for (const Json& entry : value) append_numbers(entry, numbers);
+}
+
+bool are_close(std::vector<double> typed, std::vector<double> right, const Ask& ask) {
+    if (typed.size() != right.size()) return false;
+    const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto largest = std::max_element(right.begin(), right.end(), by_size) - right.begin();
+    const auto at = static_cast<std::size_t>(largest);
+    if (ask.up_to_factor) {
+        if (right[at] == 0.0 || typed[at] == 0.0) return false;
+        const double factor = right[at] / typed[at];
+        for (double& number : typed) number *= factor;
+    }
+    const double tolerance = std::max({ask.tolerance, ask.relative_tolerance * std::abs(right[at]), 1e-9});
+    for (std::size_t i = 0; i < typed.size(); ++i)
+        if (!(std::abs(typed[i] - right[i]) <= tolerance)) return false;
+    return true;
+}
+
+bool is_typed(AskKind kind) {
+    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
+}
+
+std::vector<int> sorted(std::vector<int> items) {
+    std::sort(items.begin(), items.end());
+    return items;
+}
+
+Result<bool> is_right(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
+    if (ask.kind == AskKind::goal) return holds(ask.until, surroundings);
+    if (ask.kind == AskKind::choice)
+        return answer.items.size() == 1 && ask.choices[static_cast<std::size_t>(answer.items[0])].right;
+    if (is_typed(ask.kind)) {
+        const Result<Answer> model = model_answer(ask, surroundings);
+        if (!model) return Error{model.error()};
+        return are_close(answer.numbers, model->numbers, ask);
+    }
+    return std::any_of(ask.expected_items.begin(), ask.expected_items.end(), [&](const std::vector<int>& expected) {
+        return ask.kind == AskKind::subset ? sorted(answer.items) == sorted(expected) : answer.items == expected;
+    });
+}
+
+Result<bool> fits(const WrongAnswer& wrong, const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
+    if (!wrong.when.empty()) return holds(wrong.when, surroundings);
+    if (is_typed(ask.kind)) return are_close(answer.numbers, wrong.sample.numbers, ask);
+    return ask.kind == AskKind::subset ? sorted(answer.items) == sorted(wrong.sample.items)
+                                       : answer.items == wrong.sample.items;
+}
+
+}  // namespace
+
+Json answer_as_json(const Ask& ask, const Answer& answer) {
+    if (answer.empty()) return nullptr;
+    if (!is_typed(ask.kind)) return Json(answer.items);
+    if (ask.kind == AskKind::number) return answer.numbers.front();
+    if (ask.columns == 1) return Json(answer.numbers);
+    Json rows = Json::array();
+    const auto columns = static_cast<std::ptrdiff_t>(ask.columns);
+    for (auto row = answer.numbers.begin(); row != answer.numbers.end(); row += columns)
+        rows.push_back(Json(std::vector<double>(row, row + columns)));
+    return rows;
+}
+
+Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
+    Answer model;
+    if (ask.kind == AskKind::choice) {
+        const auto right = std::find_if(ask.choices.begin(), ask.choices.end(),
+                                        [](const LessonChoice& choice) { return choice.right; });
+        model.items = {static_cast<int>(right - ask.choices.begin())};
+    } else if (is_typed(ask.kind)) {
+        const Result<Json> value = evaluate(ask.expect, surroundings);
+        if (!value) return Error{value.error()};
+        append_numbers(*value, model.numbers);
+        if (std::ssize(model.numbers) != ask.rows * ask.columns)
+            return Error{"must be " + std::to_string(ask.rows * ask.columns) + " numbers, is " + describe(*value)};
+    } else if (!ask.expected_items.empty()) {
+        model.items = ask.expected_items.front();
+    }
+    return model;
+}
+
+Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings) {
+    surroundings.answer = answer_as_json(ask, answer);
+    const Result<bool> right = is_right(ask, answer, surroundings);
+    if (!right) return Error{right.error()};
+    if (*right) return Verdict{true, {}, ""};
+    if (ask.kind == AskKind::choice) {
+        if (answer.items.empty()) return Verdict{};
+        const LessonChoice& chosen = ask.choices[static_cast<std::size_t>(answer.items.front())];
+        return Verdict{false, chosen.why, chosen.tag};
+    }
+    for (const WrongAnswer& wrong : ask.wrong) {
+        const Result<bool> does_fit = fits(wrong, ask, answer, surroundings);
+        if (!does_fit) return Error{does_fit.error()};
+        if (*does_fit) return Verdict{false, wrong.say, wrong.tag};
+    }
+    return Verdict{};
+}
+
+}  // namespace viewing

@@ -1,0 +1,522 @@
+#include "lesson/mathematics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <lua.hpp>
+
+#include "geometry/plane.h"
+
+namespace viewing {
+namespace {
+
+constexpr int most_entries = 4;
+
+/// A number (0 × 0), a vector (n × 0) or a matrix (n × m): what a table of numbers is, with up to 4 × 4 entries.
+struct Tensor {
+    int rows = 0, columns = 0;
+    std::array<double, 16> at{};
+
+    bool is_number() const { return rows == 0; }
+    bool is_vector() const { return rows > 0 && columns == 0; }
+    bool is_matrix() const { return columns > 0; }
+    int size() const { return rows == 0 ? 1 : columns == 0 ? rows : rows * columns; }
+    double& entry(int row, int column) { return at[static_cast<std::size_t>(row * columns + column)]; }
+    double entry(int row, int column) const { return at[static_cast<std::size_t>(row * columns + column)]; }
+    double operator[](int i) const { return at[static_cast<std::size_t>(i)]; }
+    double& operator[](int i) { return at[static_cast<std::size_t>(i)]; }
+    bool has_shape_of(const Tensor& other) const { return rows == other.rows && columns == other.columns; }
+};
+
+Tensor vector_of(int size) {
+    return {size, 0, {}};
+}
+
+Tensor square(int size) {
+    return {size, size, {}};
+}
+
+Tensor identity_of(int size) {
+    Tensor result = square(size);
+    for (int i = 0; i < size; ++i) result.entry(i, i) = 1.0;
+    return result;
+}
+
+Tensor tensor_of(const glm::dmat4& matrix) {
+    Tensor result = square(4);
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) result.entry(row, column) = matrix[column][row];
+    return result;
+}
+
+glm::dvec4 dvec4_of(const Tensor& vector) {
+    return {vector[0], vector[1], vector[2], vector[3]};
+}
+
+// ---- Lua's stack ---------------------------------------------------------------------------------------------------
+
+/// Lists of the state begin at 0, those that Lua's own braces make at 1.
+int first_index(lua_State* lua, int table) {
+    lua_rawgeti(lua, table, 0);
+    const bool begins_at_zero = !lua_isnil(lua, -1);
+    lua_pop(lua, 1);
+    return begins_at_zero ? 0 : 1;
+}
+
+int count_of(lua_State* lua, int table) {
+    return static_cast<int>(lua_rawlen(lua, table)) + (first_index(lua, table) == 0 ? 1 : 0);
+}
+
+double number_at(lua_State* lua, int argument, int table, int index) {
+    lua_rawgeti(lua, table, index);
+    if (lua_type(lua, -1) != LUA_TNUMBER) luaL_argerror(lua, argument, "its entries must be numbers");
+    const double number = lua_tonumber(lua, -1);
+    lua_pop(lua, 1);
+    return number;
+}
+
+int size_at(lua_State* lua, int argument, int table) {
+    const int size = count_of(lua, table);
+    if (size < 1 || size > most_entries) luaL_argerror(lua, argument, "must have one to four entries");
+    return size;
+}
+
+Tensor tensor_at(lua_State* lua, int argument) {
+    Tensor result;
+    if (lua_type(lua, argument) == LUA_TNUMBER) {
+        result.at[0] = lua_tonumber(lua, argument);
+        return result;
+    }
+    luaL_checktype(lua, argument, LUA_TTABLE);
+    result.rows = size_at(lua, argument, argument);
+    const int first = first_index(lua, argument);
+    for (int row = 0; row < result.rows; ++row) {
+        lua_rawgeti(lua, argument, first + row);
+        if (lua_type(lua, -1) == LUA_TTABLE) {
+            const int inner = lua_gettop(lua), columns = size_at(lua, argument, inner);
+            if (row > 0 && columns != result.columns) luaL_argerror(lua, argument, "its rows differ in length");
+            result.columns = columns;
+            const int first_column = first_index(lua, inner);
+            for (int column = 0; column < columns; ++column)
+                result.entry(row, column) = number_at(lua, argument, inner, first_column + column);
+        } else {
+            if (result.columns > 0) luaL_argerror(lua, argument, "its rows differ in length");
+            result[row] = number_at(lua, argument, argument, first + row);
+        }
+        lua_pop(lua, 1);
+    }
+    return result;
+}
+
+double scalar_at(lua_State* lua, int argument) {
+    return luaL_checknumber(lua, argument);
+}
+
+Tensor vector_at(lua_State* lua, int argument, int least = 1, int most = most_entries) {
+    const Tensor vector = tensor_at(lua, argument);
+    if (!vector.is_vector() || vector.rows < least || vector.rows > most)
+        luaL_argerror(lua, argument, least == most ? least == 3 ? "must have 3 entries" : "must have 4 entries" : "must be a vector");
+    return vector;
+}
+
+Tensor matrix_at(lua_State* lua, int argument) {
+    const Tensor matrix = tensor_at(lua, argument);
+    if (!matrix.is_matrix()) luaL_argerror(lua, argument, "must be a matrix");
+    return matrix;
+}
+
+Tensor square_at(lua_State* lua, int argument) {
+    const Tensor matrix = matrix_at(lua, argument);
+    if (matrix.rows != matrix.columns) luaL_argerror(lua, argument, "must have as many rows as columns");
+    return matrix;
+}
+
+int push(lua_State* lua, const Tensor& tensor) {
+    if (tensor.is_number()) {
+        lua_pushnumber(lua, tensor[0]);
+        return 1;
+    }
+    lua_createtable(lua, tensor.rows, 1);
+    for (int row = 0; row < tensor.rows; ++row) {
+        if (tensor.is_vector()) {
+            lua_pushnumber(lua, tensor[row]);
+        } else {
+            lua_createtable(lua, tensor.columns, 1);
+            for (int column = 0; column < tensor.columns; ++column) {
+                lua_pushnumber(lua, tensor.entry(row, column));
+                lua_rawseti(lua, -2, column);
+            }
+        }
+        lua_rawseti(lua, -2, row);
+    }
+    return 1;
+}
+
+int push(lua_State* lua, double number) {
+    lua_pushnumber(lua, number);
+    return 1;
+}
+
+int push_truth(lua_State* lua, bool truth) {
+    lua_pushboolean(lua, truth ? 1 : 0);
+    return 1;
+}
+
+// ---- products ------------------------------------------------------------------------------------------------------
+
+Tensor product(lua_State* lua, const Tensor& a, const Tensor& b) {
+    if (a.columns != b.rows) luaL_error(lua, "%d columns cannot be multiplied with %d rows", a.columns, b.rows);
+    Tensor result = b.is_vector() ? vector_of(a.rows) : Tensor{a.rows, b.columns, {}};
+    const int columns = std::max(b.columns, 1);
+    for (int row = 0; row < a.rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            for (int k = 0; k < a.columns; ++k)
+                result[row * columns + column] += a.entry(row, k) * b[k * columns + column];
+    return result;
+}
+
+int times(lua_State* lua) {
+    return push(lua, product(lua, matrix_at(lua, 1), vector_at(lua, 2)));
+}
+
+/// A point through a matrix: with w = 1, divided by the w that comes out. 3 × 3 matrices have no w.
+int apply(lua_State* lua) {
+    const Tensor matrix = matrix_at(lua, 1), point = vector_at(lua, 2, 3, 3);
+    if (matrix.rows == 3) return push(lua, product(lua, matrix, point));
+    Tensor homogeneous = vector_of(4);
+    for (int i = 0; i < 3; ++i) homogeneous[i] = point[i];
+    homogeneous[3] = 1.0;
+    const Tensor sent = product(lua, matrix, homogeneous);
+    Tensor result = vector_of(3);
+    for (int i = 0; i < 3; ++i) result[i] = sent[i] / sent[3];
+    return push(lua, result);
+}
+
+int mul(lua_State* lua) {
+    const int count = lua_gettop(lua);
+    Tensor result = matrix_at(lua, 1);
+    for (int i = 2; i <= count; ++i) {
+        const Tensor factor = tensor_at(lua, i);
+        if (factor.is_number() || result.is_vector()) luaL_argerror(lua, i, "must follow a matrix and be a matrix or a vector");
+        result = product(lua, result, factor);
+    }
+    return push(lua, result);
+}
+
+Tensor transposed(const Tensor& matrix) {
+    Tensor result{matrix.columns, matrix.rows, {}};
+    for (int row = 0; row < matrix.rows; ++row)
+        for (int column = 0; column < matrix.columns; ++column) result.entry(column, row) = matrix.entry(row, column);
+    return result;
+}
+
+int transpose(lua_State* lua) {
+    return push(lua, transposed(matrix_at(lua, 1)));
+}
+
+/// Gauss with the largest pivot on [M | I]; the determinant by the way.
+struct Eliminated {
+    Tensor inverse;
+    double determinant = 1.0;
+};
+
+Eliminated eliminated(Tensor matrix) {
+    const int size = matrix.rows;
+    Eliminated result{identity_of(size), 1.0};
+    for (int column = 0; column < size; ++column) {
+        int pivot = column;
+        for (int row = column + 1; row < size; ++row)
+            if (std::abs(matrix.entry(row, column)) > std::abs(matrix.entry(pivot, column))) pivot = row;
+        if (matrix.entry(pivot, column) == 0.0) return {{}, 0.0};
+        if (pivot != column) {
+            result.determinant = -result.determinant;
+            for (int k = 0; k < size; ++k) {
+                std::swap(matrix.entry(pivot, k), matrix.entry(column, k));
+                std::swap(result.inverse.entry(pivot, k), result.inverse.entry(column, k));
+            }
+        }
+        const double value = matrix.entry(column, column);
+        result.determinant *= value;
+        for (int k = 0; k < size; ++k) {
+            matrix.entry(column, k) /= value;
+            result.inverse.entry(column, k) /= value;
+        }
+        for (int row = 0; row < size; ++row) {
+            const double factor = matrix.entry(row, column);
+            if (row == column || factor == 0.0) continue;
+            for (int k = 0; k < size; ++k) {
+                matrix.entry(row, k) -= factor * matrix.entry(column, k);
+                result.inverse.entry(row, k) -= factor * result.inverse.entry(column, k);
+            }
+        }
+    }
+    return result;
+}
+
+int inverse(lua_State* lua) {
+    const Eliminated result = eliminated(square_at(lua, 1));
+    if (result.determinant == 0.0) return luaL_error(lua, "the matrix has no inverse");
+    return push(lua, result.inverse);
+}
+
+int det(lua_State* lua) {
+    return push(lua, eliminated(square_at(lua, 1)).determinant);
+}
+
+// ---- the lecture's matrices ----------------------------------------------------------------------------------------
+
+int translation(lua_State* lua) {
+    const Tensor by = vector_at(lua, 1, 3, 3);
+    Tensor result = identity_of(4);
+    for (int i = 0; i < 3; ++i) result.entry(i, 3) = by[i];
+    return push(lua, result);
+}
+
+int push_rotation(lua_State* lua, const glm::dvec3& axis) {
+    return push(lua, tensor_of(glm::rotate(glm::dmat4(1.0), glm::radians(scalar_at(lua, 1)), axis)));
+}
+
+int rotation_x(lua_State* lua) {
+    return push_rotation(lua, {1.0, 0.0, 0.0});
+}
+
+int rotation_y(lua_State* lua) {
+    return push_rotation(lua, {0.0, 1.0, 0.0});
+}
+
+int rotation_z(lua_State* lua) {
+    return push_rotation(lua, {0.0, 0.0, 1.0});
+}
+
+int rotation_of(lua_State* lua) {
+    const Tensor matrix = square_at(lua, 1);
+    if (matrix.rows < 3) luaL_argerror(lua, 1, "must have three rows or four");
+    Tensor result = square(3);
+    for (int row = 0; row < 3; ++row)
+        for (int column = 0; column < 3; ++column) result.entry(row, column) = matrix.entry(row, column);
+    return push(lua, result);
+}
+
+int reflection_matrix(lua_State* lua) {
+    return push(lua, tensor_of(mirror_matrix(dvec4_of(vector_at(lua, 1, 4, 4)))));
+}
+
+int shadow_matrix_of(lua_State* lua) {
+    return push(lua, tensor_of(shadow_matrix(dvec4_of(vector_at(lua, 1, 4, 4)), dvec4_of(vector_at(lua, 2, 4, 4)))));
+}
+
+// ---- vectors -------------------------------------------------------------------------------------------------------
+
+double length_of(const Tensor& tensor, int entries) {
+    double sum = 0.0;
+    for (int i = 0; i < entries; ++i) sum += tensor[i] * tensor[i];
+    return std::sqrt(sum);
+}
+
+/// A plane by the length of its normal, another vector by its own.
+int unit(lua_State* lua) {
+    Tensor vector = vector_at(lua, 1);
+    const double length = length_of(vector, std::min(vector.rows, 3));
+    if (length == 0.0) return luaL_error(lua, "a vector of length 0 has no unit vector");
+    for (int i = 0; i < vector.rows; ++i) vector[i] /= length;
+    return push(lua, vector);
+}
+
+int norm(lua_State* lua) {
+    const Tensor vector = tensor_at(lua, 1);
+    return push(lua, length_of(vector, vector.size()));
+}
+
+/// Two arguments of one shape.
+std::pair<Tensor, Tensor> alike(lua_State* lua) {
+    const Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
+    if (!a.has_shape_of(b)) luaL_error(lua, "both must have the same number of entries");
+    return {a, b};
+}
+
+int dot(lua_State* lua) {
+    const auto [a, b] = alike(lua);
+    double sum = 0.0;
+    for (int i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return push(lua, sum);
+}
+
+int cross(lua_State* lua) {
+    const Tensor a = vector_at(lua, 1, 3, 3), b = vector_at(lua, 2, 3, 3);
+    Tensor result = vector_of(3);
+    for (int i = 0; i < 3; ++i) result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+    return push(lua, result);
+}
+
+int push_sum(lua_State* lua, double sign) {
+    auto [a, b] = alike(lua);
+    for (int i = 0; i < a.size(); ++i) a[i] += sign * b[i];
+    return push(lua, a);
+}
+
+int add(lua_State* lua) {
+    return push_sum(lua, 1.0);
+}
+
+int sub(lua_State* lua) {
+    return push_sum(lua, -1.0);
+}
+
+int scale(lua_State* lua) {
+    const double factor = scalar_at(lua, 1);
+    Tensor tensor = tensor_at(lua, 2);
+    for (int i = 0; i < tensor.size(); ++i) tensor[i] *= factor;
+    return push(lua, tensor);
+}
+
+// ---- comparisons ---------------------------------------------------------------------------------------------------
+
+bool are_close(const Tensor& a, const Tensor& b, double tolerance) {
+    if (!a.has_shape_of(b)) return false;
+    for (int i = 0; i < a.size(); ++i)
+        if (!(std::abs(a[i] - b[i]) <= tolerance)) return false;  // NaN is close to nothing
+    return true;
+}
+
+int close(lua_State* lua) {
+    return push_truth(lua, are_close(tensor_at(lua, 1), tensor_at(lua, 2), scalar_at(lua, 3)));
+}
+
+/// By the entry that is largest in the first one, which then is 1 in both.
+int same_map(lua_State* lua) {
+    Tensor a = tensor_at(lua, 1), b = tensor_at(lua, 2);
+    const double tolerance = scalar_at(lua, 3);
+    if (!a.has_shape_of(b)) return push_truth(lua, false);
+    int largest = 0;
+    for (int i = 0; i < a.size(); ++i)
+        if (std::abs(a[i]) > std::abs(a[largest])) largest = i;
+    const double unit_a = a[largest], unit_b = b[largest];
+    if (unit_a == 0.0 || unit_b == 0.0) return push_truth(lua, are_close(a, b, tolerance));
+    for (int i = 0; i < a.size(); ++i) {
+        a[i] /= unit_a;
+        b[i] /= unit_b;
+    }
+    return push_truth(lua, are_close(a, b, tolerance));
+}
+
+// ---- numbers -------------------------------------------------------------------------------------------------------
+
+template <double (*of)(double)>
+int number_function(lua_State* lua) {
+    return push(lua, of(scalar_at(lua, 1)));
+}
+
+double absolute(double x) {
+    return std::abs(x);
+}
+double square_root(double x) {
+    return std::sqrt(x);
+}
+double sine(double x) {
+    return std::sin(x);
+}
+double cosine(double x) {
+    return std::cos(x);
+}
+double tangent(double x) {
+    return std::tan(x);
+}
+double arc_tangent(double x) {
+    return std::atan(x);
+}
+double radians_of(double degrees) {
+    return glm::radians(degrees);
+}
+double degrees_of(double radians) {
+    return glm::degrees(radians);
+}
+
+template <bool wants_largest>
+int extreme(lua_State* lua) {
+    double result = scalar_at(lua, 1);
+    for (int i = 2, count = lua_gettop(lua); i <= count; ++i) {
+        const double number = scalar_at(lua, i);
+        result = wants_largest ? std::max(result, number) : std::min(result, number);
+    }
+    return push(lua, result);
+}
+
+int count(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    lua_pushinteger(lua, count_of(lua, 1));
+    return 1;
+}
+
+struct Function {
+    MathematicsName name;
+    lua_CFunction call;
+};
+
+constexpr Function functions[] = {
+    {{"apply", "apply(M, p)", "point p through M: with w = 1, divided by w"}, apply},
+    {{"times", "times(M, v)", "M v, not divided"}, times},
+    {{"mul", "mul(A, B, …)", "the product of matrices; the last factor may be a vector"}, mul},
+    {{"transpose", "transpose(M)", "rows become columns"}, transpose},
+    {{"inverse", "inverse(M)", "of a square matrix; an error where there is none"}, inverse},
+    {{"det", "det(M)", "determinant"}, det},
+    {{"translation", "translation(v)", "4 by 4"}, translation},
+    {{"rotation_x", "rotation_x(degrees)", "4 by 4"}, rotation_x},
+    {{"rotation_y", "rotation_y(degrees)", "4 by 4"}, rotation_y},
+    {{"rotation_z", "rotation_z(degrees)", "4 by 4"}, rotation_z},
+    {{"rotation_of", "rotation_of(M)", "its upper left 3 by 3 part"}, rotation_of},
+    {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"}, reflection_matrix},
+    {{"shadow_matrix", "shadow_matrix(plane, light)", "S = (P·L) I − L Pᵀ"}, shadow_matrix_of},
+    {{"unit", "unit(v)", "of length 1; a plane (a, b, c, d) with a normal of length 1"}, unit},
+    {{"close", "close(a, b, tolerance)", "every entry differs by no more than that; false where the shapes differ"}, close},
+    {{"same_map", "same_map(A, B, tolerance)", "the same up to a factor"}, same_map},
+    {{"norm", "norm(v)", "length"}, norm},
+    {{"dot", "dot(a, b)", "a · b"}, dot},
+    {{"cross", "cross(a, b)", "a × b"}, cross},
+    {{"add", "add(a, b)", "a + b"}, add},
+    {{"sub", "sub(a, b)", "a − b"}, sub},
+    {{"scale", "scale(k, v)", "k v"}, scale},
+    {{"abs", "abs(x)", "|x|"}, number_function<absolute>},
+    {{"min", "min(x, …)", "the smallest"}, extreme<false>},
+    {{"max", "max(x, …)", "the largest"}, extreme<true>},
+    {{"sqrt", "sqrt(x)", "√x"}, number_function<square_root>},
+    {{"sin", "sin(radians)", "sine"}, number_function<sine>},
+    {{"cos", "cos(radians)", "cosine"}, number_function<cosine>},
+    {{"tan", "tan(radians)", "tangent"}, number_function<tangent>},
+    {{"atan", "atan(x)", "in radians"}, number_function<arc_tangent>},
+    {{"radians", "radians(degrees)", "π ÷ 180 of it"}, number_function<radians_of>},
+    {{"degrees", "degrees(radians)", "180 ÷ π of it"}, number_function<degrees_of>},
+    {{"count", "count(list)", "how many entries it has"}, count},
+};
+
+constexpr MathematicsName constants[] = {
+    {"identity", "identity", "the 4 by 4 identity"},
+    {"pi", "pi", "3.14159…"},
+};
+
+std::vector<MathematicsName> all_names() {
+    std::vector<MathematicsName> names;
+    for (const Function& function : functions) names.push_back(function.name);
+    names.insert(names.end(), std::begin(constants), std::end(constants));
+    return names;
+}
+
+}  // namespace
+
+std::span<const MathematicsName> mathematics_names() {
+    static const std::vector<MathematicsName> names = all_names();
+    return names;
+}
+
+void add_mathematics(lua_State* lua) {
+    for (const Function& function : functions) {
+        lua_pushcfunction(lua, function.call);
+        lua_setfield(lua, -2, function.name.name.data());
+    }
+    push(lua, identity_of(4));
+    lua_setfield(lua, -2, "identity");
+    lua_pushnumber(lua, std::acos(-1.0));
+    lua_setfield(lua, -2, "pi");
+}
+
+}  // namespace viewing

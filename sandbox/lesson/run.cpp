@@ -1,0 +1,38 @@
+#include "lesson/run.h"
+
+#include <algorithm>
+
+namespace viewing {
+
+LessonRun::LessonRun(Lesson lesson, std::size_t step)
+    : lesson_(std::make_shared<const Lesson>(std::move(lesson))), visits_(lesson_->steps.size()) {
+    for (std::size_t i = 0; i < visits_.size(); ++i) {
+        const Ask& ask = lesson_->steps[i].ask;
+        visits_[i].votes.resize(ask.choices.size());
+        if (ask.kind == AskKind::order || ask.kind == AskKind::product)  // all items, as they stand in the file
+            for (std::size_t item = 0; item < ask.items.size(); ++item)
+                visits_[i].answer.items.push_back(static_cast<int>(item));
+    }
+    go_to(step);
+}
+
+void LessonRun::go_to(std::size_t step) {
+    index_ = std::min(step, lesson_->steps.size() - 1);
+}
+
+void LessonRun::take(const Verdict& verdict) {
+    now().verdict = verdict;
+    if (!verdict.right) return;
+    now().done = true;
+    reveal();
+}
+
+void LessonRun::show_hint() {
+    now().hints = std::min(now().hints + 1, static_cast<int>(step().ask.hints.size()));
+}
+
+int LessonRun::done_count() const {
+    return static_cast<int>(std::count_if(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.done; }));
+}
+
+}  // namespace viewing
