@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/options.h"
@@ -14,6 +13,7 @@
 #include "gl/egl_context.h"
 #include "gl/facts.h"
 #include "render/renderer.h"
+#include "report/as_json.h"
 #include "state/presets.h"
 #include "state/scene.h"
 

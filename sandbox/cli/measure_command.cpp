@@ -1,20 +1,20 @@
-// measure: numbers measured in a frame, or on more and more polygons. Read measure_visibility.h and
-// measure_fighting.h next.
+// measure: numbers measured in a frame, or on more and more polygons. Read report/visibility_report.h
+// and report/fighting_report.h next.
 #include <array>
 #include <limits>
 
-#include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
-#include "cli/measure_fighting.h"
-#include "cli/measure_mirror.h"
-#include "cli/measure_visibility.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
 #include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/hidden_surfaces.h"
+#include "report/as_json.h"
+#include "report/fighting_report.h"
+#include "report/mirror_report.h"
+#include "report/visibility_report.h"
 #include "visibility/growth.h"
 
 namespace viewing {
@@ -165,10 +165,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         text = growth_text(state, scene, growth, as_csv, !typed.no_times);
     } else {
         Headless headless(device_option(options, typed.device));
-        const auto measure = typed.what == "fighting" ? fighting_as_json
-                             : typed.what == "mirror" ? mirror_as_json
-                                                      : visibility_as_json;
-        text = document(measure(headless, state, scene, size_px), !typed.no_times);
+        const auto measured = [&](Renderer& renderer) {
+            if (typed.what == "fighting") return fighting_as_json(renderer, state.params, scene, size_px);
+            return (typed.what == "mirror" ? mirror_as_json : visibility_as_json)(renderer, state.params, scene,
+                                                                                  size_px);
+        };
+        text = document(headless.drawn(measured(headless.renderer())), !typed.no_times);
     }
     print(text);
     return ExitStatus::done;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "app/picture.h"
-#include "cli/as_json.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/options.h"
@@ -14,6 +13,7 @@
 #include "cli/values.h"
 #include "gl/facts.h"
 #include "image/png.h"
+#include "report/as_json.h"
 
 namespace viewing {
 namespace {

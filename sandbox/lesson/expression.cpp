@@ -83,8 +83,7 @@ int refuse_member(lua_State* lua) {
 }
 
 int length_of_list(lua_State* lua) {
-    lua_pushinteger(lua, static_cast<lua_Integer>(lua_rawlen(lua, 1)) +
-                             (lua_rawgeti(lua, 1, 0) == LUA_TNIL ? 0 : 1));
+    lua_pushinteger(lua, static_cast<lua_Integer>(lua_rawlen(lua, 1)) + (lua_rawgeti(lua, 1, 0) == LUA_TNIL ? 0 : 1));
     return 1;
 }
 

@@ -15,8 +15,8 @@ namespace viewing {
 
 /// What the names stand for that are not mathematics.
 struct Surroundings {
-    /// The value of a name of expression_names() of kind `value` or `measured`; `arguments` are those of a function. Asked
-    /// only for the names that the expression comes to. The error becomes the expression's.
+    /// The value of a name of expression_names() of kind `value` or `measured`; `arguments` are those of a function.
+    /// Asked only for the names that the expression comes to. The error becomes the expression's.
     std::function<Result<Json>(const std::string& name, std::span<const double> arguments)> look_up;
     Json answer;  ///< what was typed; null before
 };

@@ -1,6 +1,6 @@
 // A guided lesson as its file has it: steps that each ask before they show. A step's state is complete by itself, so it
-// can be gone back to, skipped to and tested alone. Read reader.cpp for the file, judge.h for answers, run.h for the way
-// through.
+// can be gone back to, skipped to and tested alone. Read reader.cpp for the file, judge.h for answers, run.h for the
+// way through.
 #pragma once
 
 #include <filesystem>
@@ -52,16 +52,16 @@ struct Ask {
     LessonText question;
     std::vector<LessonText> hints;
     std::vector<LessonChoice> choices;
-    std::vector<LessonText> items;    ///< of sequence, order, product and subset
-    int rows = 1, columns = 1;        ///< of what is typed
-    std::string expect;               ///< an expression: what is to be typed
+    std::vector<LessonText> items;                 ///< of sequence, order, product and subset
+    int rows = 1, columns = 1;                     ///< of what is typed
+    std::string expect;                            ///< an expression: what is to be typed
     std::vector<std::vector<int>> expected_items;  ///< one or more right lists of items, from 0 on
-    double tolerance = 0.0;           ///< absolute, of each entry
-    double relative_tolerance = 0.0;  ///< of the largest entry, where it is not 0
+    double tolerance = 0.0;                        ///< absolute, of each entry
+    double relative_tolerance = 0.0;               ///< of the largest entry, where it is not 0
     bool up_to_factor = false;
-    std::string until;                ///< of a goal
-    std::vector<std::string> allow;   ///< what may be changed: fields or groups; empty: all
-    std::vector<std::string> model;   ///< settings that reach the goal
+    std::string until;               ///< of a goal
+    std::vector<std::string> allow;  ///< what may be changed: fields or groups; empty: all
+    std::vector<std::string> model;  ///< settings that reach the goal
     std::vector<WrongAnswer> wrong;
 };
 
@@ -80,8 +80,8 @@ struct LessonTarget {
 
 struct LessonStep {
     std::string id;
-    LoadedState start;   ///< before the answer, layout included
-    Params revealed;     ///< after it: with a goal's model, and what the reveal changes
+    LoadedState start;  ///< before the answer, layout included
+    Params revealed;    ///< after it: with a goal's model, and what the reveal changes
     std::optional<LessonTarget> target;
     LessonText say;
     std::vector<std::string> cover, highlight;
@@ -96,9 +96,9 @@ struct Lesson {
     LessonText title;
     std::vector<int> slides;
     int minutes = 0;
-    std::vector<std::string> needs;                         ///< lessons that come before
-    std::vector<std::pair<std::string, LessonText>> tags;   ///< misconceptions by their short names
-    std::vector<LessonStep> steps;                          ///< at least one
+    std::vector<std::string> needs;                        ///< lessons that come before
+    std::vector<std::pair<std::string, LessonText>> tags;  ///< misconceptions by their short names
+    std::vector<LessonStep> steps;                         ///< at least one
     std::filesystem::path file;
 };
 

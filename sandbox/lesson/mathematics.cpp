@@ -116,7 +116,8 @@ double scalar_at(lua_State* lua, int argument) {
 Tensor vector_at(lua_State* lua, int argument, int least = 1, int most = most_entries) {
     const Tensor vector = tensor_at(lua, argument);
     if (!vector.is_vector() || vector.rows < least || vector.rows > most)
-        luaL_argerror(lua, argument, least == most ? least == 3 ? "must have 3 entries" : "must have 4 entries" : "must be a vector");
+        luaL_argerror(lua, argument,
+                      least == most ? least == 3 ? "must have 3 entries" : "must have 4 entries" : "must be a vector");
     return vector;
 }
 
@@ -198,7 +199,8 @@ int mul(lua_State* lua) {
     Tensor result = matrix_at(lua, 1);
     for (int i = 2; i <= count; ++i) {
         const Tensor factor = tensor_at(lua, i);
-        if (factor.is_number() || result.is_vector()) luaL_argerror(lua, i, "must follow a matrix and be a matrix or a vector");
+        if (factor.is_number() || result.is_vector())
+            luaL_argerror(lua, i, "must follow a matrix and be a matrix or a vector");
         result = product(lua, result, factor);
     }
     return push(lua, result);
@@ -465,10 +467,12 @@ constexpr Function functions[] = {
     {{"rotation_y", "rotation_y(degrees)", "4 by 4"}, rotation_y},
     {{"rotation_z", "rotation_z(degrees)", "4 by 4"}, rotation_z},
     {{"rotation_of", "rotation_of(M)", "its upper left 3 by 3 part"}, rotation_of},
-    {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"}, reflection_matrix},
+    {{"reflection_matrix", "reflection_matrix(plane)", "R of (a, b, c, d), whose normal must have length 1"},
+     reflection_matrix},
     {{"shadow_matrix", "shadow_matrix(plane, light)", "S = (P·L) I − L Pᵀ"}, shadow_matrix_of},
     {{"unit", "unit(v)", "of length 1; a plane (a, b, c, d) with a normal of length 1"}, unit},
-    {{"close", "close(a, b, tolerance)", "every entry differs by no more than that; false where the shapes differ"}, close},
+    {{"close", "close(a, b, tolerance)", "every entry differs by no more than that; false where the shapes differ"},
+     close},
     {{"same_map", "same_map(A, B, tolerance)", "the same up to a factor"}, same_map},
     {{"norm", "norm(v)", "length"}, norm},
     {{"dot", "dot(a, b)", "a · b"}, dot},

@@ -47,7 +47,8 @@ std::vector<ExpressionName> all_names() {
     };
     names.insert(names.end(), std::begin(others), std::end(others));
     for (const MathematicsName& name : mathematics_names())
-        names.push_back({std::string(name.name), NameKind::mathematics, std::string(name.form), std::string(name.help)});
+        names.push_back(
+            {std::string(name.name), NameKind::mathematics, std::string(name.form), std::string(name.help)});
     return names;
 }
 

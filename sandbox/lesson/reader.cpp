@@ -19,7 +19,8 @@ constexpr std::size_t most_steps = 200, most_entries = 64;
 constexpr std::size_t longest_text = 4000;  // bytes
 constexpr double longest_reveal_s = 60.0;
 
-constexpr const char* kind_names[] = {"choice", "number", "vector", "matrix", "sequence", "order", "product", "subset", "goal"};
+constexpr const char* kind_names[] = {"choice", "number",  "vector", "matrix", "sequence",
+                                      "order",  "product", "subset", "goal"};
 
 bool has(const Json& object, const char* key) {
     return object.contains(key);
@@ -105,7 +106,8 @@ std::vector<std::string> settings_at(const Json& object, const char* key, const 
 }
 
 Params changed(const Params& params, const std::vector<std::string>& settings, const Where& where) {
-    Result<Params> result = apply_settings(params, settings, where.prefix + (where.path.empty() ? "" : where.path + ": "));
+    Result<Params> result =
+        apply_settings(params, settings, where.prefix + (where.path.empty() ? "" : where.path + ": "));
     if (!result) throw Refusal(result.error());
     return *std::move(result);
 }
@@ -116,9 +118,12 @@ Params changed(const Params& params, const std::vector<std::string>& settings, c
 struct LayoutPlace {
     const char *key, *path;
 };
-constexpr LayoutPlace layout_places[] = {{"big", "view.layout.big"},           {"matrices", "view.layout.matrices"},
-                                         {"controls", "view.layout.controls"}, {"folded", "view.layout.folded"},
-                                         {"lower_left", "view.lower_left"},    {"lower_right", "view.lower_right"},
+constexpr LayoutPlace layout_places[] = {{"big", "view.layout.big"},
+                                         {"matrices", "view.layout.matrices"},
+                                         {"controls", "view.layout.controls"},
+                                         {"folded", "view.layout.folded"},
+                                         {"lower_left", "view.lower_left"},
+                                         {"lower_right", "view.lower_right"},
                                          {"pin", "view.pin"}};
 
 Params laid_out(const Params& params, const Json& layout, const Where& where) {
@@ -191,12 +196,14 @@ std::vector<LessonChoice> read_choices(const Json& ask, const Where& where) {
         const Json& choice = ask["choices"][i];
         const Where at = inside.at(i);
         require_keys(choice, at, {"say", "right", "why", "tag"});
-        LessonChoice read{text_at(choice, "say", at, true), has(choice, "right") && read_bool(choice["right"], at.key("right")),
-                          text_at(choice, "why", at, false), has(choice, "tag") ? read_name(choice["tag"], at.key("tag")) : ""};
+        LessonChoice read{
+            text_at(choice, "say", at, true), has(choice, "right") && read_bool(choice["right"], at.key("right")),
+            text_at(choice, "why", at, false), has(choice, "tag") ? read_name(choice["tag"], at.key("tag")) : ""};
         if (!read.right && read.why.empty()) at.key("why").refuse("is missing: a wrong answer is told why");
         choices.push_back(std::move(read));
     }
-    const auto right = std::count_if(choices.begin(), choices.end(), [](const LessonChoice& choice) { return choice.right; });
+    const auto right =
+        std::count_if(choices.begin(), choices.end(), [](const LessonChoice& choice) { return choice.right; });
     if (choices.size() < 2 || right != 1) inside.refuse("must be two or more, one of them \"right\": true");
     return choices;
 }
@@ -249,8 +256,11 @@ Answer read_sample(const Json& value, const Ask& ask, const Where& where) {
 
 WrongAnswer read_wrong(const Json& object, const Ask& ask, const Where& where) {
     require_keys(object, where, {"when", "value", "try", "tag", "say"});
-    WrongAnswer wrong{expression_at(object, "when", where, false), text_at(object, "say", where, true),
-                      has(object, "tag") ? read_name(object["tag"], where.key("tag")) : "", {}, {}};
+    WrongAnswer wrong{expression_at(object, "when", where, false),
+                      text_at(object, "say", where, true),
+                      has(object, "tag") ? read_name(object["tag"], where.key("tag")) : "",
+                      {},
+                      {}};
     if (ask.kind == AskKind::goal) {
         if (wrong.when.empty()) where.key("when").refuse("is missing: an expression");
         wrong.settings = settings_at(object, "try", where);
@@ -278,8 +288,9 @@ void read_typed(const Json& object, Ask& ask, const Where& where) {
 }
 
 Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
-    require_keys(object, where, {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel",
-                                 "up_to_factor", "until", "allow", "model", "wrong"});
+    require_keys(object, where,
+                 {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel", "up_to_factor",
+                  "until", "allow", "model", "wrong"});
     Ask ask;
     if (!has(object, "kind")) where.key("kind").refuse("is missing: one of " + joined(kind_names));
     ask.kind = static_cast<AskKind>(read_choice(object["kind"], where.key("kind"), kind_names));
@@ -303,8 +314,7 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
         ask.until = expression_at(object, "until", where, true);
         ask.allow = names_at(object, "allow", where);
         for (std::size_t i = 0; i < ask.allow.size(); ++i)
-            if (!find_field(ask.allow[i]) && !is_group(ask.allow[i]))
-                refuse_unknown({where.prefix, ask.allow[i]});
+            if (!find_field(ask.allow[i]) && !is_group(ask.allow[i])) refuse_unknown({where.prefix, ask.allow[i]});
         ask.model = settings_at(object, "model", where);
         if (ask.model.empty()) where.key("model").refuse("is missing: the settings that reach the goal");
         changed(step.start.params, ask.model, where.key("model"));
@@ -334,8 +344,9 @@ void read_reveal(const Json& object, LessonStep& step, const Where& where) {
 }
 
 LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
-    require_keys(object, where, {"id", "state", "layout", "say", "cover", "highlight", "ask", "reveal", "claims",
-                                 "claims_before", "note"});
+    require_keys(
+        object, where,
+        {"id", "state", "layout", "say", "cover", "highlight", "ask", "reveal", "claims", "claims_before", "note"});
     LessonStep step;
     if (!has(object, "id")) where.key("id").refuse("is missing: a name");
     step.id = read_name(object["id"], where.key("id"));
@@ -390,7 +401,8 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     for (std::size_t i = 0; i < document["steps"].size(); ++i) {
         lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i)));
         const std::string& id = lesson.steps.back().id;
-        if (std::count_if(lesson.steps.begin(), lesson.steps.end(), [&](const LessonStep& step) { return step.id == id; }) > 1)
+        if (std::count_if(lesson.steps.begin(), lesson.steps.end(),
+                          [&](const LessonStep& step) { return step.id == id; }) > 1)
             steps.at(i).key("id").refuse("another step has the id " + excerpt(id));
     }
     return lesson;
@@ -442,11 +454,13 @@ Result<Lesson> load_lesson(const std::string& argument) {
     std::string source = argument;
     if (!path.has_parent_path() && path.extension() != ".json") {
         const std::vector<LessonFile> known = lessons();
-        const auto at = std::find_if(known.begin(), known.end(), [&](const LessonFile& file) { return file.id == argument; });
+        const auto at =
+            std::find_if(known.begin(), known.end(), [&](const LessonFile& file) { return file.id == argument; });
         if (at == known.end()) {
             std::vector<std::string> ids;
             for (const LessonFile& file : known) ids.push_back(file.id);
-            return Error{one_line(argument) + ": neither a file nor a lesson (viewing-sandbox lesson --list lists them)" +
+            return Error{one_line(argument) +
+                         ": neither a file nor a lesson (viewing-sandbox lesson --list lists them)" +
                          suggestion(argument, ids)};
         }
         path = at->path;

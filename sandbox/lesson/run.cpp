@@ -32,7 +32,8 @@ void LessonRun::show_hint() {
 }
 
 int LessonRun::done_count() const {
-    return static_cast<int>(std::count_if(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.done; }));
+    return static_cast<int>(
+        std::count_if(visits_.begin(), visits_.end(), [](const Visit& visit) { return visit.done; }));
 }
 
 }  // namespace viewing

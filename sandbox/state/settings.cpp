@@ -65,8 +65,7 @@ Json& member(Json& value, std::string_view& rest, Where& where) {
 }
 
 /// Changes a part of a field's value and reads the whole field again, so that the same rules hold.
-void set_part(const Field& field, std::string_view rest, const Json& value, Params& params,
-              const std::string& prefix) {
+void set_part(const Field& field, std::string_view rest, const Json& value, Params& params, const std::string& prefix) {
     Json whole = field_as_json(field, params);
     Json* part = &whole;
     Where where{prefix, std::string(field.path)};

@@ -1,9 +1,8 @@
-#include "cli/measure_fighting.h"
+#include "report/fighting_report.h"
 
-#include "cli/as_json.h"
-#include "cli/measure_visibility.h"
 #include "measure/fighting_measure.h"
 #include "measure/minimum_gap.h"
+#include "report/as_json.h"
 
 namespace viewing {
 namespace {
@@ -71,25 +70,29 @@ Json search_as_json(const MinimumGap& found) {
 
 }  // namespace
 
-Json fighting_as_json(Headless& headless, const LoadedState& state, const Scene& scene, glm::ivec2 size_px) {
-    const Params& params = state.params;
-    Renderer& renderer = headless.renderer();
-    const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
-    FightingReport report =
-        fighting_report(headless.drawn(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
-                        params, derived, scene, size_px);
-    headless.drawn(count_cures(report, renderer, scene));
-    headless.drawn(count_spread(report, renderer, params, scene));
-    const MinimumGap found = headless.drawn(find_minimum_gap(renderer, params, derived.facts.target_distance));
-    Json pairs = Json::array();
-    for (std::size_t i = 0; i < report.rows.size(); ++i)
-        pairs.push_back(pair_as_json(report.counts.pairs[i], report.rows[i]));
-    Json json{{"scene", scene_name(params)}, {"size", as_json(size_px)}, {"pairs", std::move(pairs)}};
-    json.update(counts_as_json(report.counts));
-    json.update({{"cures", cures_as_json(report.cured)},
-                 {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
-                 {"search", search_as_json(found)}});
-    return json;
+Result<Json> fighting_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
+                              bool counts_alone) {
+    return guarded([&] {
+        const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
+        FightingReport report =
+            fighting_report(or_refuse(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
+                            params, derived, scene, size_px);
+        if (!counts_alone) {
+            or_refuse(count_cures(report, renderer, scene));
+            or_refuse(count_spread(report, renderer, params, scene));
+        }
+        Json pairs = Json::array();
+        for (std::size_t i = 0; i < report.rows.size(); ++i)
+            pairs.push_back(pair_as_json(report.counts.pairs[i], report.rows[i]));
+        Json json{{"scene", scene_name(params)}, {"size", as_json(size_px)}, {"pairs", std::move(pairs)}};
+        json.update(counts_as_json(report.counts));
+        if (counts_alone) return json;
+        const MinimumGap found = or_refuse(find_minimum_gap(renderer, params, derived.facts.target_distance));
+        json.update({{"cures", cures_as_json(report.cured)},
+                     {"minimum_gap", found.gap ? Json(*found.gap) : Json()},
+                     {"search", search_as_json(found)}});
+        return json;
+    });
 }
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-// Numbers as JSON: shared by the commands that print them.
+// Numbers as JSON: shared by what reports to commands and lessons.
 #pragma once
 
 #include <string>
@@ -21,5 +21,15 @@ std::string as_text(const Color& color);
 
 /// The sentences of the problems.
 Json as_json(const std::vector<Problem>& problems);
+
+/// The name of a state's scene, "inline" for one that is written out in it.
+std::string scene_name(const Params& params);
+
+/// A part of a report that may fail: its error ends the report. Thrown as Refusal, caught by guarded().
+template <typename T>
+T or_refuse(Result<T> result) {
+    if (!result) throw Refusal(result.error());
+    return *std::move(result);
+}
 
 }  // namespace viewing

@@ -1,4 +1,4 @@
-#include "cli/as_json.h"
+#include "report/as_json.h"
 
 #include "text/numbers.h"
 
@@ -34,6 +34,11 @@ Json as_json(const std::vector<Problem>& problems) {
     Json sentences = Json::array();
     for (const Problem& problem : problems) sentences.push_back(problem.sentence);
     return sentences;
+}
+
+std::string scene_name(const Params& params) {
+    const auto* name = std::get_if<std::string>(&params.scene);
+    return name != nullptr ? *name : "inline";
 }
 
 }  // namespace viewing

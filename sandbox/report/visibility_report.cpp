@@ -1,11 +1,11 @@
-#include "cli/measure_visibility.h"
+#include "report/visibility_report.h"
 
 #include <algorithm>
 #include <chrono>
 
-#include "cli/as_json.h"
 #include "gl/gl.h"
 #include "measure/hidden_answers.h"
+#include "report/as_json.h"
 #include "state/fields.h"
 #include "visibility/difference.h"
 
@@ -13,7 +13,7 @@ namespace viewing {
 namespace {
 
 /// GL draws the objects of the camera view and nothing else, once to warm up and once by the clock.
-double time_of_gl_ms(Headless& headless, Params params, const Derived& derived, const Scene& scene,
+double time_of_gl_ms(Renderer& renderer, Params params, const Derived& derived, const Scene& scene,
                      glm::ivec2 size_px) {
     params.view.shows = Shows::color;
     FramePlan frame = plan(params, derived);
@@ -23,7 +23,7 @@ double time_of_gl_ms(Headless& headless, Params params, const Derived& derived, 
     });
     View view;
     const auto draw = [&] {
-        headless.drawn(headless.renderer().draw(frame, scene, size_px, view));
+        or_refuse(renderer.draw(frame, scene, size_px, view));
         glFinish();
     };
     draw();
@@ -74,11 +74,11 @@ Json culling_as_json(const Params& params, const Viewpoint& viewpoint, const std
 /// One state, measured by method after method.
 class Measurement {
 public:
-    Measurement(Headless& headless, const Params& params, const Scene& scene, glm::ivec2 size_px)
-        : headless_(headless),
+    Measurement(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px)
+        : renderer_(renderer),
           params_(params),
           scene_(scene),
-          derived_(derive(params, scene, Viewport{size_px, headless.renderer().capabilities().clip_control})),
+          derived_(derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control})),
           request_(hidden_request(params, derived_, size_px)),
           solver_(scene),
           objects_(solver_.surface()->object_of_source()) {
@@ -112,7 +112,7 @@ private:
         if (is_drawn_by_gl_alone(method)) {
             Params params = params_;
             params.visibility = request_.visibility;
-            time_ms = time_of_gl_ms(headless_, params, derived_, scene_, request_.size_px);
+            time_ms = time_of_gl_ms(renderer_, params, derived_, scene_, request_.size_px);
         }
         Json row{{"time_ms", time_ms},
                  {"painting_ms", has_order(method) ? Json(result->painting_ms) : Json()},
@@ -136,13 +136,12 @@ private:
 
     /// Exact curves have numbers of their own, so there objects are compared, not polygons.
     std::int64_t wrong_pixels(const HiddenResult& result) {
-        const IdImage image =
-            headless_.drawn(polygon_ids_drawn(headless_.renderer(), params_, derived_, scene_, result));
+        const IdImage image = or_refuse(polygon_ids_drawn(renderer_, params_, derived_, scene_, result));
         if (!uses_exact_curves(result.request)) return difference(reference_, image).different;
         return difference(with_ids(reference_, objects_), with_ids(image, objects_)).different;
     }
 
-    Headless& headless_;
+    Renderer& renderer_;
     const Params& params_;
     const Scene& scene_;
     const Derived derived_;
@@ -154,13 +153,8 @@ private:
 
 }  // namespace
 
-std::string scene_name(const Params& params) {
-    const auto* name = std::get_if<std::string>(&params.scene);
-    return name != nullptr ? *name : "inline";
-}
-
-Json visibility_as_json(Headless& headless, const LoadedState& state, const Scene& scene, glm::ivec2 size_px) {
-    return Measurement(headless, state.params, scene, size_px).all();
+Result<Json> visibility_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px) {
+    return guarded([&] { return Measurement(renderer, params, scene, size_px).all(); });
 }
 
 }  // namespace viewing
