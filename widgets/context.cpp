@@ -18,6 +18,8 @@ void NewFrame(Context& context) {
     context.entry_hovered_next = false;
     context.recorded.clear();
     context.label_path.clear();
+    inner::BeginTargets(context.targets);
+    if (IsCovered("links")) context.hovered = 0;
 
     Editing& editing = context.editing;
     const int frame = ImGui::GetFrameCount();
@@ -37,7 +39,7 @@ Context& CurrentContext() {
 float RedrawIn(const Context& context) {
     const Editing& editing = context.editing;
     if (context.hovered != context.hovered_next || context.entry_hovered != context.entry_hovered_next) return 0.0F;
-    if (editing.type_next || (editing.typing && !editing.focused)) return 0.0F;
+    if (editing.type_next || (editing.typing && !editing.focused) || context.targets.frames_of_search > 0) return 0.0F;
     constexpr float caret_blink_s = 0.2F;
     if (editing.typing && (editing.redraw_in_s < 0.0F || editing.redraw_in_s > caret_blink_s)) return caret_blink_s;
     return editing.redraw_in_s;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "text/numbers.h"
 #include "widgets/inner.h"
@@ -327,10 +328,32 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
     return changed;
 }
 
+namespace {
+
+/// "button:show C" of a button "Show C".
+std::string TargetOfButton(const char* label) {
+    if (CurrentContext().targets.empty()) return {};
+    std::string name = "button:" + std::string(inner::RecordedPart(label));
+    constexpr std::size_t first = std::string_view("button:").size();
+    if (name.size() > first && name[first] >= 'A' && name[first] <= 'Z') name[first] += 'a' - 'A';
+    return name;
+}
+
+}  // namespace
+
 bool Button(const char* label, bool enabled, const char* why_disabled) {
+    const std::string target = TargetOfButton(label),
+                      text = BrokenLabelText(label, 2.0F * ImGui::GetStyle().FramePadding.x);
+    if (IsCovered(target)) {
+        const ImVec2 padding = ImGui::GetStyle().FramePadding, size = ImGui::CalcTextSize(text.c_str(), nullptr, true);
+        Plate(label, {size.x + 2.0F * padding.x, size.y + 2.0F * padding.y});
+        MarkTarget(target);
+        return false;
+    }
     ImGui::BeginDisabled(!enabled);
-    const bool clicked = ImGui::Button(BrokenLabelText(label, 2.0F * ImGui::GetStyle().FramePadding.x).c_str());
+    const bool clicked = ImGui::Button(text.c_str());
     Record(label);
+    MarkTarget(target);
     ImGui::EndDisabled();
     if (!enabled) Tooltip("", why_disabled);
     return clicked;
@@ -358,6 +381,7 @@ bool Section(const char* label, bool open_by_default, const char* note, const ch
     const Palette& palette = context.palette;
     ImGuiStorage* storage = ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(label);
+    if (std::exchange(CurrentContext().targets.opens_next, false)) storage->SetBool(id, true);
     bool open = storage->GetBool(id, open_by_default);
 
     ImGui::Dummy(ImVec2(0.0F, inner::Px(1)));

@@ -27,7 +27,8 @@ struct PrecisionChartStyle {
     std::span<const DepthMark> marks = {};         ///< the scene's objects
     double cursor_z = 0.0;                         ///< of the pixel under the pointer elsewhere; ≤ 0: none
     double default_near = 0.1, default_far = 100;  ///< what a right-click on a line resets it to
-    ImVec2 size{0.0F, 0.0F};                       ///< in pixels; 0: what is there. From 160×120 design pixels on
+    const char* target = "";  ///< its name as in targets.h; then its lines are its ".near" and ".far", curves as named
+    ImVec2 size{0.0F, 0.0F};  ///< in pixels; 0: what is there. From 160×120 design pixels on
 };
 
 /// The step Δz of a depth buffer against the eye distance z, on logarithmic axes: the emphasised curves strong, the

@@ -68,6 +68,13 @@ std::string_view ShownPart(const char* label);
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
+/// A new frame of what is covered and pointed out.
+void BeginTargets(Targets& targets);
+/// In place of a number box whose name is covered, a plate: says whether it was. `component` −1: the box is alone.
+bool CoveredBox(const char* id_text, int component, ImVec2 size);
+/// The last item is the box with the name that its scope gives it.
+void MarkBox(int component);
+
 /// The room from the cursor on for a label that may be broken. At least 160 design pixels: a popup that fits itself to
 /// what is in it has no width of its own.
 float LabelRoom();
@@ -150,9 +157,10 @@ enum class BoxKind { drag, slider };
 bool NumberBox(const char* id, double& value, const NumberStyle& style, float width, BoxKind kind = BoxKind::drag,
                const NumberLook* look = nullptr);
 
-/// Numbers without a label, sharing a width; the component names are for the recorder.
+/// Numbers without a label, sharing a width; the component names are for the recorder. `first`: which component of
+/// their scope (TargetScope) the first one is.
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
-               std::span<const double> defaults, std::span<const Links> links, float width);
+               std::span<const double> defaults, std::span<const Links> links, float width, int first = 0);
 
 /// Several choices as one bar, wrapped where it is too long.
 struct Segment {

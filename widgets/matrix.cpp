@@ -189,6 +189,15 @@ void CellTooltip(const glm::dmat4& value, const MatrixStyle& style, int cell) {
     inner::EndTooltipWindow();
 }
 
+/// "matrix:V[2][3]".
+std::string TargetOfCell(const MatrixStyle& style, int cell) {
+    return std::string(style.target) + "[" + std::to_string(cell / 4) + "][" + std::to_string(cell % 4) + "]";
+}
+
+bool IsCellCovered(const MatrixStyle& style, int cell) {
+    return style.target && !CurrentContext().targets.covered.empty() && IsCovered(TargetOfCell(style, cell));
+}
+
 CellState StateOf(double value, const MatrixStyle& style, int decimals, int cell, int hovered_cell) {
     CellState state{false, cell == hovered_cell, std::abs(value) < 0.5 * std::pow(10.0, -decimals)};
     if (style.cells.empty()) return state;
@@ -206,6 +215,12 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     const Measures measures(value, style, width);
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 max(min.x + width, min.y + measures.Height());
+    if (style.target && IsCovered(style.target)) {
+        if (style.hovered_cell) *style.hovered_cell = -1;
+        Plate(label, {width, measures.Height()});
+        MarkTarget(style.target);
+        return false;
+    }
 
     ImGui::BeginGroup();
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -213,7 +228,8 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
                         ImGui::GetStyle().FrameRounding);
     DrawBrackets(draw, min, max, measures.bracket, style.overridden);
     if (!style.editable) ImGui::Dummy(ImVec2(width, measures.Height()));
-    const int hovered_cell = style.editable ? -1 : CellUnderPointer(min, measures);
+    int hovered_cell = style.editable ? -1 : CellUnderPointer(min, measures);
+    if (hovered_cell >= 0 && IsCellCovered(style, hovered_cell)) hovered_cell = -1;
 
     const Group group(label);
     bool changed = false;
@@ -221,6 +237,12 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
     for (int cell = 0; cell < 16; ++cell) {
         const ImVec2 cell_min = measures.CellMin(min, cell);
         const ImVec2 cell_max(cell_min.x + measures.cell_width, cell_min.y + measures.cell_height);
+        if (IsCellCovered(style, cell)) {
+            const ImVec2 from(cell_min.x + Px(2), cell_min.y + Px(2)), to(cell_max.x - Px(2), cell_max.y - Px(2));
+            DrawPlate(draw, from, to);
+            inner::RecordRect(cell_names[cell], cell_min, cell_max, "?");
+            continue;
+        }
         const CellState state = StateOf(Entry(value, cell), style, measures.decimals, cell, hovered_cell);
         if (style.editable) {
             changed |= EditNumber(cell_min, measures, value, style, cell);
@@ -236,6 +258,14 @@ bool ShowMatrix(const char* label, glm::dmat4& value, const MatrixStyle& style, 
         ImGui::Dummy(ImVec2(width, measures.Height()));
     }
     ImGui::EndGroup();
+
+    if (style.target && !context.targets.highlighted.empty()) {
+        MarkTarget(style.target, min, max);
+        for (int cell = 0; cell < 16; ++cell) {
+            const ImVec2 from = measures.CellMin(min, cell);
+            MarkTarget(TargetOfCell(style, cell), from, {from.x + measures.cell_width, from.y + measures.cell_height});
+        }
+    }
 
     if (hovered_cell >= 0 && !style.cells.empty()) {
         const MatrixCell& info = style.cells[static_cast<std::size_t>(hovered_cell)];

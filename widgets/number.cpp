@@ -9,7 +9,7 @@ namespace widgets {
 namespace inner {
 
 bool NumberRow(std::span<double> values, std::span<const char* const> names, const NumberStyle& style,
-               std::span<const double> defaults, std::span<const Links> links, float width) {
+               std::span<const double> defaults, std::span<const Links> links, float width, int first) {
     const float gap = Px(4);
     const auto count = static_cast<float>(values.size());
     const float each = std::floor((width - gap * (count - 1.0F)) / count);
@@ -20,7 +20,10 @@ bool NumberRow(std::span<double> values, std::span<const char* const> names, con
         if (i < defaults.size()) own.default_value = defaults[i];
         if (i < links.size()) own.links = links[i];
         if (i > 0) ImGui::SameLine(0.0F, gap);
+        const int component = first + static_cast<int>(i);
+        if (CoveredBox(names[i], component, {each, ImGui::GetFrameHeight()})) continue;
         changed |= NumberBox(names[i], values[i], own, each, BoxKind::drag, &look);
+        MarkBox(component);
     }
     return changed;
 }
@@ -34,7 +37,10 @@ constexpr const char* component_names[] = {"x", "y", "z", "w"};
 bool LabelledBox(const char* label, double& value, const NumberStyle& style, float width, inner::BoxKind kind) {
     if (width <= 0.0F) width = ImGui::CalcItemWidth();
     const inner::Labelled labelled(label, width);
-    return inner::NumberBox(label, value, style, width, kind);
+    if (inner::CoveredBox(label, -1, {width, ImGui::GetFrameHeight()})) return false;
+    const bool changed = inner::NumberBox(label, value, style, width, kind);
+    inner::MarkBox(-1);
+    return changed;
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
         inner::NumberRow({values, 3}, {names, 3}, position, {defaults, 3}, position_links, width - gap - w_width);
         ImGui::SameLine(0.0F, gap);
         inner::NumberRow({values + 3, 1}, {names + 3, 1}, weight, {defaults + 3, 1},
-                         links.size() > 3 ? links.subspan(3, 1) : std::span<const Links>{}, w_width);
+                         links.size() > 3 ? links.subspan(3, 1) : std::span<const Links>{}, w_width, 3);
         edited = {values[0], values[1], values[2], values[3]};
     }
     ImGui::EndGroup();

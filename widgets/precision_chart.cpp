@@ -118,6 +118,9 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
     };
     const auto line = [&](double z, const char* name, const std::string& text, const inner::DragLineUse& line_use) {
         if (!IsDistance(z)) return;
+        const float x = PlaceOf(plot, z);
+        MarkTarget(std::string(style.target) + "." + name, ImVec2(x - Px(5), plot.min.y),
+                   ImVec2(x + Px(5), plot.max.y));
         inner::DrawDragLine(draw, PlaceOf(plot, z), plot.min.y, plot.max.y, Shown(palette.camera), line_use);
         names.push_back({PlaceOf(plot, z), text, palette.camera, name});
     };
@@ -128,6 +131,16 @@ std::vector<Box> DrawVerticals(ImDrawList* draw, const ChartPlot& plot, const Di
         mark(object.z, object.color ? object.color : palette.quiet, object.label, object.label, 1.25F);
     }
     return inner::DrawLineNames(draw, plot, names);
+}
+
+/// What is seen of a curve.
+void MarkCurve(const ChartPlot& plot, const ChartCurve& curve, const std::string& name) {
+    if (!IsHighlighted(name)) return;
+    for (const glm::dvec2& point : curve.points) {
+        if (!inner::CanBeDrawn(point) || !inner::IsInPlot(plot, point)) continue;
+        const ImVec2 at = inner::PlaceOf(plot, point);
+        MarkTarget(name, ImVec2(at.x - Px(2), at.y - Px(2)), ImVec2(at.x + Px(2), at.y + Px(2)));
+    }
 }
 
 ChartAxis AxisOrDefault(const ChartAxis& axis) {
@@ -178,7 +191,9 @@ bool PrecisionChart(const char* id, std::span<const ChartCurve> curves, double& 
         const ChartCurve& curve = all[label.curve];
         const bool stands_back = !curve.emphasised && label.curve < curves.size();
         inner::DrawEndLabel(draw, label, curve.name, Shown(stands_back ? palette.quiet : curve.color));
+        MarkTarget(std::string(style.target) + "." + curve.name, label.box.min, label.box.max);
     }
+    for (const ChartCurve& term : style.terms) MarkCurve(plot, term, std::string(style.target) + "." + term.name);
     if (hovered) inner::DrawPrecisionReadout(draw, {min, max}, plot, ImGui::GetIO().MousePos, curves, style);
     draw->PopClipRect();
 

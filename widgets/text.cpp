@@ -121,11 +121,12 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
         ImGui::TextUnformatted(tr(title));
     }
     if (*body) ImGui::TextUnformatted(tr(body));
-    TooltipFormulas(formula, roles);
+    const bool has_formula = *formula && !IsCovered("formulas");
+    if (has_formula) TooltipFormulas(formula, roles);
     if (*gl_call) TooltipLine(gl_call, context.palette.accent, context.fonts.number);
     if (*path) TooltipLine(path, context.palette.quiet, context.fonts.small_number);
     std::string all = title;
-    for (const char* line : {body, formula, gl_call, path}) {
+    for (const char* line : {body, has_formula ? formula : "", gl_call, path}) {
         if (*line) all.append("\n").append(line);
     }
     inner::EndTooltipWindow(all);

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "text/numbers.h"
+#include "widgets/targets.h"
 
 namespace widgets {
 
@@ -102,6 +103,7 @@ struct Context {
     std::vector<RecordedItem> recorded;   ///< of this frame
     std::vector<std::string> label_path;  ///< see Group
     Editing editing;
+    Targets targets;
 };
 
 /// Makes a context current for all widgets; call once a frame before the first. Moves hovered_next to hovered.
@@ -262,6 +264,7 @@ struct MatrixStyle {
     bool editable = false;                 ///< each entry is then a Number
     bool overridden = false;               ///< entered by hand: brackets in the trouble colour, no symbols
     const glm::dmat4* defaults = nullptr;  ///< what right-click resets an entry to; null: the identity
+    const char* target = nullptr;          ///< its name as in targets.h, "matrix:V"; null: none
     int* hovered_cell = nullptr;           ///< receives 4 * row + column under the pointer, or −1
 };
 

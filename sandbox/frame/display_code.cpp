@@ -9,7 +9,7 @@ namespace {
 
 /// One of the factors of W, from left to right.
 struct Factor {
-    std::string code, comment;
+    std::string code, comment, part;
 };
 
 /// W: V of this state, taken apart. `sign` is −1 for what undoes the camera, 1 where C itself is sent.
@@ -20,14 +20,15 @@ std::vector<Factor> factors_of(const Params& params) {
     // 0 + x, since −1 · 0 would print as −0.
     const auto number = [sign](double value, int decimals) { return plain_decimals(0.0 + sign * value, decimals); };
     const CameraParams& camera = params.camera;
-    const auto turn = [&](double angle_deg, const char* axis, const char* name) -> Factor {
-        return {"rotate(radians(" + number(angle_deg, 1) + "), " + axis + ")", std::string(minus) + name};
+    const auto turn = [&](double angle_deg, const char* axis, const char* name, const char* part) -> Factor {
+        return {"rotate(radians(" + number(angle_deg, 1) + "), " + axis + ")", std::string(minus) + name, part};
     };
-    std::vector<Factor> turns = {turn(camera.yaw, "y", "heading"), turn(camera.pitch, "x", "pitch"),
-                                 turn(camera.roll, "z", "roll")};
+    std::vector<Factor> turns = {turn(camera.yaw, "y", "heading", "rotate.yaw"),
+                                 turn(camera.pitch, "x", "pitch", "rotate.pitch"),
+                                 turn(camera.roll, "z", "roll", "rotate.roll")};
     const Factor move = {"translate(" + number(camera.position.x, 2) + ", " + number(camera.position.y, 2) + ", " +
                              number(camera.position.z, 2) + ")",
-                         ""};
+                         "", "translate"};
     const bool moves_last = params.slips.swapped_order;  // C = R T in place of T R
     turns.insert(moves_last ? turns.end() : turns.begin(), move);
     if (!is_camera_itself) std::reverse(turns.begin(), turns.end());
@@ -45,12 +46,14 @@ std::vector<DisplayLine> display_lines(const Params& params, const Derived& deri
     if (projection.type == ProjectionType::perspective) {
         const std::string degrees = plain_decimals(projection.fovy, 1);
         const std::string angle = params.slips.degrees_as_radians ? degrees : "radians(" + degrees + ")";
-        lines.push_back({"  P = perspective(" + angle + ","});
-        lines.push_back({"      " + plain_decimals(derived.aspect, 3) + ", " + range});
+        lines.push_back({"  P = perspective(" + angle + ",", false, "projection"});
+        lines.push_back({"      " + plain_decimals(derived.aspect, 3) + ", " + range, false, "projection"});
     } else {
-        lines.push_back({"  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) + ","});
+        lines.push_back({"  P = ortho(" + plain_decimals(-half_width, 2) + ", " + plain_decimals(half_width, 2) + ",",
+                         false, "projection"});
         lines.push_back(
-            {"      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) + ", " + range});
+            {"      " + plain_decimals(-half_height, 2) + ", " + plain_decimals(half_height, 2) + ", " + range, false,
+             "projection"});
     }
     lines.push_back({"  V = mat4(1);  // move the world instead:"});
     const std::vector<Factor> factors = factors_of(params);
@@ -58,7 +61,7 @@ std::vector<DisplayLine> display_lines(const Params& params, const Derived& deri
         const std::string& comment = factors[i].comment;
         lines.push_back({(i == 0 ? "  W = " : "    * ") + factors[i].code + (i + 1 == factors.size() ? ";" : "") +
                              (comment.empty() ? "" : "  // " + comment),
-                         true});
+                         true, factors[i].part});
     }
     lines.push_back({"  drawObjects();  // with P V W"});
     lines.push_back({"}"});

@@ -12,6 +12,7 @@ namespace viewing {
 struct DisplayLine {
     std::string code;
     bool moves_world = false;  ///< a factor of W
+    std::string part = {};  ///< what it stands for: "projection", "rotate.yaw", "translate"; empty: nothing by itself
 };
 
 /// At most 33 characters a line. P, V and W are the matrices of GLM's functions, angles in degrees, lengths in world

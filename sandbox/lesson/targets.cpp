@@ -58,10 +58,6 @@ constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "li
 /// Fields that no control shows.
 constexpr const char* without_control[] = {"version", "overrides", "follow", "ui", "view.shows"};
 
-std::string group_of(std::string_view path) {
-    return std::string(path.substr(0, path.rfind('.')));
-}
-
 int component_count(const Field& field) {
     const std::string_view type = type_name(field);
     return type == "vec3" ? 3 : type == "vec4" ? 4 : 0;
@@ -103,14 +99,11 @@ std::vector<std::string> target_names() {
     const auto add = [&names](std::string name) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
     };
-    for (const Field& field : fields()) {
-        const std::string path(field.path);
+    for (const std::string& path : known_paths()) {
         const bool is_shown = std::none_of(
             std::begin(without_control), std::end(without_control),
             [&path](const std::string_view out) { return path == out || path.starts_with(std::string(out) + "."); });
-        if (!is_shown) continue;
-        if (const std::string group = group_of(path); group != path) add("control:" + group);
-        add("control:" + path);
+        if (is_shown) add("control:" + path);
     }
     add("view:camera");
     for (const char* topic : names_of<Topic>().subspan(1)) add(std::string("view:") + topic);
@@ -121,6 +114,8 @@ std::vector<std::string> target_names() {
 }
 
 Result<std::string> read_target(std::string_view name) {
+    for (const char* shows : names_of<Shows>())
+        if (name == std::string("view:camera(") + shows + ")") return std::string("view:camera");
     static const std::vector<std::string> known = target_names();
     const std::string whole(name.substr(0, name.find('[')));
     if (std::find(known.begin(), known.end(), whole) == known.end()) {

@@ -15,7 +15,8 @@ namespace viewing {
 Result<std::string> read_target(std::string_view name);
 
 /// Every name, in the order of their kinds, but for components of fields ("control:light.position[3]") and entries of
-/// matrices ("matrix:V[2][3]", and "matrix:S[3]" for a row), which are names too.
+/// matrices ("matrix:V[2][3]", and "matrix:S[3]" for a row), which are names too. Behind "view:camera" there may stand
+/// what it shows then, "view:camera(difference)": a note for whoever reads it, which the window does not need.
 std::vector<std::string> target_names();
 
 }  // namespace viewing

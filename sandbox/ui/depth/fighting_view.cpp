@@ -19,26 +19,33 @@ enum Column { names, distance, gap, step, onset, predicted, trembling_mean, coun
 
 struct ColumnText {
     const char *title, *explanation;
+    const char* target;  ///< its name for a lesson
 };
 constexpr std::array<ColumnText, column_count> columns = {{
     {marked("pair"),
      marked("Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was "
-            "counted in the picture: where GL shows another surface than exact visibility does.")},
-    {marked("z"), marked("Eye distance of the middle of where they overlap.")},
-    {marked("gap"), marked("Between the two, along their normal.")},
-    {marked("step"), marked("Δz, the width of a depth code there, in eye distance.")},
+            "counted in the picture: where GL shows another surface than exact visibility does."),
+     "column:fighting.pair"},
+    {marked("z"), marked("Eye distance of the middle of where they overlap."), "column:fighting.z"},
+    {marked("gap"), marked("Between the two, along their normal."), "column:fighting.gap"},
+    {marked("step"), marked("Δz, the width of a depth code there, in eye distance."), "column:fighting.step"},
     {marked("safe gap"),
      marked("The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
-            "arithmetic adds to it. A gap that is narrower is red.")},
+            "arithmetic adds to it. A gap that is narrower is red."),
+     "column:fighting.safe_gap"},
     {marked("predicted"),
      marked("Between which shares of the pair's pixels show the wrong surface, whatever float32 arithmetic before the "
-            "store does; – where that cannot be said: with 24 bits and floats it is as coarse as the codes.")},
+            "store does; – where that cannot be said: with 24 bits and floats it is as coarse as the codes."),
+     "column:fighting.predicted"},
     {marked("trembling"),
      marked("Which codes meet the pixels goes by chance: the mean over 12 cameras that tremble by a thousandth of the "
-            "target's distance, and between which shares they lie.")},
-    {marked("counted"), marked("The share of the pair's pixels that show the wrong surface.")},
+            "target's distance, and between which shares they lie."),
+     "column:fighting.trembling"},
+    {marked("counted"), marked("The share of the pair's pixels that show the wrong surface."),
+     "column:fighting.counted"},
     {marked("wrong pixels"),
-     marked("Pixels that show the wrong surface, and all that the pair has, away from its edges.")},
+     marked("Pixels that show the wrong surface, and all that the pair has, away from its edges."),
+     "column:fighting.wrong_pixels"},
 }};
 
 struct PairRow {
@@ -85,9 +92,31 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
     return made;
 }
 
+bool is_covered(Column column) {
+    return widgets::IsCovered(columns[column].target);
+}
+
+/// Whether something counted is, so that what is counted elsewhere would tell it.
+bool is_count_covered() {
+    return is_covered(counted) || is_covered(pixels) || is_covered(trembling_mean);
+}
+
+/// What is covered says nothing, and neither do colours.
+void cover(PairRow& row) {
+    for (std::size_t c = 0; c < columns.size(); ++c)
+        if (widgets::IsCovered(columns[c].target)) row.texts[c] = "?";
+    if (is_covered(onset) || is_covered(step)) row.is_below_onset = false;
+    if (!is_count_covered()) return;
+    row.fights = false;
+    row.counted_share = 0.0F;
+}
+
 std::vector<PairRow> rows_of(const FightingReport& report) {
     std::vector<PairRow> rows;
-    for (std::size_t i = 0; i < report.rows.size(); ++i) rows.push_back(row_of(report.rows[i], report.counts.pairs[i]));
+    for (std::size_t i = 0; i < report.rows.size(); ++i) {
+        rows.push_back(row_of(report.rows[i], report.counts.pairs[i]));
+        cover(rows.back());
+    }
     return rows;
 }
 
@@ -144,6 +173,7 @@ void draw_row(const PairRow& row, const Widths& widths, bool is_behind) {
             ImGui::TextUnformatted(row.texts[c].c_str());
         else
             text_at_right(row.texts[c]);
+        widgets::MarkTarget(columns[c].target);
         if (c == distance || c == counted) widgets::Record((row.texts[names] + ": " + row.texts[c]).c_str());
         if (c == distance) widgets::Tooltip("Pair", row.texts[names].c_str());
         ImGui::PopFont();
@@ -162,6 +192,7 @@ void draw_titles(const Widths& widths) {
         else
             text_at_right(tr(columns[c].title));
         widgets::Record(columns[c].title);
+        widgets::MarkTarget(columns[c].target);
         widgets::Tooltip(columns[c].title, columns[c].explanation);
     }
     ImGui::PopStyleColor();
@@ -231,7 +262,7 @@ void draw_totals(const FightingReport& report) {
     ImGui::Dummy({0.0F, px(2.0F)});
     if (report.counts_are_behind) {
         line({{tr("counting…"), palette().quiet}});
-    } else {
+    } else if (!is_count_covered()) {
         const std::int64_t vanished = counts.vanished();
         line({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
                    counts.wrong_fraction() > 0.0),
@@ -241,7 +272,9 @@ void draw_totals(const FightingReport& report) {
               {say("in {width} × {height} pixels", "width"_a = report.size_px.x, "height"_a = report.size_px.y),
                palette().quiet}});
     }
-    if (report.gap_is_behind || !report.minimum_gap) {
+    if (is_covered(onset) || is_covered(step)) {
+        // It would be told by the minimum gap.
+    } else if (report.gap_is_behind || !report.minimum_gap) {
         line({{tr("searching for the minimum gap…"), palette().quiet}});
     } else {
         const MinimumGap& found = *report.minimum_gap;
@@ -286,7 +319,7 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
 
 /// Side by side, as many in a line as there is room for.
 void draw_cures(Session& session, const FightingReport& report) {
-    if (report.cured.empty()) return;
+    if (report.cured.empty() || is_count_covered() || widgets::IsCovered("advice")) return;
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(fonts.note);

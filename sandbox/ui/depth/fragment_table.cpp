@@ -20,6 +20,11 @@ enum Column { number, object, eye_z, facing, stored, compared, result, column_co
 constexpr std::array<const char*, column_count> titles = {
     "", marked("object"), marked("eye z"), marked("facing"), marked("stored"), marked("compare"), marked("test")};
 
+/// Their names for a lesson.
+constexpr std::array<const char*, column_count> targets = {
+    "column:pixel.number", "column:pixel.object",  "column:pixel.eye_z", "column:pixel.facing",
+    "column:pixel.stored", "column:pixel.compare", "column:pixel.test"};
+
 /// A row's texts, and how it is told.
 struct FragmentRow {
     std::array<std::string, column_count> texts;
@@ -28,6 +33,16 @@ struct FragmentRow {
     bool is_seen = false, is_drawn = false;
     bool is_close = false;  ///< a tie, or decided by rounding
 };
+
+/// What is covered says nothing, and neither do colours or the explanation.
+void cover(FragmentRow& row) {
+    for (std::size_t c = 0; c < targets.size(); ++c)
+        if (widgets::IsCovered(targets[c])) row.texts[c] = "?";
+    if (widgets::IsPartCovered("column:pixel")) row.explanation.clear();
+    if (!widgets::IsCovered(targets[compared]) && !widgets::IsCovered(targets[result])) return;
+    row.is_seen = row.is_close = false;
+    row.is_drawn = true;
+}
 
 ImU32 color_of(const Scene& scene, const std::string& object) {
     if (const SceneObject* found = scene.find(object)) {
@@ -64,6 +79,7 @@ std::vector<FragmentRow> rows_of(const std::vector<Fragment>& fragments, const D
             row.explanation += "\n";
             row.explanation += tr("It is the last one whose colour is written: the one that is seen.");
         }
+        cover(row);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -157,6 +173,7 @@ bool draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fo
             text_at_right(row.texts[c]);
         else
             ImGui::TextUnformatted(row.texts[c].c_str());
+        widgets::MarkTarget(targets[c]);
         ImGui::PopStyleColor();
         ImGui::PopFont();
     }
@@ -174,6 +191,7 @@ void draw_titles(const Widths& widths) {
             text_at_right(tr(titles[c]));
         else
             ImGui::TextUnformatted(tr(titles[c]));
+        widgets::MarkTarget(targets[c]);
     }
     ImGui::PopStyleColor();
 }

@@ -151,10 +151,19 @@ void draw_fragments(Session& session, const DepthData& data, bool is_large) {
     }
 }
 
+/// The width of a code is told in the panel as well, under one name.
+void cover(PixelNumber& number) {
+    const bool is_step = number.name == "step Δz" || number.name == "eye Δz";
+    if (!is_step || !widgets::IsCovered("note:depth_step")) return;
+    number.value = " ?";
+    number.formula.clear();
+}
+
 /// The numbers, and beside them, where there is room, else below, the surfaces.
 void draw_pixel(Session& session, const Derived& derived, const DepthData& data) {
     headline(session.params.view, *data.pixel);
-    const std::vector<PixelNumber> numbers = pixel_numbers(*data.pixel, session.params, derived);
+    std::vector<PixelNumber> numbers = pixel_numbers(*data.pixel, session.params, derived);
+    for (PixelNumber& number : numbers) cover(number);
     const ImVec2 from = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
     const bool beside = room.x >= px(760.0F), is_large = room.x >= px(900.0F);
     const float numbers_width = beside ? px(is_large ? 340.0F : 230.0F) : room.x;

@@ -57,9 +57,14 @@ public:
     ChartCurves& operator=(const ChartCurves&) = delete;
 
     std::span<const widgets::ChartCurve> all() const { return shown_; }
-    std::array<widgets::ChartCurve, 2> terms() const {
-        return {{{.name = marked("quantisation"), .color = palette().text, .points = curves_.quantisation},
-                 {.name = marked("arithmetic"), .color = palette().quiet, .points = curves_.arithmetic}}};
+    /// What the step is made of, but for what is covered.
+    std::vector<widgets::ChartCurve> terms() const {
+        std::vector<widgets::ChartCurve> terms;
+        if (!widgets::IsCovered("chart:precision.quantisation"))
+            terms.push_back({.name = marked("quantisation"), .color = palette().text, .points = curves_.quantisation});
+        if (!widgets::IsCovered("chart:precision.arithmetic"))
+            terms.push_back({.name = marked("arithmetic"), .color = palette().quiet, .points = curves_.arithmetic});
+        return terms;
     }
 
 private:
@@ -82,7 +87,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
     const float width = ImGui::GetContentRegionAvail().x;
     const bool is_small = height < px(240.0F);
     const ChartCurves curves(precision_curves(params, derived), is_small);
-    const std::array<widgets::ChartCurve, 2> terms = curves.terms();
+    const std::vector<widgets::ChartCurve> terms = curves.terms();
     // Their names stand in the upper half of the plot, side by side or below each other.
     const float most_marks = std::clamp(std::min(width / px(90.0F), height / px(45.0F)), 2.0F, 8.0F);
     const std::vector<DistanceMark> things = distance_marks(seen, static_cast<std::size_t>(most_marks));
@@ -99,6 +104,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
                                  .cursor_z = cursor_z,
                                  .default_near = defaults.near,
                                  .default_far = defaults.far,
+                                 .target = "chart:precision",
                                  .size = {width, height}}))
         clamp_to_ranges(params);
 }
@@ -122,6 +128,7 @@ public:
         widgets::Trouble(advice_.sentence.c_str());
         ImGui::PopFont();
         ImGui::EndChild();
+        widgets::MarkTarget("advice");
         if (!advice_.near) return;
         if (button_width_ > 0.0F) ImGui::SameLine();
         if (!widgets::SmallButton(button())) return;
@@ -150,7 +157,8 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
     const std::vector<SeenThing> seen = seen_things(session.params, derived, session.scene());
     const std::optional<NearAdvice> advice = near_advice(session.params, derived, seen);
     const float room = ImGui::GetContentRegionAvail().y;
-    if (!advice) return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
+    if (!advice || widgets::IsCovered("advice"))
+        return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
     // Where there is no room for both, the chart fills the view and the sentence is scrolled to.
     const float height = room - line.height() >= px(120.0F) ? room - line.height() : std::max(room, px(120.0F));

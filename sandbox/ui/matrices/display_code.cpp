@@ -14,13 +14,30 @@ ImU32 color_of(const DisplayLine& line) {
     return line.moves_world ? palette().of(widgets::Role::camera) : palette().text;
 }
 
+/// Its name for a lesson.
+std::string target_of(const DisplayLine& line) {
+    return line.part.empty() ? "code:display" : "code:display." + line.part;
+}
+
 }  // namespace
 
 void draw_display_code(const Params& params, const Derived& derived) {
+    const std::vector<DisplayLine> lines = display_lines(params, derived);
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
-    for (const DisplayLine& line : display_lines(params, derived)) {
+    const ImVec2 line_size(ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight());
+    if (widgets::IsCovered("code:display")) {
+        widgets::Plate("code", {line_size.x, static_cast<float>(lines.size()) * ImGui::GetTextLineHeightWithSpacing()});
+        widgets::MarkTarget("code:display");
+        return ImGui::PopFont();
+    }
+    for (const DisplayLine& line : lines) {
+        const std::string target = target_of(line);
         ImGui::PushStyleColor(ImGuiCol_Text, color_of(line));
-        ImGui::TextUnformatted(line.code.c_str());
+        if (widgets::IsCovered(target))
+            widgets::Plate("code", line_size);
+        else
+            ImGui::TextUnformatted(line.code.c_str());
+        widgets::MarkTarget(target);
         ImGui::PopStyleColor();
     }
     ImGui::PopFont();
@@ -37,9 +54,17 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
     const float margin = px(12.0F), rows = static_cast<float>(lines.size()) * spacing;
     const float size = std::min(
         {(rect.width() - 2.0F * margin) / longest, (rect.height() - 2.0F * margin) / rows, largest * font->FontSize});
+    ImDrawList* const draw = ImGui::GetWindowDrawList();
     for (std::size_t row = 0; row < lines.size(); ++row) {
+        const DisplayLine& line = lines[row];
         const ImVec2 at(rect.min.x + margin, rect.min.y + margin + size * spacing * static_cast<float>(row));
-        ImGui::GetWindowDrawList()->AddText(font, size, at, color_of(lines[row]), lines[row].code.c_str());
+        const ImVec2 end(at.x + font->CalcTextSizeA(size, FLT_MAX, 0.0F, line.code.c_str()).x, at.y + size);
+        const std::string target = target_of(line);
+        if (widgets::IsCovered(target))
+            widgets::DrawPlate(draw, at, {std::max(end.x, rect.max.x - margin), end.y});
+        else
+            draw->AddText(font, size, at, color_of(line), line.code.c_str());
+        widgets::MarkTarget(target, at, end);
     }
 }
 

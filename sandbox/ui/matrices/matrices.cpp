@@ -37,7 +37,10 @@ float place_at_right(const char* button) {
     return ImGui::GetContentRegionMax().x - std::max(px(52.0F), widgets::SmallButtonWidth(button));
 }
 
-void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
+/// Of what is covered nothing is copied.
+constexpr const char* covered_text = marked("Covered until the answer is given.");
+
+void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool is_covered) {
     struct Entry {
         const char* label;
         MatrixFormat format;
@@ -50,8 +53,8 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix) {
                                         {marked("plain text"), MatrixFormat::text}};
     ImGui::PushID(id);
     ImGui::SameLine(place_at_right("Copy"));
-    if (widgets::SmallButton("Copy")) ImGui::OpenPopup("copy");
-    widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
+    if (widgets::SmallButton("Copy", !is_covered, covered_text)) ImGui::OpenPopup("copy");
+    if (!is_covered) widgets::Tooltip("Copy", "Puts this matrix into the clipboard, with all its digits.");
     if (ImGui::BeginPopup("copy")) {
         widgets::ClosePopupOnEscape();
         for (const Entry& entry : entries) {
@@ -97,17 +100,32 @@ struct Shown {
     glm::dmat4 now, before;
     MatrixCells cells;
     std::span<const widgets::LetterRole> roles;
-    glm::dmat4 derived{1.0};    ///< what it would be without an entry by hand
-    std::string heading = "";   ///< in place of the letter
-    std::string property = "";  ///< what one by hand should have, and how far it is from that
+    glm::dmat4 derived{1.0};                  ///< what it would be without an entry by hand
+    std::string heading = "";                 ///< in place of the letter
+    std::string property = "";                ///< what one by hand should have, and how far it is from that
+    std::span<const char* const> facts = {};  ///< what the note tells, by its names for a lesson
 };
+
+/// What a fact's name stands for is told, unless it is covered; where it is, the whole note is.
+std::string told_fact(const std::string& note, std::span<const char* const> facts) {
+    return std::any_of(facts.begin(), facts.end(), widgets::IsCovered) ? "?" : note;
+}
+
+void mark_facts(std::span<const char* const> facts) {
+    for (const char* fact : facts) widgets::MarkTarget(fact);
+}
 
 /// Buttons beside Copy, from the right; returns which one was pressed.
 const char* show(Shown shown, const std::string& fact, std::span<const char* const> buttons,
                  std::optional<glm::dmat4>* by_hand = nullptr) {
     const char* pressed = nullptr;
-    std::string note = fact, explains = tr(shown.explains);
-    if (by_hand && *by_hand) {
+    const std::string target = "matrix:" + std::string(shown.letter);
+    const bool is_covered = widgets::IsCovered(target), is_part_covered = widgets::IsPartCovered(target);
+    const bool tells_difference = !is_part_covered && !widgets::IsCovered("sentences");
+    std::string note = is_covered ? "" : told_fact(fact, shown.facts), explains = tr(shown.explains);
+    if (by_hand && is_part_covered) buttons = {};
+    if (by_hand && *by_hand && !tells_difference) note = tr("by hand");
+    if (by_hand && *by_hand && tells_difference) {
         const double difference = largest_difference_up_to_scale(**by_hand, shown.derived);
         note = say("by hand, off by {difference}", "difference"_a = number_text(difference, 3));
         explains =
@@ -122,25 +140,30 @@ const char* show(Shown shown, const std::string& fact, std::span<const char* con
     for (const char* button : buttons) end -= room_of(button);
     const bool has_note =
         heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(), note, shown.role, end);
-    widgets::Tooltip(shown.name, explains.c_str());
+    if (has_note) mark_facts(shown.facts);
+    if (tells_difference) widgets::Tooltip(shown.name, explains.c_str());
     float right = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) {
         right -= room_of(button);
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;
     }
-    copy_menu(shown.name, shown.name, shown.now);
+    copy_menu(shown.name, shown.name, shown.now, is_part_covered);
     if (!has_note) {
         widgets::Note(note.c_str());
-        widgets::Tooltip(shown.name, explains.c_str());
+        mark_facts(shown.facts);
+        if (tells_difference) widgets::Tooltip(shown.name, explains.c_str());
     }
     if (by_hand && *by_hand) {
         for (widgets::MatrixCell& cell : shown.cells) cell.links = cell.own = 0;
-        const widgets::MatrixStyle style{
-            .cells = shown.cells, .editable = true, .overridden = true, .defaults = &shown.derived};
+        const widgets::MatrixStyle style{.cells = shown.cells,
+                                         .editable = true,
+                                         .overridden = true,
+                                         .defaults = &shown.derived,
+                                         .target = target.c_str()};
         widgets::Matrix(shown.letter, **by_hand, style);
     } else {
-        const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles};
+        const widgets::MatrixStyle style{.cells = shown.cells, .roles = shown.roles, .target = target.c_str()};
         const glm::dmat4& value = shown.now;
         widgets::Matrix(shown.letter, value, style);
     }
@@ -159,8 +182,17 @@ void show_overridable(const Shown& shown, const std::string& note, std::optional
         by_hand = shown.now;
 }
 
+/// A line of what is followed, under its name for a lesson.
+void followed_line(const char* target, const std::string& text, Role role) {
+    if (widgets::IsCovered(target))
+        widgets::Plate("value", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.number->FontSize});
+    else
+        widgets::ValueText(text.c_str(), role);
+    widgets::MarkTarget(target);
+}
+
 /// "name = (   1.000,   2.000,   3.000 )" with the columns of all lines under each other; `w` is a fourth.
-void vector_line(const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
+void vector_line(const char* target, const char* name, const glm::dvec3& value, Role role, const double* w = nullptr) {
     constexpr std::size_t columns = 7;
     const auto padded = [](double number) {
         const std::string text = number_text(number, 3);
@@ -169,7 +201,7 @@ void vector_line(const char* name, const glm::dvec3& value, Role role, const dou
     };
     std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
     text += w ? "," + padded(*w) + " )" : " )";
-    widgets::ValueText(text.c_str(), role);
+    followed_line(target, text, role);
 }
 
 void followed_point(Session& session, const Derived& derived) {
@@ -197,16 +229,17 @@ void followed_point(Session& session, const Derived& derived) {
     if (widgets::SmallButton("Clear")) session.params.follow.reset();
     if (!has_note) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
-    vector_line("p   ", followed.point_world, Role::point);
-    vector_line("S p ", glm::dvec3(followed.shadow_homogeneous), Role::none, &followed.shadow_homogeneous.w);
+    vector_line("follow:p", "p   ", followed.point_world, Role::point);
+    vector_line("follow:S p", "S p ", glm::dvec3(followed.shadow_homogeneous), Role::none,
+                &followed.shadow_homogeneous.w);
     if (followed.shadow_world)
-        vector_line("÷ w ", *followed.shadow_world, Role::light);
+        vector_line("follow:shadow", "÷ w ", *followed.shadow_world, Role::light);
     else
-        widgets::ValueText(tr("÷ w  at infinity: w = 0"), Role::trouble);
-    vector_line("R p ", followed.mirrored_world, Role::mirror);
-    vector_line(tr("foot"), followed.foot_world, Role::plane);
+        followed_line("follow:shadow", tr("÷ w  at infinity: w = 0"), Role::trouble);
+    vector_line("follow:mirrored", "R p ", followed.mirrored_world, Role::mirror);
+    vector_line("follow:foot", tr("foot"), followed.foot_world, Role::plane);
     const std::string distance = "k    = n·p + d = " + number_text(followed.plane_distance, 3);
-    widgets::ValueText(distance.c_str(), Role::plane);
+    followed_line("follow:distance", distance, Role::plane);
 }
 
 /// Camera movement read both ways: V and C take turns, and below P stands the slide's display().
@@ -246,10 +279,11 @@ void camera_matrices(const Params& params, const Derived& derived, const Derived
     const char* const slide = tr("the slide's display()");
     if (!heading(marked("Camera movement"), "", slide, Role::camera, ImGui::GetContentRegionMax().x))
         widgets::Note(slide);
-    widgets::Tooltip(
-        "Moving the camera is moving the world the other way",
-        "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
-        "the same.");
+    if (!widgets::IsPartCovered("code:display"))
+        widgets::Tooltip(
+            "Moving the camera is moving the world the other way",
+            "The lecture's display(), with radians and with pitch and roll: the product is V, so the picture is "
+            "the same.");
     draw_display_code(params, derived);
 }
 
@@ -287,6 +321,22 @@ void choose_pair(Params& params) {
     choose_one(marked("light"), params.view.light, params.lights.size());
 }
 
+constexpr const char* shadow_facts[] = {"fact:det_shadow", "fact:rank_shadow", "fact:plane_dot_light"};
+constexpr const char* mirror_facts[] = {"fact:det_mirror"};
+
+/// What holds for S; its determinant and Π·L, which stand in it anyway, where a lesson points them out.
+std::string shadow_note(const glm::dmat4& shadow, const CastShadow& cast) {
+    const std::string identity = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light));
+    if (widgets::IsHighlighted("fact:det_shadow")) return "det S = " + number_text(glm::determinant(shadow), 3);
+    if (widgets::IsHighlighted("fact:plane_dot_light")) return "Π·L = " + number_text(cast.plane_dot_light, 3);
+    return say("rank {rank} · {identity}", "rank"_a = rank_of(shadow), "identity"_a = identity);
+}
+
+const char* told_sign(const CastShadow& cast) {
+    if (widgets::IsCovered("fact:plane_dot_light")) return "S";
+    return cast.sign < 0.0 ? "−1·S" : "+1·S";
+}
+
 void shadow_and_mirror(Session& session, const Derived& derived, const Derived& before) {
     const DerivedPlane& plane = derived.chosen_plane();
     const CastShadow& cast = derived.chosen_shadow();
@@ -304,11 +354,9 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
                 "ray from the light, so its determinant is 0. What is uploaded is sign(Π·L) · S, the factor in front: "
                 "the same map, but with w > 0, which the clipper keeps."),
          Role::light, shadow, cast_before.shadowed_world_from_world, shadow_cells(), shadow_roles(),
-         shadow_matrix(plane.unit_plane, cast.light_world), cast.sign < 0.0 ? "−1·S" : "+1·S",
-         moved_text(shadow, plane.patch)},
-        say("rank {rank} · {identity}", "rank"_a = rank_of(shadow),
-            "identity"_a = identity_text("S² = (Π·L)S", shadow_residual(shadow, cast.plane_dot_light))),
-        overrides.shadowed_world_from_world[light_index]);
+         shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
+         shadow_facts},
+        shadow_note(shadow, cast), overrides.shadowed_world_from_world[light_index]);
 
     const glm::dmat4& mirror = plane.mirrored_world_from_world;
     const bool by_rows = session.params.reflection.printed_by_rows;
@@ -319,7 +367,7 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
          marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
                 "winding around."),
          Role::mirror, mirror, plane_before.mirrored_world_from_world, mirror_cells(by_rows), mirror_roles(),
-         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch)},
+         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirrored_world_from_world);
 }
 

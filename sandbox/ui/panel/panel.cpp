@@ -36,7 +36,13 @@ void camera_lamps(const Session& session) {
     const Lamp lamps[] = {{marked("forward"), can.forward, now.forward}, {marked("strafe"), can.strafe, now.strafe},
                           {marked("up/down"), can.lift, now.lift},       {marked("yaw"), can.yaw, now.yaw},
                           {marked("pitch"), can.pitch, now.pitch},       {marked("roll"), can.roll, now.roll}};
+    if (widgets::IsCovered("lamps")) {
+        widgets::Plate("degrees of freedom", {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()});
+        return widgets::MarkTarget("lamps");
+    }
+    const ImVec2 from = ImGui::GetCursorScreenPos();
     widgets::Lamps("degrees of freedom", lamps, Role::camera);
+    widgets::MarkTarget("lamps", from, ImGui::GetItemRectMax());
     widgets::Tooltip("Degrees of freedom",
                      "Ringed: this mode has it. Filled: it is moving now. Fly-through has six, walk-through two: "
                      "pan about y and walk forward or back.");
@@ -112,10 +118,14 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
                                      .step = 0.2,
                                      .decimals = 1,
                                      .unit = "°"};
-    if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
-        params.camera.yaw = angles[0];
-        params.camera.pitch = angles[1];
-        params.camera.roll = angles[2];
+    {
+        static constexpr const char* targets[] = {"control:camera.yaw", "control:camera.pitch", "control:camera.roll"};
+        const widgets::TargetScope scope(targets);
+        if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
+            params.camera.yaw = angles[0];
+            params.camera.pitch = angles[1];
+            params.camera.roll = angles[2];
+        }
     }
     widgets::Tooltip("Yaw, pitch, roll",
                      "Heading about y, then nodding about the camera's x, then tilting about its z.",
@@ -125,7 +135,10 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
     control(params, "camera.target", {.label = marked("target")});
     speed_control(session);
 
-    if (details("Famous slips")) slips(params);
+    named_section("slips", {}, [&params] {
+        static constexpr const char* targets[] = {"control:slips", "section:slips"};
+        if (details("Famous slips", targets)) slips(params);
+    });
 }
 
 void projection_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
@@ -154,7 +167,7 @@ void projection_section(Session& session, const Derived& derived, const std::vec
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step)
                                                 : say("{bits}-bit depth: Δz at z = {z} is {step}",
                                                       "bits"_a = precision.bits, "z"_a = z, "step"_a = step);
-    widgets::Note(note.c_str());
+    if (!named_note("note:depth_step", note)) return;
     widgets::Tooltip("Depth resolution",
                      "The least difference in eye z that can be told apart at the camera's target: the width of a code "
                      "or, where those of a float are finer, what float32 keeps of eye z itself. Two surfaces closer "
@@ -211,14 +224,26 @@ void observer_section(Session& session) {
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
     ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
-    camera_section(session, derived, problems);
-    projection_section(session, derived, problems);
-    hidden_surfaces_section(session, problems, hidden_state, hidden);
-    draw_depth_section(session);
-    draw_light_section(session, problems);
-    draw_plane_section(session, derived, problems);
-    draw_shadow_and_reflection_section(session, problems);
-    observer_section(session);
+    named_section("camera",
+                  {"control:camera", "lamps", "button:home", "button:frame all", "button:level", "control:slips",
+                   "section:slips"},
+                  [&] { camera_section(session, derived, problems); });
+    named_section("projection", {"control:projection", "note:depth_step"},
+                  [&] { projection_section(session, derived, problems); });
+    named_section("visibility",
+                  {"control:depth.test", "control:depth.func", "control:depth.write", "control:depth.clear",
+                   "control:cull", "control:visibility", "button:find a view where this key fails"},
+                  [&] { hidden_surfaces_section(session, problems, hidden_state, hidden); });
+    named_section("depth",
+                  {"control:depth", "control:coplanar", "control:view.depth_scale", "control:view.depth_colors",
+                   "control:view.beside", "control:animation.jiggle"},
+                  [&] { draw_depth_section(session); });
+    named_section("light", {"control:light", "control:animation"}, [&] { draw_light_section(session, problems); });
+    named_section("plane", {"control:plane", "text:unit normal", "button:normalise"},
+                  [&] { draw_plane_section(session, derived, problems); });
+    named_section("shadow", {"control:shadow", "control:reflection"},
+                  [&] { draw_shadow_and_reflection_section(session, problems); });
+    named_section("observer", {"control:observer"}, [&] { observer_section(session); });
     ImGui::PopItemWidth();
 }
 

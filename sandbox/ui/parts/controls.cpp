@@ -115,15 +115,32 @@ void explain(const Field& field, std::string_view label, std::string_view why_no
                      std::string(field.gl_call).c_str(), {}, std::string(field.path).c_str());
 }
 
+bool is_covered(const Field& field, const char* label, float width) {
+    const std::string target = target_of(field.path);
+    if (!widgets::IsCovered(target)) return false;
+    widgets::CoveredControl(label, width);
+    widgets::MarkTarget(target);
+    return true;
+}
+
+std::string target_of(std::string_view path) {
+    return "control:" + std::string(path);
+}
+
 bool control(Params& params, std::string_view path, const ControlStyle& style) {
     const Field& found = field(path);
-    ImGui::PushID(found.path.data(), found.path.data() + found.path.size());
     const char* label = style.label ? style.label : found.label.data();
+    const bool is_toggle = type_name(found) == "bool";
+    const float width = is_toggle ? widgets::ToggleWidth("") : style.width * widgets::CurrentContext().scale;
+    if (is_covered(found, label, width)) return false;
+    const widgets::TargetScope scope(target_of(found.path));
+    ImGui::PushID(found.path.data(), found.path.data() + found.path.size());
     const std::string_view why_not = why_without_effect(params, style.scene, path);
     ImGui::BeginDisabled(!why_not.empty());
     const bool changed = std::visit(DrawControl{found, style, label}, found.in(params));
     ImGui::EndDisabled();
     ImGui::PopID();
+    widgets::MarkTarget(target_of(found.path));
     explain(found, label, why_not);
     return changed;
 }

@@ -2,6 +2,7 @@
 // only says which field stands where.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "state/fields.h"
@@ -26,6 +27,12 @@ struct ControlStyle {
 
 /// Draws the control; true when it changed the value. Where the field has no effect it is greyed and says why.
 bool control(Params& params, std::string_view path, const ControlStyle& style = {});
+
+/// The name under which a field's control is covered and pointed out: "control:camera.yaw".
+std::string target_of(std::string_view path);
+
+/// Draws in place of the field's control a plate so many pixels wide where it is covered, and says whether it did.
+bool is_covered(const Field& field, const char* label, float width = 0.0F);
 
 /// The tooltip that explains a field, for the last item. Its title is `label`, what the control shows ("##…" counts as
 /// nothing), else the field's own; the field's path stands below. `why_not`: why it has no effect now, else empty.

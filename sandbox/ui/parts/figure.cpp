@@ -99,6 +99,14 @@ void Figure::dimension(const glm::dvec3& from, const glm::dvec3& to, const char*
     ImGui::PopFont();
 }
 
+void Figure::mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) const {
+    const Segment part = seen(section_.place(from), section_.place(to));
+    const float around = px(16.0F);
+    const auto [min_x, max_x] = std::minmax(part.from.x, part.to.x);
+    const auto [min_y, max_y] = std::minmax(part.from.y, part.to.y);
+    widgets::MarkTarget(name, {min_x - around, min_y - around}, {max_x + around, max_y + around});
+}
+
 Figure::Segment Figure::seen(ImVec2 from, ImVec2 to) const {
     const Rect& rect = section_.rect();
     float begin = 0.0F, end = 1.0F;

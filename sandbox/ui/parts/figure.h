@@ -32,6 +32,8 @@ public:
     void measure(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
     /// The same of an upright line, beside a dimension line left of it.
     void dimension(const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value, ImU32 color);
+    /// What stands about this line bears a name for a lesson.
+    void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) const;
 
 private:
     struct Label {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace viewing {
 namespace {
@@ -122,6 +123,42 @@ void Overlay::arrow(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, f
 
 void Overlay::label(const glm::dvec3& point, const char* text, ImU32 color) {
     if (const auto place = project(point)) labels_.push_back({*place, text, color});
+}
+
+void Overlay::mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to) {
+    const auto found = segment(from, to);
+    if (!found) return;
+    const float around = 16.0F * scale_;
+    const auto [min_x, max_x] = std::minmax(found->from.x, found->to.x);
+    const auto [min_y, max_y] = std::minmax(found->from.y, found->to.y);
+    widgets::MarkTarget(name, {min_x - around, min_y - around}, {max_x + around, max_y + around});
+}
+
+void Overlay::target(const glm::dvec3& point, const char* text, ImU32 color) {
+    if (arrow_at_edge(point, text, color)) return;
+    const ImVec2 at = *project(point);
+    const float radius = 8.0F * scale_, reach = 13.0F * scale_, gap = 3.0F * scale_;
+    const ImU32 ground = widgets::CurrentContext().palette.view_ground;
+    for (const auto& [ink, width] : {std::pair(ground, 4.0F), std::pair(color, 2.0F)}) {
+        const float line = width * stroke_;
+        draw_->AddCircle(at, radius, ink, 0, line);
+        for (const float side : {-1.0F, 1.0F}) {
+            draw_->AddLine({at.x + side * gap, at.y}, {at.x + side * reach, at.y}, ink, line);
+            draw_->AddLine({at.x, at.y + side * gap}, {at.x, at.y + side * reach}, ink, line);
+        }
+    }
+    if (*text == '\0') return;
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    const ImVec2 size = ImGui::CalcTextSize(text), margin(5.0F * scale_, 2.0F * scale_);
+    const bool has_room = at.x + reach + 2.0F * margin.x + size.x <= rect_.max.x;
+    const float left = has_room ? at.x + reach + margin.x : at.x - reach - margin.x - size.x;
+    const ImVec2 from(left, at.y - size.y * 0.5F), to(left + size.x, at.y + size.y * 0.5F);
+    draw_->AddRectFilled({from.x - margin.x, from.y - margin.y}, {to.x + margin.x, to.y + margin.y}, ground,
+                         4.0F * scale_);
+    draw_->AddText(from, color, text);
+    ImGui::PopFont();
+    taken_.push_back({{at.x - reach, at.y - reach}, {at.x + reach, at.y + reach}});
+    taken_.push_back({{from.x - margin.x, from.y - margin.y}, {to.x + margin.x, to.y + margin.y}});
 }
 
 bool Overlay::is_free(const Rect& part) const {

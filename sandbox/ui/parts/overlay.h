@@ -37,6 +37,10 @@ public:
     /// An arrow at the picture's edge that shows the way to a point outside it, with a label; true when the point is
     /// there.
     bool arrow_at_edge(const glm::dvec3& point, const char* text, ImU32 color);
+    /// What stands about this line bears a name for a lesson (widgets/targets.h).
+    void mark_target(const char* name, const glm::dvec3& from, const glm::dvec3& to);
+    /// A cross in a ring with a label on a plate; an arrow at the edge where it is outside the picture.
+    void target(const glm::dvec3& point, const char* text, ImU32 color);
     /// No label covers this part of the picture.
     void keep_labels_off(const Rect& taken) { taken_.push_back(taken); }
     bool is_free(const Rect& part) const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,7 @@ namespace viewing {
 /// What is wrong in some groups of fields, a line each, for the sign on their section.
 inline std::string troubles(const std::vector<Problem>& problems, std::initializer_list<std::string_view> groups) {
     std::string sentences;
+    if (widgets::IsCovered("sentences")) return sentences;
     for (const Problem& problem : problems)
         if (std::find(groups.begin(), groups.end(), problem.group) != groups.end())
             sentences += (sentences.empty() ? "" : "\n") + problem.sentence;
@@ -34,12 +36,41 @@ inline void behind(float width) {
     if (ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right) ImGui::SameLine();
 }
 
-/// What is wanted less often stays folded. Returns whether it is open.
-inline bool details(const char* label) {
+/// What is wanted less often stays folded, unless one of these names is sought in it. Returns whether it is open.
+inline bool details(const char* label, std::span<const char* const> targets = {}) {
+    if (widgets::IsSought(targets)) ImGui::SetNextItemOpen(true);
     const bool open = ImGui::TreeNodeEx(widgets::BrokenLabelText(label, ImGui::GetTreeNodeToLabelSpacing()).c_str(),
                                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
     widgets::Record(label);
     return open;
+}
+
+/// A quiet line under its name for a lesson, which may be covered. Says whether it is there to be explained.
+inline bool named_note(const char* target, const std::string& text) {
+    const bool is_covered = widgets::IsCovered(target);
+    if (is_covered)
+        widgets::Plate("note", {ImGui::GetContentRegionAvail().x, widgets::CurrentContext().fonts.note->FontSize});
+    else
+        widgets::Note(text.c_str());
+    widgets::MarkTarget(target);
+    return !is_covered;
+}
+
+/// A section of the panel under its name for a lesson: folded out where one of `targets` is sought in it, a plate where
+/// it is covered. `draw` draws it, headline and all.
+template <typename Draw>
+void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {
+    const std::string target = std::string("section:") + name;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (widgets::IsCovered(target)) {
+        widgets::Plate(name, {width, ImGui::GetFrameHeight()});
+    } else {
+        const char* const self[] = {target.c_str()};
+        if (widgets::IsSought(self) || widgets::IsSought({targets.begin(), targets.size()})) widgets::OpenNextSection();
+        draw();
+    }
+    widgets::MarkTarget(target, from, {from.x + width, ImGui::GetCursorScreenPos().y});
 }
 
 }  // namespace viewing

@@ -117,22 +117,29 @@ Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, cons
     return covered;
 }
 
+bool is_image_covered() {
+    return widgets::IsCovered("label:mirrored") || widgets::IsCovered("follow:mirrored");
+}
+
 void draw_followed(Overlay& overlay, const Derived& derived) {
     if (!derived.followed) return;
     const FollowedPoint& followed = *derived.followed;
     const glm::dvec3& p = followed.point_world;
     const glm::dvec4& light = derived.chosen_light();
-    if (followed.shadow_world) {
+    if (followed.shadow_world && !widgets::IsCovered("follow:shadow")) {
         if (light.w > 1e-3) overlay.line(glm::dvec3(light) / light.w, p, palette().light);
         overlay.line(p, *followed.shadow_world, palette().light);
         overlay.dot(*followed.shadow_world, palette().light);
         overlay.label(*followed.shadow_world, "s = S p", palette().light);
     }
     overlay.dashed(p, followed.foot_world, palette().mirror);
-    overlay.dashed(followed.foot_world, followed.mirrored_world, palette().mirror);
+    overlay.mark_target("label:mirrored", followed.mirrored_world, followed.mirrored_world);
+    if (!is_image_covered()) overlay.dashed(followed.foot_world, followed.mirrored_world, palette().mirror);
     overlay.dot(followed.foot_world, palette().plane, 3.0F);
-    overlay.dot(followed.mirrored_world, palette().mirror);
-    overlay.label(followed.mirrored_world, "R p", palette().mirror);
+    if (!is_image_covered()) {
+        overlay.dot(followed.mirrored_world, palette().mirror);
+        overlay.label(followed.mirrored_world, "R p", palette().mirror);
+    }
     overlay.dot(p, palette().point, 5.0F);
     overlay.label(p, "p", palette().point);
 }

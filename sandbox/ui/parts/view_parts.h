@@ -42,6 +42,9 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
 /// lines as it takes. Returns what it covers.
 Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, const char* whole, const char* brief);
 
+/// Whether the mirror image of the followed point is not to be seen.
+bool is_image_covered();
+
 /// p with its ray from the light, s, the foot on the plane and the mirror image.
 void draw_followed(Overlay& overlay, const Derived& derived);
 

@@ -7,6 +7,7 @@
 #include "text/catalogue.h"
 #include "ui/parts/figure.h"
 #include "ui/parts/look.h"
+#include "ui/parts/view_parts.h"
 #include "ui/planes/derivation_text.h"
 
 namespace viewing {
@@ -64,8 +65,11 @@ void draw_light_side(Figure& figure, const ShadowDerivation& found, const Shadow
     figure.dashed(l, foot, light);
     figure.dashed(level, p, palette().quiet);
     figure.right_angle(foot, places.across, places.up);
-    figure.dimension(l, foot, "n·ℓ + d", found.light_height, palette().plane);
-    if (figure.has_room()) figure.measure(l, level, "n·ℓ − n·p", found.n_dot_l - found.n_dot_p, palette().quiet);
+    const bool has_heights = !widgets::IsCovered("label:heights");
+    if (has_heights) figure.dimension(l, foot, "n·ℓ + d", found.light_height, palette().plane);
+    figure.mark_target("label:heights", l, foot);
+    if (figure.has_room() && has_heights)
+        figure.measure(l, level, "n·ℓ − n·p", found.n_dot_l - found.n_dot_p, palette().quiet);
     figure.measure(l, p, "|p − ℓ|", found.light_to_point, light);
 }
 
@@ -78,7 +82,8 @@ void draw_point_side(Figure& figure, const ShadowDerivation& found, const Shadow
     figure.dashed(p, foot, palette().point);
     const double upwards = glm::dot(p - foot, places.up) < 0.0 ? -1.0 : 1.0;
     figure.right_angle(foot, places.across, places.up * upwards);
-    figure.measure(p, foot, "n·p + d", found.point_height, palette().plane);
+    if (!widgets::IsCovered("label:heights")) figure.measure(p, foot, "n·p + d", found.point_height, palette().plane);
+    figure.mark_target("label:heights", p, foot);
 }
 
 }  // namespace
@@ -134,15 +139,17 @@ void draw_mirror_diagram(const Rect& rect, const MirrorDerivation& found) {
         Figure figure(section);
         const glm::dvec3 &q = found.point_world, &foot = found.foot_world, &image = found.mirrored_world;
         figure.name(q, "q", palette().point);
-        figure.name(image, "q′", palette().mirror);
+        const bool has_image = !is_image_covered();
+        figure.mark_target("label:mirrored", image, image);
+        if (has_image) figure.name(image, "q′", palette().mirror);
         figure.name(foot, tr("foot"), palette().plane);
         figure.line(q, foot, palette().point, 2.0F);
-        figure.dashed(foot, image, palette().mirror);
+        if (has_image) figure.dashed(foot, image, palette().mirror);
         figure.right_angle(foot, across, n * (found.k < 0.0 ? -1.0 : 1.0));
         figure.measure(q, foot, "k", found.k, palette().point);
-        figure.measure(foot, image, "k", found.k, palette().mirror);
+        if (has_image) figure.measure(foot, image, "k", found.k, palette().mirror);
         figure.dot(foot, palette().plane, 3.5F);
-        figure.dot(image, palette().mirror, 5.0F);
+        if (has_image) figure.dot(image, palette().mirror, 5.0F);
         figure.dot(q, palette().point, 5.0F);
     }
     draw->PopClipRect();

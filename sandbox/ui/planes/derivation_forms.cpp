@@ -27,7 +27,8 @@ void show_form(const Form& form, float width) {
         MatrixCells cells = shadow_cells();
         for (std::size_t cell = 0; cell < cells.size(); ++cell)
             if (form.symbols[cell]) cells[cell].symbol = form.symbols[cell];
-        widgets::Matrix(form.name, *form.matrix, {.cells = cells, .roles = derivation_roles()}, width);
+        widgets::Matrix(form.name, *form.matrix, {.cells = cells, .roles = derivation_roles(), .target = "matrix:S"},
+                        width);
     } else {
         equation({marked("only for"), form.needs, "l_w = 1"}, width);
     }

@@ -14,16 +14,16 @@ namespace {
 using Lines = std::vector<DerivationLine>;
 
 void result(Lines& lines, std::vector<std::string> parts) {
-    lines.push_back({DerivationLine::Kind::equation, std::move(parts), false});
+    lines.push_back({DerivationLine::Kind::equation, std::move(parts), "", false});
 }
 void step(Lines& lines, std::vector<std::string> parts) {
-    lines.push_back({DerivationLine::Kind::equation, std::move(parts), true});
+    lines.push_back({DerivationLine::Kind::equation, std::move(parts), "", true});
 }
 void heading(Lines& lines, const char* text, bool is_step = true) {
-    lines.push_back({DerivationLine::Kind::heading, {text}, is_step});
+    lines.push_back({DerivationLine::Kind::heading, {text}, "", is_step});
 }
 void note(Lines& lines, const char* text) {
-    lines.push_back({DerivationLine::Kind::note, {text}, true});
+    lines.push_back({DerivationLine::Kind::note, {text}, "", true});
 }
 
 /// "= 5.200·1.300": factors that are negative in brackets.
@@ -152,24 +152,32 @@ std::vector<DerivationLine> shadow_lines(const ShadowDerivation& found, bool is_
         const glm::dvec4 sum = projected(found);
         step(lines, {"s", "= S p ÷ w", "= " + derivation_vector(glm::dvec3(sum) / sum.w)});
     }
+    for (DerivationLine& line : lines) line.target = "text:shadow_derivation.lines";
     return lines;
 }
 
 std::vector<DerivationLine> mirror_lines(const MirrorDerivation& found) {
     Lines lines;
-    result(lines, {"k", "= n·q + d", equals(found.k)});
-    result(lines, {marked("foot"), "= q − k n", "= " + derivation_vector(found.foot_world)});
-    result(lines, {"q′", "= q − 2 k n", "= " + derivation_vector(found.mirrored_world)});
+    const auto named = [&lines](const char* target, std::vector<std::string> parts) {
+        result(lines, std::move(parts));
+        lines.back().target = target;
+    };
+    named("text:mirror_derivation.k", {"k", "= n·q + d", equals(found.k)});
+    named("text:mirror_derivation.foot", {marked("foot"), "= q − k n", "= " + derivation_vector(found.foot_world)});
+    named("text:mirror_derivation.mirrored", {"q′", "= q − 2 k n", "= " + derivation_vector(found.mirrored_world)});
     heading(lines, marked("Expanded"), false);
     static constexpr const char* rows[3][5] = {{"x_0′", "= (1 - 2a^2) x_0", "- 2ab y_0", "- 2ac z_0", "- 2ad"},
                                                {"y_0′", "= -2ab x_0", "+ (1 - 2b^2) y_0", "- 2bc z_0", "- 2bd"},
                                                {"z_0′", "= -2ac x_0", "- 2bc y_0", "+ (1 - 2c^2) z_0", "- 2cd"}};
     for (int row = 0; row < 3; ++row) {
         const auto& [name, x, y, z, d] = rows[row];
-        result(lines, {name, x, y, z, d, "= " + signed_sum(found.terms[row]), equals(found.mirrored_world[row])});
+        named("text:mirror_derivation.rows",
+              {name, x, y, z, d, "= " + signed_sum(found.terms[row]), equals(found.mirrored_world[row])});
     }
-    lines.push_back(
-        {DerivationLine::Kind::note, {marked("The slide's second line begins with 2ab x₀; it is −2ab x₀.")}, false});
+    lines.push_back({DerivationLine::Kind::note,
+                     {marked("The slide's second line begins with 2ab x₀; it is −2ab x₀.")},
+                     "text:mirror_derivation.rows",
+                     false});
     return lines;
 }
 

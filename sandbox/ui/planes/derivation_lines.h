@@ -14,6 +14,7 @@ struct DerivationLine {
 
     Kind kind = Kind::equation;
     std::vector<std::string> parts;  ///< of an equation as equation() takes them; else one text, marked or finished
+    std::string target = {};         ///< its name for a lesson
     bool is_step = false;  ///< leads to a result: left out where there is room for results alone and none is stepped to
 };
 

@@ -23,6 +23,13 @@ void measure(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, con
     overlay.label((from + to) * 0.5, text.c_str(), color);
 }
 
+/// A height above the plane: what a lesson calls "label:heights".
+void height(Overlay& overlay, const glm::dvec3& from, const glm::dvec3& to, const char* symbol, double value,
+            ImU32 color) {
+    overlay.mark_target("label:heights", from, to);
+    if (!widgets::IsCovered("label:heights")) measure(overlay, from, to, symbol, value, color);
+}
+
 void triangle(Overlay& overlay, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, ImU32 color) {
     overlay.fill({a, b, c, c}, with_alpha(color, 36));
 }
@@ -54,22 +61,24 @@ void shadow_overlay(Overlay& overlay, const Derived& derived, const ShadowDeriva
     if (has_light) {
         overlay.dashed(found.light_world, found.light_foot_world, colors.light);
         overlay.dot(found.light_foot_world, colors.plane, 3.0F);
-        measure(overlay, found.light_world, found.light_foot_world, "n·ℓ + d", found.light_height, colors.plane);
+        height(overlay, found.light_world, found.light_foot_world, "n·ℓ + d", found.light_height, colors.plane);
         measure(overlay, found.light_world, p, "|p − ℓ|", found.light_to_point, colors.light);
     }
     overlay.dashed(p, foot, colors.point);
     overlay.dot(foot, colors.plane, 3.0F);
-    measure(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
+    height(overlay, p, foot, "n·p + d", found.point_height, colors.plane);
 }
 
 void mirror_overlay(Overlay& overlay, const MirrorDerivation& found) {
     const widgets::Palette& colors = palette();
     overlay.dashed(found.point_world, found.foot_world, colors.point);
-    overlay.dashed(found.foot_world, found.mirrored_world, colors.mirror);
     overlay.dot(found.foot_world, colors.plane, 3.0F);
+    measure(overlay, found.point_world, found.foot_world, "k", found.k, colors.plane);
+    overlay.mark_target("label:mirrored", found.mirrored_world, found.mirrored_world);
+    if (is_image_covered()) return;
+    overlay.dashed(found.foot_world, found.mirrored_world, colors.mirror);
     overlay.dot(found.mirrored_world, colors.mirror);
     overlay.label(found.mirrored_world, is_large(overlay) ? "q′ = q − 2 k n" : "q′", colors.mirror);
-    measure(overlay, found.point_world, found.foot_world, "k", found.k, colors.plane);
     overlay.label((found.foot_world + found.mirrored_world) * 0.5, "k", colors.mirror);
 }
 

@@ -109,7 +109,7 @@ void plane_line(const glm::dvec4& unit_plane) {
     equation({"n", "= " + derivation_vector(glm::dvec3(unit_plane)), "d = " + derivation_number(unit_plane.w)});
 }
 
-void write(const DerivationLine& line) {
+void write_shown(const DerivationLine& line) {
     switch (line.kind) {
         case DerivationLine::Kind::equation:
             return equation(line.parts);
@@ -118,6 +118,35 @@ void write(const DerivationLine& line) {
         case DerivationLine::Kind::note:
             return widgets::Note(line.parts.front().c_str());
     }
+}
+
+/// What else tells a line's numbers: covered there, they are covered here, too.
+bool is_covered(const std::string& target) {
+    struct Same {
+        std::string_view line;
+        const char* elsewhere;
+    };
+    static constexpr Same all[] = {{"text:mirror_derivation.k", "follow:distance"},
+                                   {"text:mirror_derivation.foot", "follow:foot"},
+                                   {"text:mirror_derivation.mirrored", "follow:mirrored"},
+                                   {"text:mirror_derivation.rows", "follow:mirrored"},
+                                   {"text:mirror_derivation.rows", "matrix:R"},
+                                   {"text:shadow_derivation.lines", "follow:shadow"},
+                                   {"text:shadow_derivation.lines", "follow:S p"},
+                                   {"text:shadow_derivation.lines", "matrix:S"}};
+    return widgets::IsCovered(target) || std::any_of(std::begin(all), std::end(all), [&target](const Same& same) {
+               return same.line == target && widgets::IsPartCovered(same.elsewhere);
+           });
+}
+
+void write(const DerivationLine& line) {
+    if (is_covered(line.target)) {
+        widgets::Plate("line", {ImGui::GetContentRegionAvail().x, ImGui::GetTextLineHeight()});
+        return widgets::MarkTarget(line.target);
+    }
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    write_shown(line);
+    widgets::MarkTarget(line.target, from, {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetItemRectMax().y});
 }
 
 /// All lines, or those up to the step of the state with the latest in view. True when all are there.
@@ -139,13 +168,26 @@ bool step_bar(Params& params, const std::vector<DerivationLine>& lines, widgets:
     return step != before && step >= 0;
 }
 
+/// In place of a part of a derivation that is covered: says whether it was.
+bool is_part_covered(const char* target, float height) {
+    if (!widgets::IsCovered(target)) return false;
+    widgets::Plate(target, {ImGui::GetContentRegionAvail().x, std::max(height, px(20.0F))});
+    widgets::MarkTarget(target);
+    return true;
+}
+
 void mirror_form(const MirrorDerivation& found) {
+    constexpr float plate_height = 130.0F;
+    if (is_part_covered("text:mirror_derivation.matrix", px(plate_height))) return;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
     static constexpr const char* headings[] = {marked("R for the yz-plane"), marked("R for the xz-plane"),
                                                marked("R for the xy-plane"), marked("R for any plane")};
     derivation_heading(headings[static_cast<std::size_t>(found.plane)]);
     const float width = std::min(ImGui::GetContentRegionAvail().x, px(420.0F));
     MatrixCells cells = mirror_cells();
-    widgets::Matrix("R derived", found.mirrored_world_from_world, {.cells = cells, .roles = mirror_roles()}, width);
+    widgets::Matrix("R derived", found.mirrored_world_from_world,
+                    {.cells = cells, .roles = mirror_roles(), .target = "matrix:R"}, width);
+    widgets::MarkTarget("text:mirror_derivation.matrix", from, ImGui::GetItemRectMax());
     if (found.plane == MirrorPlane::general)
         widgets::Note("The buttons yz, xz and xy of the plane give the three that the slide shows.");
 }
@@ -161,6 +203,7 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     draw_shadow_diagram(view.figure(), found, 3.0 * plane.patch.extent);
 
     const Steps steps(view);
+    if (is_part_covered("text:shadow_derivation", ImGui::GetContentRegionAvail().y)) return;
     const std::vector<DerivationLine> lines = shadow_lines(found, forms.blinn.has_value());
     const bool is_stepped = step_bar(params, lines, player);
     const int step = params.view.derivation_step;
@@ -175,7 +218,10 @@ void draw_shadow_derivation(Session& session, const Derived& derived, const Rect
     const bool is_whole = write_lines(lines, step, is_short, is_stepped);
     if (is_short) plane_line(found.unit_plane);
     tell_point(derived, "p");
-    if (is_whole) show_three_forms(forms);
+    if (!is_whole || is_part_covered("text:shadow_derivation.matrix", px(130.0F))) return;
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    show_three_forms(forms);
+    widgets::MarkTarget("text:shadow_derivation.matrix", from, ImGui::GetItemRectMax());
 }
 
 void draw_mirror_derivation(Session& session, const Derived& derived, const Rect& rect, widgets::StepPlayer& player) {
@@ -184,6 +230,7 @@ void draw_mirror_derivation(Session& session, const Derived& derived, const Rect
     draw_mirror_diagram(view.figure(), found);
 
     const Steps steps(view);
+    if (is_part_covered("text:mirror_derivation", ImGui::GetContentRegionAvail().y)) return;
     const std::vector<DerivationLine> lines = mirror_lines(found);
     const bool is_stepped = step_bar(session.params, lines, player);
     if (derived.chosen_plane().mirror_by_hand) widgets::Note("R is entered by hand; here it is as derived.");

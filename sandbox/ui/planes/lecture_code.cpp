@@ -109,7 +109,12 @@ std::string place_of(const Function& function, const CodeLine& line) {
 
 void draw_line(const Function& function, const CodeLine& line, const Writing& writing) {
     const widgets::MatrixCell& cell = function.cells[static_cast<std::size_t>(4 * line.row + line.column)];
-    code_item(writing, code_of(function, line, writing.names_array), number_text(line.value, 3));
+    const std::string target = std::string("matrix:") + function.letter + "[" + std::to_string(line.row) + "][" +
+                               std::to_string(line.column) + "]";
+    const bool is_covered = widgets::IsCovered(target);
+    code_item(writing, code_of(function, line, writing.names_array), is_covered ? "?" : number_text(line.value, 3));
+    widgets::MarkTarget(target);
+    if (is_covered) return;
     follow_entry(cell.own, cell.links);
     const std::string name = std::string(function.array) + "[" + std::to_string(line.index) + "]";
     widgets::Record(name.c_str());
@@ -153,9 +158,10 @@ void draw_lines(const Function& function, std::optional<double> dot) {
         code_item(
             writing,
             "dot = plane[0] * lightpos[0] + plane[1] * lightpos[1] + plane[2] * lightpos[2] + plane[3] * lightpos[3];",
-            number_text(*dot, 3));
+            widgets::IsCovered("fact:plane_dot_light") ? "?" : number_text(*dot, 3));
         follow_entry(0, link::all_light | link::all_plane);
         widgets::Record("dot");
+        widgets::MarkTarget("fact:plane_dot_light");
     }
     for (const CodeLine& line : function.lines) draw_line(function, line, writing);
     ImGui::PopStyleVar();
@@ -184,11 +190,11 @@ void order_switch(Params& params, double d) {
     if (!params.reflection.printed_by_rows)
         widgets::Note(
             "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is put right.");
-    else if (d == 0.0)
+    else if (d == 0.0 && !widgets::IsCovered("sentences"))
         widgets::Note(
             "The slide fills rows, but OpenGL reads columns and gets Rᵀ: right only here, where d = 0, since the rest "
             "of R is symmetric.");
-    else
+    else if (!widgets::IsCovered("sentences"))
         widgets::Trouble(
             "The slide fills rows, but OpenGL reads columns and gets Rᵀ: with d ≠ 0 the translation (−2ad, −2bd, −2cd) "
             "lands in the bottom row, and w is no longer 1.");
@@ -219,11 +225,19 @@ void draw_lecture_code(Session& session, const Derived& derived, const Rect& rec
     order_switch(session.params, derived.chosen_plane().unit_plane.w);
     const bool side_by_side = rect.width() >= px(840.0F);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(10.0F), 0.0F});
+    const auto function = [&rect](const char* target, const auto& draw) {
+        ImGui::TableNextColumn();
+        const ImVec2 from = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x;
+        if (widgets::IsCovered(target))
+            widgets::Plate(target, {width, 0.45F * rect.height()});
+        else
+            draw();
+        widgets::MarkTarget(target, from, {from.x + width, ImGui::GetCursorScreenPos().y});
+    };
     if (ImGui::BeginTable("functions", side_by_side ? 2 : 1, ImGuiTableFlags_SizingStretchSame)) {
-        ImGui::TableNextColumn();
-        shadow_function(derived);
-        ImGui::TableNextColumn();
-        mirror_function(session.params, derived);
+        function("code:lecture.shadow", [&] { shadow_function(derived); });
+        function("code:lecture.mirror", [&] { mirror_function(session.params, derived); });
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();

@@ -95,6 +95,7 @@ void call_lines(const std::vector<std::string>& calls, const glm::dmat4* uploade
         ImGui::TextWrapped("%s", call.c_str());
         if (!uploaded || !call.starts_with("glUniformMatrix4fv")) continue;
         widgets::Record(call.c_str());
+        if (widgets::IsPartCovered("matrix")) continue;
         widgets::Tooltip("The product that is uploaded", "", "", rows_text(*uploaded).c_str());
     }
     ImGui::Unindent(px(12.0F));
@@ -133,6 +134,10 @@ void entry(Session& session, const FramePlan& plan, int number) {
 
 /// In what remains of the window. `follows`: scrolls to where the frame stops.
 void list(Session& session, const FramePlan& plan, bool follows) {
+    if (widgets::IsCovered("code:passes")) {
+        widgets::Plate("list", ImGui::GetContentRegionAvail());
+        return widgets::MarkTarget("code:passes");
+    }
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().raised);
     ImGui::BeginChild("list", {}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     call_lines(clear_calls(plan));
@@ -142,6 +147,7 @@ void list(Session& session, const FramePlan& plan, bool follows) {
         entry(session, plan, number);
     }
     ImGui::EndChild();
+    widgets::MarkTarget("code:passes");
     ImGui::PopStyleColor();
 }
 

@@ -32,7 +32,11 @@ LightParams another_light(const Params& params) {
 void light_controls(Params& params, std::size_t index, const char* label) {
     std::span<const widgets::Links> links;
     if (index == params.chosen().light) links = link::light;
+    const Field& position = field("light.position");
+    if (index == 0 && is_covered(position, label)) return;
+    const widgets::TargetScope scope(index == 0 ? target_of(position.path) : std::string());
     widgets::Light(label, params.lights[index].position, default_params().lights.front().position, links);
+    if (index == 0) widgets::MarkTarget(target_of(position.path));
 }
 
 void further_lights(Params& params) {
@@ -68,8 +72,15 @@ void plane_controls(Params& params, std::size_t index) {
     PlaneParams& plane = params.planes[index];
     std::span<const widgets::Links> links;
     if (index == params.chosen().plane) links = link::plane;
-    widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
-    explain(field("plane.equation"), marked("plane"));
+    // The names are those of the first plane's controls.
+    const auto name = [index](const Field& of) { return index == 0 ? target_of(of.path) : std::string(); };
+    const Field& equation = field("plane.equation");
+    if (index > 0 || !is_covered(equation, marked("equation"))) {
+        const widgets::TargetScope scope(name(equation));
+        widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
+        widgets::MarkTarget(name(equation));
+        explain(equation, marked("plane"));
+    }
     const Field& extent = field("plane.extent");
     const widgets::NumberStyle style{.min = extent.min,
                                      .max = extent.max,
@@ -78,13 +89,18 @@ void plane_controls(Params& params, std::size_t index) {
                                      .step = extent.step,
                                      .logarithmic = extent.logarithmic,
                                      .default_value = defaults.extent};
-    widgets::Slider("extent", plane.extent, style);
-    explain(extent, marked("extent"));
-    const auto toggle = [&params](const char* path, const char* label, bool& value, bool default_value) {
+    if (index > 0 || !is_covered(extent, marked("extent"))) {
+        const widgets::TargetScope scope(name(extent));
+        widgets::Slider("extent", plane.extent, style);
+        explain(extent, marked("extent"));
+    }
+    const auto toggle = [&](const char* path, const char* label, bool& value, bool default_value) {
+        if (index == 0 && is_covered(field(path), label, widgets::ToggleWidth(""))) return;
         const std::string_view why_not = why_without_effect(params, nullptr, path);
         ImGui::BeginDisabled(!why_not.empty());
         widgets::Toggle(label, value, default_value);
         ImGui::EndDisabled();
+        widgets::MarkTarget(name(field(path)));
         explain(field(path), label, why_not);
     };
     toggle("plane.receives_shadow", marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
@@ -174,7 +190,7 @@ void draw_plane_section(Session& session, const Derived& derived, const std::vec
     const std::string note =
         say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
             "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
-    widgets::Note(note.c_str());
+    named_note("text:unit normal", note);
     further_planes(session.params);
 }
 
@@ -203,8 +219,14 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     {
         const widgets::Group group("shadow");
         control(params, "shadow.opacity", {.slider = true});
-        if (details(marked("Shadow: style and offset"))) shadow_style(params);
-        if (details(marked("Shadow: clip at light, sign, stencil"))) shadow_switches(params);
+        static constexpr const char* style[] = {"control:shadow.style",        "control:shadow.color",
+                                                "control:shadow.offset",       "control:shadow.offset_factor",
+                                                "control:shadow.offset_units", "control:shadow.lift",
+                                                "control:shadow.write_depth"};
+        static constexpr const char* switches[] = {"control:shadow.clip_at_light", "control:shadow.own_stencil",
+                                                   "control:shadow.sign"};
+        if (details(marked("Shadow: style and offset"), style)) shadow_style(params);
+        if (details(marked("Shadow: clip at light, sign, stencil"), switches)) shadow_switches(params);
     }
     const widgets::Group group("reflection");
     control(params, "reflection.reflectance", {.slider = true});
@@ -212,7 +234,12 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     static constexpr const char* clips[] = {marked("no clipping"), marked("clip distance"),
                                             marked("oblique near plane")};
     control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
-    if (details(marked("Mirror: how it is drawn"))) mirror_switches(params);
+    static constexpr const char* drawn[] = {
+        "control:reflection.mirrored",        "control:reflection.side_of_eye",
+        "control:reflection.shadows",         "control:reflection.after_objects",
+        "control:reflection.printed_by_rows", "control:reflection.mask_writes_depth",
+        "control:reflection.same_projection"};
+    if (details(marked("Mirror: how it is drawn"), drawn)) mirror_switches(params);
 }
 
 }  // namespace viewing

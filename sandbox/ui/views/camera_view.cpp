@@ -147,11 +147,13 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
 /// What breaks the picture first; as many sentences as fit into its upper half. Returns what they cover.
 Rect tell_problems(Session& session, const std::vector<Problem>& problems, const Rect& rect) {
     const float first = rect.min.y + px(15.0F);
+    if (widgets::IsCovered("sentences")) return {};
     float top = first;
     const float middle = (rect.min.y + rect.max.y) * 0.5F;
     for (const bool breaks : {true, false})
         for (const Problem& problem : problems)
             if (problem.breaks_picture == breaks && top < middle) top = tell_why(session, problem, rect, top);
+    if (top > first) widgets::MarkTarget("sentences", rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top});
     return top > first ? Rect{rect.min, {std::min(rect.min.x + px(600.0F), rect.max.x), top}} : Rect{};
 }
 
@@ -188,6 +190,11 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
     if (layout.beside.empty()) return;
     const widgets::Group group("beside");
     const Rect& rect = layout.beside;
+    widgets::MarkTarget("view:camera", rect.min, rect.max);
+    if (widgets::IsCovered("view:camera")) {
+        ImGui::SetCursorScreenPos(rect.min);
+        return widgets::Plate("beside view", {rect.width(), rect.height()});
+    }
     draw_beside_picture(session, rect, pictures.beside);
     Overlay overlay(ImGui::GetWindowDrawList(), rect, derived.clip_from_world);
     if (ImGui::IsItemHovered()) {
@@ -207,6 +214,11 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     view_header(rect, rect.width() < px(300.0F) ? "" : marked("Camera view"));
     Params& params = session.params;
     view_choices(params, rect);
+    widgets::MarkTarget("view:camera", rect.min, rect.max);
+    if (widgets::IsCovered("view:camera")) {
+        ImGui::SetCursorScreenPos(rect.min);
+        return widgets::Plate("camera view", {rect.width(), rect.height()});
+    }
 
     const BesideParams& beside = params.view.beside;
     const bool has_divider = beside.shows != Beside::nothing && beside.layout == BesideLayout::divider;
@@ -238,6 +250,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
     if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
+    if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     if (!has_handles) return;
     draw_handles(overlay, places, derived, hovered);
     draw_derivation_overlay(overlay, params, derived);

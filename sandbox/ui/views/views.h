@@ -13,6 +13,7 @@
 #include "ui/hidden/hidden_state.h"
 #include "ui/parts/handles.h"
 #include "ui/parts/input.h"
+#include "ui/parts/stage.h"
 #include "ui/parts/topics.h"
 #include "ui/planes/mirror_ways_view.h"
 #include "ui/planes/passes_view.h"
@@ -62,6 +63,7 @@ struct ViewState {
     widgets::StepPlayer derivation_player;  ///< of the lines of a derivation
     glm::ivec2 cells{0};                    ///< columns and rows that the cell view had room for
     LightRays light_rays;                   ///< of the observer
+    std::optional<Stage::Target> target;    ///< a place that is marked
 };
 
 /// Whether something goes on by itself, step by step.

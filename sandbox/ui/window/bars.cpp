@@ -80,6 +80,10 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
 }
 
 void copy(Session& session) {
+    if (widgets::IsPartCovered("control")) {
+        session.message = {tr("the state is not copied: it tells what is covered until the answer is given"), false};
+        return;
+    }
     ImGui::SetClipboardText(session.text().c_str());
     session.message = {tr("the whole state is in the clipboard"), false};
 }
@@ -229,7 +233,13 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
         ImGui::TextUnformatted(text.c_str());
     };
     if (!session.message.is_error) append(printable(session.message.text));
-    for (const std::string& part : status.told) append(part);
+    const bool tells_pixel = !widgets::IsCovered("bar:pixel") && !widgets::IsPartCovered("column:pixel");
+    const float told_from = ImGui::GetItemRectMax().x;
+    if (tells_pixel)
+        for (const std::string& part : status.told) append(part);
+    if (ImGui::GetItemRectMax().x > told_from || !tells_pixel)
+        widgets::MarkTarget("bar:pixel", {told_from, layout.status_bar.min.y},
+                            {std::max(ImGui::GetItemRectMax().x, told_from + px(40.0F)), layout.status_bar.max.y});
     ImGui::SameLine(hint_x);
     ImGui::TextUnformatted(hint);
     ImGui::PopStyleColor();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "state/fields.h"
 #include "text/catalogue.h"
 #include "ui/depth/cell_bar.h"
 #include "ui/depth/depth_views.h"
@@ -106,6 +107,13 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
     const ImTextureID picture = pictures.lower[static_cast<std::size_t>(slot)];
     if (ImGui::IsMouseHoveringRect(rect.min, rect.max) && ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows))
         state.hovered = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
+    const std::string target = "view:" + std::string(name_of(topic));
+    widgets::MarkTarget(target, rect.min, rect.max);
+    if (widgets::IsCovered(target) || (topic == Topic::lecture_code && widgets::IsCovered("code:lecture"))) {
+        ImGui::SetCursorScreenPos(rect.min);
+        return widgets::Plate(target.c_str(), {rect.width(), rect.height()});
+    }
+    if (topic == Topic::lecture_code) widgets::MarkTarget("code:lecture", rect.min, rect.max);
     switch (topic) {
         case Topic::automatic:
             break;

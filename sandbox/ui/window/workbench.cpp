@@ -73,6 +73,15 @@ double Workbench::message_ends_in_s(const Message& message) {
     return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
 }
 
+void Workbench::set_stage() {
+    std::vector<std::string>& covered = widgets.targets.covered;
+    covered = stage.cover;
+    if (stage.asks)
+        for (const char* tells : {"sentences", "advice", "formulas"}) covered.emplace_back(tells);
+    widgets.targets.highlighted = stage.highlight;
+    views.target = stage.target;
+}
+
 void Workbench::choose_scale(Session& session, double scale, Requests& requests) {
     session.params.ui.scale = std::clamp(std::round(scale * 10.0) / 10.0, 0.5, 3.0);
     requests.chosen_scale = session.params.ui.scale;
@@ -233,6 +242,7 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
                          const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
                          const FrameInput& input) {
+    set_stage();
     widgets::NewFrame(widgets);
     Requests requests;
     session.message.shown_s += input.dt_s;
@@ -254,6 +264,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
     requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
+    widgets::DrawHighlights();
     draw_loading(session, now);
     draw_message(session, now);
     file_dialog_.draw(session);

@@ -9,6 +9,7 @@
 #include "frame/problems.h"
 #include "state/presets.h"
 #include "ui/matrices/matrices.h"
+#include "ui/parts/stage.h"
 #include "ui/views/views.h"
 #include "ui/window/caption.h"
 #include "ui/window/dialogs.h"
@@ -41,6 +42,7 @@ public:
 
     Arrangement arrangement;
     ViewState views;
+    Stage stage;  ///< what a lesson covers, points out and marks
     widgets::Context widgets;
 
     /// Where everything is for this session, in the fonts that the widgets have now.
@@ -58,6 +60,7 @@ public:
                   const FrameInput& input);
 
 private:
+    void set_stage();
     void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);

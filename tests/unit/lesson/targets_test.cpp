@@ -64,6 +64,14 @@ TEST(Targets, ThereAreTheNamesThatLessonsUse) {
     }
 }
 
+TEST(Targets, WhatTheCameraShowsMayStandBehindItsView) {
+    const Result<std::string> read = read_target("view:camera(difference)");
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(*read, "view:camera");
+    EXPECT_FALSE(read_target("view:camera(nonsense)"));
+    EXPECT_FALSE(read_target("view:observer(difference)"));
+}
+
 TEST(Targets, AMisspeltNameIsToldWithTheNearest) {
     const auto error = [](const char* name) {
         const Result<std::string> read = read_target(name);
