@@ -90,7 +90,8 @@ struct Options::Parser {
     std::vector<std::string> names;  ///< of all options
     std::vector<Option> options;
     std::vector<std::string*> positionals;
-    std::vector<std::string> leftovers;  ///< what no option and no positional took
+    std::vector<std::string>* further = nullptr;  ///< takes all that stand behind those
+    std::vector<std::string> leftovers;           ///< what no option and no positional took
 };
 
 std::string Options::Parser::help() const {
@@ -124,7 +125,7 @@ void Options::Parser::take(const Arguments& arguments, const Options& owner) {
         if (!is_option(*word)) {
             const bool is_wanted = positional < positionals.size() && *word != "--";
             if (is_wanted) *positionals[positional++] = *word;
-            if (!is_wanted) leftovers.push_back(*word);
+            if (!is_wanted) (further != nullptr && *word != "--" ? *further : leftovers).push_back(*word);
             continue;
         }
         const bool is_long = word->starts_with("--");
@@ -177,6 +178,11 @@ void Options::group(const char* title) {
 
 void Options::positional(const char* name, std::string& value, const char* help) {
     parser_->positionals.push_back(&value);
+    parser_->entries.push_back({parser_->group, name, help});
+}
+
+void Options::positionals(const char* name, std::vector<std::string>& values, const char* help) {
+    parser_->further = &values;
     parser_->entries.push_back({parser_->group, name, help});
 }
 

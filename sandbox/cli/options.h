@@ -24,6 +24,7 @@ public:
 
     // `names` as "-o,--output"; `value_name` stands behind them in the help. Targets must outlive parse().
     void positional(const char* name, std::string& value, const char* help);
+    void positionals(const char* name, std::vector<std::string>& values, const char* help);
     void text(const char* names, const char* value_name, std::optional<std::string>& value, const char* help);
     void texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help);
     void flag(const char* names, bool& value, const char* help);

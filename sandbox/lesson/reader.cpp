@@ -5,6 +5,7 @@
 
 #include "lesson/expression.h"
 #include "lesson/lesson.h"
+#include "lesson/targets.h"
 #include "state/json.h"
 #include "state/reader.h"
 #include "state/scene.h"
@@ -67,6 +68,17 @@ std::vector<std::string> names_at(const Json& object, const char* key, const Whe
     require_array(object[key], inside, most_entries, "a list of names");
     for (std::size_t i = 0; i < object[key].size(); ++i) names.push_back(read_name(object[key][i], inside.at(i)));
     return names;
+}
+
+/// What a step covers or points out.
+std::vector<std::string> targets_at(const Json& object, const char* key, const Where& where) {
+    std::vector<std::string> targets = names_at(object, key, where);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        Result<std::string> target = read_target(targets[i]);
+        if (!target) where.key(key).at(i).refuse(target.error());
+        targets[i] = *std::move(target);
+    }
+    return targets;
 }
 
 std::string expression_in(const Json& value, const Where& where) {
@@ -339,7 +351,7 @@ void read_reveal(const Json& object, LessonStep& step, const Where& where) {
     step.revealed = changed(before, step.reveal.settings, where.key("set"));
     if (has(object, "over_s"))
         step.reveal.over_s = read_number(object["over_s"], where.key("over_s"), {0.0, longest_reveal_s});
-    step.reveal.highlight = names_at(object, "highlight", where);
+    step.reveal.highlight = targets_at(object, "highlight", where);
     step.reveal.say = text_at(object, "say", where, true);
 }
 
@@ -354,8 +366,8 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
     step.start = read_start(object, folder, presets, inside);
     step.target = read_target(object, inside);
     step.say = text_at(object, "say", inside, true);
-    step.cover = names_at(object, "cover", inside);
-    step.highlight = names_at(object, "highlight", inside);
+    step.cover = targets_at(object, "cover", inside);
+    step.highlight = targets_at(object, "highlight", inside);
     if (!has(object, "ask")) inside.key("ask").refuse("is missing: every step asks before it shows");
     step.ask = read_ask(object["ask"], step, inside.key("ask"));
     if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");

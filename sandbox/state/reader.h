@@ -1,5 +1,5 @@
-// Internal to state/: single values, fields, groups and scenes from a JSON tree, and back. Everything that reads throws
-// Refusal with the whole message. Used by json.cpp and settings.cpp.
+// For what reads states as trees, here, in lesson/ and in report/: single values, fields, groups and scenes from a JSON
+// tree, and back. Everything that reads throws Refusal with the whole message. Used by json.cpp and settings.cpp.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,0 +1,117 @@
+// lesson: the window in a lesson; or, without a window, its own tests and the names that its expressions may use.
+#include "app/picture.h"
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "lesson/lesson.h"
+#include "lesson/names.h"
+#include "report/lesson_check.h"
+#include "state/scene.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// The options as they were typed.
+struct Typed {
+    std::vector<std::string> lessons;
+    std::optional<std::string> device;
+    bool check = false, names = false, list = false;
+};
+
+std::string list_of_lessons() {
+    std::string lines;
+    for (const LessonFile& file : lessons()) {
+        std::string slides;
+        for (const int slide : file.slides) slides += (slides.empty() ? "" : ", ") + std::to_string(slide);
+        lines += file.id + " — " + file.title.in_english() + " (slides " + slides + "; " +
+                 std::to_string(file.minutes) + " min; " + std::to_string(file.steps) + " steps)\n";
+    }
+    return lines;
+}
+
+/// Both pictures of a step, as a test that they can be drawn at all.
+LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless& headless) {
+    LessonFindings findings;
+    for (const Params* const params : {&step.start.params, &step.revealed}) {
+        LoadedState state = step.start;
+        state.params = *params;
+        const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
+                                               {.origin = state.scene_origin, .reach = state.reach});
+        if (!scene) return findings;  // check_step has said so
+        const Result<Image> drawn =
+            draw_picture(headless.renderer(), state, *scene, {.view = PictureView::camera, .size_px = {640, 360}});
+        if (!drawn) findings.push_back(lesson.id + ", step " + step.id + ": " + drawn.error());
+    }
+    headless.require_no_errors();
+    return findings;
+}
+
+ExitStatus check(const Typed& typed, const std::string& device) {
+    std::vector<std::string> wanted = typed.lessons;
+    if (wanted.empty())
+        for (const LessonFile& file : lessons()) wanted.push_back(file.path.string());
+    std::vector<Lesson> read;
+    for (const std::string& argument : wanted) read.push_back(value_or_end(load_lesson(argument)));
+    Headless headless(device);
+    std::string findings;
+    std::size_t steps = 0;
+    for (const Lesson& lesson : read) {
+        for (const LessonStep& step : lesson.steps) {
+            for (const std::string& found : check_step(lesson, step, headless.renderer())) findings += found + "\n";
+            for (const std::string& found : draw_step(lesson, step, headless)) findings += found + "\n";
+            headless.require_no_errors();
+        }
+        steps += lesson.steps.size();
+    }
+    print(findings.empty() ? std::to_string(read.size()) + " lessons, " + std::to_string(steps) +
+                                 " steps: claims hold, answers are judged right, all are drawn\n"
+                           : findings);
+    return findings.empty() ? ExitStatus::done : ExitStatus::different;
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    Typed typed;
+    options.group("Lesson");
+    options.positionals("ID|FILE", typed.lessons,
+                        "A lesson's name (--list), or a file of one's own; --check takes several");
+    options.group("Without a window");
+    options.flag(
+        "--check", typed.check,
+        "Tests lessons, all of the program's where none is named: claims, model answers, wrong answers, and that "
+        "every step can be drawn; 0, or 1 with a line for each thing that fails");
+    options.flag("--names", typed.names, "Prints the names that expressions may use");
+    options.flag("--list", typed.list, "Prints the lessons that come with the program, a line each");
+    add_device_option(options, typed.device);
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    if (typed.check + typed.names + typed.list > 1) options.refuse("only one of --check, --names and --list");
+    if (typed.names) {
+        print(expression_names_as_text());
+        return ExitStatus::done;
+    }
+    if (typed.list) {
+        print(list_of_lessons());
+        return ExitStatus::done;
+    }
+    if (typed.check) return check(typed, device_option(options, typed.device));
+    options.refuse("the window in a lesson is not there yet; use --check, --names or --list");
+}
+
+}  // namespace
+
+constinit const Command lesson_command{"lesson",
+                                       "[ID|FILE] [--check] [--names] [--list]",
+                                       "guided lessons: each step asks before it shows",
+                                       "A lesson is a JSON file of steps, each with its whole state, a question, the "
+                                       "answers that people give, and what is "
+                                       "shown then.",
+                                       "lesson --list\n"
+                                       "lesson --check mine.json\n"
+                                       "lesson --names",
+                                       "012349",
+                                       run};
+
+}  // namespace viewing

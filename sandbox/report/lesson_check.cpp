@@ -1,0 +1,188 @@
+#include "report/lesson_check.h"
+
+#include <algorithm>
+
+#include "lesson/judge.h"
+#include "report/lesson_numbers.h"
+#include "state/json.h"
+#include "state/reader.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// A value as a sentence can hold it.
+std::string shortly(const Json& value) {
+    constexpr std::size_t longest = 120;
+    std::string text = value.dump();
+    return text.size() > longest ? text.substr(0, longest) + "…" : text;
+}
+
+/// The paths whose values differ, down to the fields.
+void differences(const Json& a, const Json& b, const std::string& path, std::vector<std::string>& paths) {
+    if (a == b) return;
+    if (!a.is_object() || !b.is_object()) return paths.push_back(path);
+    for (const auto& [key, value] : a.items())
+        differences(value, b.contains(key) ? b[key] : Json(), path.empty() ? key : path + "." + key, paths);
+}
+
+class StepCheck {
+public:
+    StepCheck(const Lesson& lesson, const LessonStep& step, Renderer& renderer)
+        : lesson_(lesson), step_(step), renderer_(renderer) {}
+
+    LessonFindings all() {
+        check_tags();
+        if (!load_scenes()) return findings_;
+        {
+            LessonNumbers before(step_.start.params, step_.start.params, *scene_, &renderer_);
+            check_claims(step_.claims_before, "claims_before", before);
+            if (step_.ask.kind != AskKind::goal) check_answers(before);
+        }
+        if (step_.ask.kind == AskKind::goal) check_goal();
+        LessonNumbers after(step_.revealed, step_.start.params, *revealed_scene_, &renderer_);
+        check_claims(step_.claims, "claims", after);
+        return findings_;
+    }
+
+private:
+    void find(const std::string& what) { findings_.push_back(lesson_.id + ", step " + step_.id + ": " + what); }
+
+    std::optional<Scene> scene_of(const Params& params) {
+        Result<Scene> scene = load_scene(params.scene, step_.start.base, params.coplanar,
+                                         {.origin = step_.start.scene_origin, .reach = step_.start.reach});
+        if (!scene) {
+            find(scene.error());
+            return std::nullopt;
+        }
+        return *std::move(scene);
+    }
+
+    bool load_scenes() {
+        scene_ = scene_of(step_.start.params);
+        revealed_scene_ = scene_of(step_.revealed);
+        return scene_ && revealed_scene_;
+    }
+
+    void check_tags() {
+        const auto check = [&](const std::string& tag) {
+            const auto same = [&](const auto& known) { return known.first == tag; };
+            if (!tag.empty() && std::none_of(lesson_.tags.begin(), lesson_.tags.end(), same))
+                find("the tag " + excerpt(tag) + " is not among the lesson's tags");
+        };
+        for (const LessonChoice& choice : step_.ask.choices) check(choice.tag);
+        for (const WrongAnswer& wrong : step_.ask.wrong) check(wrong.tag);
+    }
+
+    void check_claims(const std::vector<std::string>& claims, const char* field, LessonNumbers& numbers) {
+        for (std::size_t i = 0; i < claims.size(); ++i) {
+            const std::string where = std::string(field) + "[" + std::to_string(i) + "]: " + claims[i];
+            const Result<bool> fine = holds(claims[i], numbers.surroundings());
+            if (!fine)
+                find(where + ": " + fine.error());
+            else if (!*fine)
+                find(where + " does not hold" + sides(claims[i], numbers));
+        }
+    }
+
+    /// The values on both sides of a claim's comparison, where it is one.
+    static std::string sides(const std::string& claim, LessonNumbers& numbers) {
+        for (const char* const sign : {"==", "~=", "<=", ">=", "<", ">"}) {
+            const std::size_t at = claim.find(sign);
+            if (at == std::string::npos) continue;
+            const std::string side[] = {claim.substr(0, at), claim.substr(at + std::string_view(sign).size())};
+            const Result<Json> left = evaluate(side[0], numbers.surroundings());
+            const Result<Json> right = evaluate(side[1], numbers.surroundings());
+            if (!left || !right) return "";
+            return "; it is " + shortly(*left) + " and " + shortly(*right);
+        }
+        return "";
+    }
+
+    /// Whether an answer is told by the entry of its list that names it, and by none before it.
+    void expect_told(const Result<Verdict>& verdict, const WrongAnswer& wrong, const std::string& where) {
+        if (!verdict)
+            find(where + ": " + verdict.error());
+        else if (verdict->right)
+            find(where + " is taken for right");
+        else if (verdict->say.empty())
+            find(where + " is not recognised");
+        else if (!(verdict->say == wrong.say))
+            find(where + " is told another one's sentence: " + verdict->say.in_english());
+    }
+
+    void check_answers(LessonNumbers& numbers) {
+        const Ask& ask = step_.ask;
+        const Result<Answer> model = model_answer(ask, numbers.surroundings());
+        if (!model) return find("ask.expect: " + model.error());
+        const Result<Verdict> verdict = judge(ask, *model, numbers.surroundings());
+        if (!verdict)
+            find("ask: " + verdict.error());
+        else if (!verdict->right)
+            find("ask: the model answer is not accepted");
+        for (std::size_t i = 0; i < ask.wrong.size(); ++i) {
+            const std::string where = "ask.wrong[" + std::to_string(i) + "]";
+            if (ask.wrong[i].sample.empty())
+                find(where + ".try is missing: an answer that it recognises");
+            else
+                expect_told(judge(ask, ask.wrong[i].sample, numbers.surroundings()), ask.wrong[i], where);
+        }
+    }
+
+    Result<Verdict> judge_goal(const Params& params) {
+        const std::optional<Scene> scene = scene_of(params);
+        if (!scene) return Error{"its scene cannot be loaded"};
+        LessonNumbers numbers(params, step_.start.params, *scene, &renderer_);
+        return judge(step_.ask, {}, numbers.surroundings());
+    }
+
+    void check_goal() {
+        const Ask& ask = step_.ask;
+        const Params& start = step_.start.params;
+        const auto with = [&](const std::vector<std::string>& settings) {
+            return *apply_settings(start, settings);  // the reader has tried them
+        };
+        if (const Result<Verdict> begun = judge_goal(start); !begun)
+            return find("ask.until: " + begun.error());
+        else if (begun->right)
+            find("ask.until holds from the beginning");
+        const Params model = with(ask.model);
+        if (const Result<Verdict> reached = judge_goal(model); !reached || !reached->right)
+            find("ask.model does not reach the goal" + (reached ? std::string() : ": " + reached.error()));
+        check_allowed(start, model);
+        for (std::size_t i = 0; i < ask.wrong.size(); ++i) {
+            const std::string where = "ask.wrong[" + std::to_string(i) + "]";
+            if (ask.wrong[i].settings.empty())
+                find(where + ".try is missing: settings that it recognises");
+            else
+                expect_told(judge_goal(with(ask.wrong[i].settings)), ask.wrong[i], where);
+        }
+    }
+
+    void check_allowed(const Params& start, const Params& model) {
+        if (step_.ask.allow.empty()) return;
+        std::vector<std::string> changed;
+        differences(params_as_document(start), params_as_document(model), "", changed);
+        for (const std::string& path : changed) {
+            const auto covers = [&](const std::string& allowed) {
+                return path == allowed || path.starts_with(allowed + ".");
+            };
+            if (std::none_of(step_.ask.allow.begin(), step_.ask.allow.end(), covers))
+                find("ask.model changes " + path + ", which ask.allow does not have");
+        }
+    }
+
+    const Lesson& lesson_;
+    const LessonStep& step_;
+    Renderer& renderer_;
+    std::optional<Scene> scene_, revealed_scene_;
+    LessonFindings findings_;
+};
+
+}  // namespace
+
+LessonFindings check_step(const Lesson& lesson, const LessonStep& step, Renderer& renderer) {
+    return StepCheck(lesson, step, renderer).all();
+}
+
+}  // namespace viewing

@@ -1,0 +1,102 @@
+#include "report/lesson_numbers.h"
+
+#include <cmath>
+#include <optional>
+
+#include "frame/hidden/hidden_budget.h"
+#include "frame/plan.h"
+#include "frame/problems.h"
+#include "geometry/projection.h"
+#include "report/fighting_report.h"
+#include "report/matrices_report.h"
+#include "report/mirror_report.h"
+#include "report/pixel_as_json.h"
+#include "report/visibility_report.h"
+#include "state/reader.h"
+
+namespace viewing {
+namespace {
+
+/// The lecture's letters, and the names that `matrices` prints.
+struct Letter {
+    const char *letter, *name;
+};
+constexpr Letter letters[] = {{"V", "view_from_world"},  {"C", "world_from_view"},   {"P", "clip_from_view"},
+                              {"PV", "clip_from_world"}, {"S", "shadow_from_world"}, {"R", "mirror_from_world"}};
+
+Error wants_arguments(const std::string& form) {
+    return Error{"must be called as " + form};
+}
+
+/// Without what a clock has said.
+Json without_times(Json json) {
+    if (json.is_object())
+        for (const char* const key : {"time_ms", "painting_ms", "build_ms"}) json.erase(key);
+    if (json.is_structured())
+        for (Json& part : json) part = without_times(std::move(part));
+    return json;
+}
+
+}  // namespace
+
+LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene& scene, Renderer* renderer)
+    : now_(now),
+      start_(start),
+      scene_(scene),
+      renderer_(renderer),
+      derived_(derive(now, scene, Viewport{size_px, !renderer || renderer->capabilities().clip_control})) {}
+
+Surroundings LessonNumbers::surroundings() {
+    return {[this](const std::string& name, std::span<const double> arguments) { return look_up(name, arguments); },
+            nullptr};
+}
+
+const Json& LessonNumbers::matrices() {
+    if (matrices_.is_null()) {
+        matrices_ = matrices_as_json(derived_, find_problems(now_, derived_, scene_, plan(now_, derived_)));
+        for (const auto& [letter, name] : letters) matrices_[letter] = matrices_[name];
+        if (!matrices_.contains("followed")) matrices_["followed"] = nullptr;
+    }
+    return matrices_;
+}
+
+Result<Json> LessonNumbers::measured(const std::string& name, std::span<const double> arguments) {
+    if (name == "depth_step") {
+        if (arguments.size() != 1 || !(arguments[0] > 0.0)) return wants_arguments("depth_step(z) with z > 0");
+        return Json(
+            depth_step(now_.projection.lens(), now_.depth.mapping, precision_of(now_.depth.format), arguments[0]));
+    }
+    if (!renderer_) return Error{name + " is measured in pictures, which there are none of here"};
+    if (name == "pixel") {
+        const auto is_place = [](double at, int end) { return at == std::floor(at) && at >= 0.0 && at < end; };
+        if (arguments.size() != 2 || !is_place(arguments[0], size_px.x) || !is_place(arguments[1], size_px.y))
+            return wants_arguments("pixel(x, y) with whole numbers below 1280 and 720");
+        return pixel_as_json(*renderer_, now_, scene_, glm::ivec2(arguments[0], arguments[1]), size_px);
+    }
+    if (!arguments.empty()) return wants_arguments(name + "()");
+    if (name == "fighting") return fighting_as_json(*renderer_, now_, scene_, size_px, true);
+    if (name == "mirror_ways") return mirror_as_json(*renderer_, now_, scene_, size_px);
+    if (const Status fits = check_hidden_budget(scene_, true); !fits) return Error{fits.error()};
+    Result<Json> counts = visibility_as_json(*renderer_, now_, scene_, visibility_size_px);
+    return counts ? Result<Json>(without_times(*std::move(counts))) : counts;
+}
+
+Result<Json> LessonNumbers::look_up(const std::string& name, std::span<const double> arguments) {
+    const auto state = [](Json& kept, const Params& params) -> const Json& {
+        if (kept.is_null()) kept = params_as_document(params);
+        return kept;
+    };
+    if (name == "start") return state(start_state_, start_);
+    if (const Json& fields = state(state_, now_); fields.contains(name)) return fields[name];
+    for (const char* const of_matrices :
+         {"V", "C", "P", "PV", "S", "R", "shadow_sign", "facts", "followed", "problems"})
+        if (name == of_matrices) return matrices()[name];
+    std::string key = name;
+    for (const double argument : arguments) key += " " + std::to_string(argument);
+    if (const auto known = kept_.find(key); known != kept_.end()) return known->second;
+    Result<Json> value = measured(name, arguments);
+    if (value) kept_[key] = *value;
+    return value;
+}
+
+}  // namespace viewing

@@ -1,0 +1,133 @@
+#include "session/guide.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lesson/blend.h"
+#include "state/json.h"
+
+namespace viewing {
+
+void Guide::open(const std::string& argument, std::size_t step) {
+    wanted_step_ = step;
+    reading_.start([argument](WorkProgress&) { return load_lesson(argument); });
+}
+
+void Guide::begin(Lesson lesson, std::size_t step, Session& session) {
+    run_.emplace(std::move(lesson), step);
+    is_shown_ = true;
+    before_jump_ = run_->index();
+    reveal_.reset();
+    held_.reset();
+    return_to_step(session);
+}
+
+void Guide::update(Session& session, double dt_s) {
+    if (std::optional<Result<Lesson>> read = reading_.take()) {
+        if (*read)
+            begin(**std::move(read), wanted_step_, session);
+        else
+            session.message = {read->error(), true};
+    }
+    if (!reveal_) return;
+    reveal_->passed_s += dt_s;
+    const double share = reveal_->over_s > 0.0 ? std::min(reveal_->passed_s / reveal_->over_s, 1.0) : 1.0;
+    // Slow at both ends, so that the eye can follow.
+    const UiParams ui = session.params.ui;
+    session.params = blended(reveal_->from, reveal_->to, share * share * (3.0 - 2.0 * share));
+    session.params.ui = ui;
+    if (share >= 1.0) reveal_.reset();
+}
+
+void Guide::put(const Params& params, Session& session) {
+    reveal_.reset();
+    held_.reset();
+    LoadedState state = run_->step().start;
+    state.params = params;
+    state.params.ui = session.params.ui;
+    session.replace(state);
+}
+
+void Guide::resume(Session& session) {
+    if (!run_) return;
+    is_shown_ = true;
+    return_to_step(session);
+}
+
+void Guide::close() {
+    run_.reset();
+    is_shown_ = false;
+    reveal_.reset();
+    held_.reset();
+}
+
+void Guide::next(Session& session) {
+    if (!is_shown()) return;
+    if (reveal_) {  // in a hurry: what is being shown is there at once
+        reveal_->passed_s = reveal_->over_s;
+        return update(session, 0.0);
+    }
+    if (!run_->is_revealed()) return reveal(session);
+    if (run_->is_last()) return;
+    run_->go_to(run_->index() + 1);
+    return_to_step(session);
+}
+
+void Guide::previous(Session& session) {
+    if (!is_shown()) return;
+    if (run_->is_revealed())
+        run_->cover();
+    else if (!run_->is_first())
+        run_->go_to(run_->index() - 1);
+    return_to_step(session);
+}
+
+void Guide::go_to(std::size_t step, Session& session) {
+    if (!run_) return;
+    before_jump_ = run_->index();
+    run_->go_to(step);
+    return_to_step(session);
+}
+
+void Guide::go_back(Session& session) {
+    go_to(before_jump_, session);
+}
+
+void Guide::reveal(Session& session) {
+    if (!run_) return;
+    const LessonStep& step = run_->step();
+    const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
+    run_->reveal();
+    // A goal that was reached in another way than the model's stays as it was reached.
+    const Params from = has_reached ? session.params : step.start.params;
+    const Result<Params> changed = apply_settings(from, step.reveal.settings);
+    const Params to = has_reached && changed ? *changed : step.revealed;
+    held_.reset();
+    if (!has_reached && departs(session)) put(from, session);
+    reveal_ = Revealing{from, to, step.reveal.over_s, 0.0};
+}
+
+void Guide::return_to_step(Session& session) {
+    if (run_) put(shown(), session);
+}
+
+void Guide::hold_before(bool is_held, Session& session) {
+    if (!is_shown() || reveal_) return;
+    const UiParams ui = session.params.ui;
+    if (is_held && !held_ && run_->is_revealed()) {
+        held_ = std::exchange(session.params, run_->step().start.params);
+        session.params.ui = ui;
+    } else if (!is_held && held_) {
+        session.params = *std::exchange(held_, std::nullopt);
+        session.params.ui = ui;
+    }
+}
+
+bool Guide::departs(const Session& session) const {
+    if (!run_ || reveal_ || held_) return false;
+    Params expected = shown();
+    expected.ui = session.params.ui;
+    return expected != session.params;
+}
+
+}  // namespace viewing

@@ -1,0 +1,310 @@
+#include "ui/lesson/answers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "text/catalogue.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr float padding_x = 10.0F, padding_y = 4.0F, gap = 5.0F;  ///< design pixels
+constexpr float letter_room = 24.0F;                              ///< in front of a choice, for its letter
+constexpr float number_width = 92.0F;
+constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
+
+bool is_typed(AskKind kind) {
+    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
+}
+
+int columns_of_choices(float width, float scale) {
+    return width >= 2.0F * least_half * scale ? 2 : 1;
+}
+
+float choice_width(float width, float scale) {
+    const int columns = columns_of_choices(width, scale);
+    return std::floor((width - gap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+}
+
+Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context) {
+    const float scale = context.scale;
+    return paragraph(shown_text(say), context.fonts.text,
+                     choice_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
+}
+
+/// Of the rows of choices: each as high as its highest one.
+std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context) {
+    const auto columns = static_cast<std::size_t>(columns_of_choices(width, context.scale));
+    std::vector<float> rows((ask.choices.size() + columns - 1) / columns, 0.0F);
+    for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+        const float height = choice_text(ask.choices[i].say, width, context).height;
+        rows[i / columns] = std::max(rows[i / columns], std::ceil(height + 2.0F * padding_y * context.scale));
+    }
+    return rows;
+}
+
+float frame_height(const widgets::Context& context) {
+    return context.fonts.text->FontSize + 8.0F * context.scale;
+}
+
+float tile_width(const LessonText& item, const widgets::Context& context) {
+    const std::string& text = shown_text(item);
+    const float text_width = context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
+    return text_width + 2.0F * padding_x * context.scale;
+}
+
+/// Room at both ends of a tile for what moves it, or in front of it for its number.
+float tile_extra(const Ask& ask, const widgets::Context& context) {
+    const bool moves = ask.kind == AskKind::order || ask.kind == AskKind::product;
+    return (moves ? 2.0F * 20.0F : letter_room) * context.scale;
+}
+
+/// Tiles in rows; calls `place(item, x, y)` for each place of the list, relative to the first one's corner.
+template <typename Place>
+float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const widgets::Context& context,
+                    const Place& place) {
+    const float scale = context.scale, height = frame_height(context) + gap * scale;
+    float x = 0.0F, y = 0.0F;
+    for (const int item : order) {
+        const float tile = std::min(tile_width(ask.items[static_cast<std::size_t>(item)], context) + tile_extra(ask, context), width);
+        if (x > 0.0F && x + tile > width) {
+            x = 0.0F;
+            y += height;
+        }
+        place(item, x, y, tile);
+        x += tile + gap * scale;
+    }
+    return y + height;
+}
+
+std::vector<int> as_written(const Ask& ask) {
+    std::vector<int> order(ask.items.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+    return order;
+}
+
+struct TileLook {
+    bool chosen = false, right = false, wrong = false;
+};
+
+ImU32 outline_of(const TileLook& look) {
+    if (look.right) return palette().plane;
+    if (look.wrong) return palette().trouble;
+    return look.chosen ? palette().accent : palette().border;
+}
+
+void draw_ground(ImVec2 min, ImVec2 max, const TileLook& look, bool hovered) {
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float rounding = px(4.0F);
+    draw->AddRectFilled(min, max, hovered ? palette().field_hovered : palette().field, rounding);
+    const bool is_marked = look.chosen || look.right || look.wrong;
+    draw->AddRect(min, max, outline_of(look), rounding, 0, px(is_marked ? 2.0F : 1.0F) * palette().stroke);
+}
+
+/// Hands that were raised, behind the text of a choice.
+void draw_votes(ImVec2 min, ImVec2 max, int votes, int most) {
+    if (votes == 0) return;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const float share = static_cast<float>(votes) / static_cast<float>(std::max(most, 1));
+    draw->AddRectFilled(min, {min.x + (max.x - min.x) * share, max.y}, with_alpha(palette().accent, 70), px(4.0F));
+    const std::string number = std::to_string(votes);
+    const ImVec2 size = ImGui::CalcTextSize(number.c_str());
+    draw->AddText({max.x - size.x - px(padding_x), (min.y + max.y - size.y) * 0.5F}, palette().text, number.c_str());
+}
+
+bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
+    const Ask& ask = run.step().ask;
+    const widgets::Context& context = widgets::CurrentContext();
+    const float scale = context.scale, one = choice_width(width, scale);
+    const int columns = columns_of_choices(width, scale);
+    const std::vector<float> rows = row_heights(ask, width, context);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    Answer& answer = run.answer();
+    const int most_votes = run.votes().empty() ? 0 : *std::max_element(run.votes().begin(), run.votes().end());
+    bool given = false;
+    float y = corner.y;
+    for (std::size_t i = 0; i < ask.choices.size(); ++i) {
+        const int column = static_cast<int>(i) % columns;
+        const float height = rows[i / static_cast<std::size_t>(columns)];
+        const ImVec2 min(corner.x + static_cast<float>(column) * (one + gap * scale), y);
+        const ImVec2 max(min.x + one, min.y + height);
+        ImGui::SetCursorScreenPos(min);
+        const std::string name = "choice " + std::to_string(i + 1);
+        const bool pressed = ImGui::InvisibleButton(name.c_str(), {one, height});
+        widgets::Record(name.c_str());
+        const bool is_chosen = answer.items == std::vector<int>{static_cast<int>(i)};
+        const bool is_told = is_chosen && run.verdict() && !run.verdict()->right;
+        const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
+        draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
+        if (style.shows_votes) draw_votes(min, max, run.votes()[i], most_votes);
+        const char letter[] = {static_cast<char>('A' + i), '\0'};
+        const Paragraph text = choice_text(ask.choices[i].say, width, context);
+        ImDrawList* draw = ImGui::GetWindowDrawList();
+        const float text_y = std::floor((min.y + max.y - text.height) * 0.5F);
+        const ImU32 ink = style.shows_right && !ask.choices[i].right ? palette().quiet : palette().text;
+        draw->AddText(context.fonts.heading, context.fonts.heading->FontSize, {min.x + padding_x * scale, text_y},
+                      palette().accent, letter);
+        draw->AddText(text.font, text.font->FontSize, {min.x + (padding_x + letter_room) * scale, text_y}, ink,
+                      text.lines.c_str());
+        if (pressed && style.is_open) {
+            answer.items = {static_cast<int>(i)};
+            run.forget_verdict();
+            given = true;
+        }
+        if (column == columns - 1 || i + 1 == ask.choices.size()) y += height + gap * scale;
+    }
+    ImGui::SetCursorScreenPos({corner.x, y});
+    ImGui::Dummy({0.0F, 0.0F});
+    return given;
+}
+
+void draw_numbers(LessonRun& run, const AnswerStyle& style) {
+    const Ask& ask = run.step().ask;
+    Answer& answer = run.answer();
+    answer.numbers.resize(static_cast<std::size_t>(ask.rows * ask.columns), 0.0);
+    const std::vector<double> before = answer.numbers;
+    if (ask.kind == AskKind::matrix && ask.rows == 4) {
+        glm::dmat4 matrix(0.0);
+        for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
+        widgets::Matrix("answer", matrix, {.editable = style.is_open});
+        for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
+    } else {
+        const auto columns = static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : ask.rows);
+        for (std::size_t row = 0; row * columns < answer.numbers.size(); ++row) {
+            const std::string name = row == 0 ? "answer" : "answer " + std::to_string(row + 1);
+            ImGui::SetNextItemWidth(px(number_width) * static_cast<float>(columns));
+            widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, columns),
+                             {.decimals = 3});
+        }
+    }
+    if (!style.is_open) answer.numbers = before;
+    if (answer.numbers != before) run.forget_verdict();
+}
+
+bool draw_tile(const LessonText& item, ImVec2 min, float width, float text_x, const TileLook& look, bool is_open,
+               const std::string& name) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 max(min.x + width, min.y + frame_height(context));
+    ImGui::SetCursorScreenPos(min);
+    const bool pressed = ImGui::InvisibleButton(name.c_str(), {width, max.y - min.y});
+    widgets::Record(name.c_str());
+    draw_ground(min, max, look, is_open && ImGui::IsItemHovered());
+    const float y = std::floor((min.y + max.y - context.fonts.text->FontSize) * 0.5F);
+    ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.fonts.text->FontSize, {min.x + text_x, y},
+                                        palette().text, shown_text(item).c_str());
+    return pressed && is_open;
+}
+
+/// Tiles that stand in an order: arrows at their ends move them, and one can be dragged onto another's place.
+void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
+    const Ask& ask = run.step().ask;
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const std::vector<int> order = style.shows_right ? ask.expected_items.front() : run.answer().items;
+    std::optional<std::pair<int, int>> swapped;
+    int place = 0;
+    const float end = lay_out_tiles(ask, order, width, context, [&](int item, float x, float y, float tile) {
+        const ImVec2 min(corner.x + x, corner.y + y);
+        const float arrow = px(20.0F);
+        draw_tile(ask.items[static_cast<std::size_t>(item)], {min.x, min.y}, tile, arrow + px(padding_x),
+                  {false, style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
+        if (style.is_open && ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
+            ImGui::SetDragDropPayload("place", &place, sizeof place);
+            ImGui::EndDragDropSource();
+        }
+        if (ImGui::BeginDragDropTarget()) {
+            if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload("place"))
+                swapped = std::pair(*static_cast<const int*>(payload->Data), place);
+            ImGui::EndDragDropTarget();
+        }
+        const auto arrow_button = [&](const char* sign, float at, int neighbour) {
+            if (!style.is_open || neighbour < 0 || neighbour >= std::ssize(order)) return;
+            ImGui::SetCursorScreenPos({at, min.y});
+            const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
+            if (ImGui::InvisibleButton(id.c_str(), {arrow, frame_height(context)})) swapped = std::pair(place, neighbour);
+            widgets::Record(id.c_str());
+            const ImVec2 size = ImGui::CalcTextSize(sign);
+            ImGui::GetWindowDrawList()->AddText(
+                {at + (arrow - size.x) * 0.5F, min.y + (frame_height(context) - size.y) * 0.5F},
+                ImGui::IsItemHovered() ? palette().accent : palette().quiet, sign);
+        };
+        ImGui::SetItemAllowOverlap();
+        arrow_button("◂", min.x, place - 1);
+        arrow_button("▸", min.x + tile - arrow, place + 1);
+        ++place;
+    });
+    if (swapped && swapped->first != swapped->second) {
+        std::swap(run.answer().items[static_cast<std::size_t>(swapped->first)],
+                  run.answer().items[static_cast<std::size_t>(swapped->second)]);
+        run.forget_verdict();
+    }
+    ImGui::SetCursorScreenPos({corner.x, corner.y + end});
+    ImGui::Dummy({0.0F, 0.0F});
+}
+
+/// Tiles that are chosen by a click; in a sequence they get numbers in the order of the clicks.
+void draw_chosen(LessonRun& run, const AnswerStyle& style, float width) {
+    const Ask& ask = run.step().ask;
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    std::vector<int>& chosen = run.answer().items;
+    const std::vector<int> shown = style.shows_right ? ask.expected_items.front() : chosen;
+    const float end = lay_out_tiles(ask, as_written(ask), width, context, [&](int item, float x, float y, float tile) {
+        const auto at = std::find(shown.begin(), shown.end(), item);
+        const bool is_chosen = at != shown.end();
+        const ImVec2 min(corner.x + x, corner.y + y);
+        const bool clicked =
+            draw_tile(ask.items[static_cast<std::size_t>(item)], min, tile, px(letter_room + padding_x),
+                      {is_chosen, is_chosen && style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
+        const std::string sign = !is_chosen                      ? ""
+                                 : ask.kind == AskKind::sequence ? std::to_string(at - shown.begin() + 1)
+                                                                 : "✓";
+        const float text_y = min.y + std::floor((frame_height(context) - context.fonts.heading->FontSize) * 0.5F);
+        ImGui::GetWindowDrawList()->AddText(context.fonts.heading, context.fonts.heading->FontSize,
+                                            {min.x + px(padding_x), text_y}, palette().accent, sign.c_str());
+        if (!clicked) return;
+        const auto mine = std::find(chosen.begin(), chosen.end(), item);
+        if (mine != chosen.end())
+            chosen.erase(mine);
+        else
+            chosen.push_back(item);
+        run.forget_verdict();
+    });
+    ImGui::SetCursorScreenPos({corner.x, corner.y + end});
+    ImGui::Dummy({0.0F, 0.0F});
+}
+
+}  // namespace
+
+bool needs_check(AskKind kind) {
+    return kind != AskKind::choice && kind != AskKind::goal;
+}
+
+float answers_height(const Ask& ask, float width, const widgets::Context& context) {
+    const float scale = context.scale;
+    float height = 0.0F;
+    if (ask.kind == AskKind::choice) {
+        for (const float row : row_heights(ask, width, context)) height += row + gap * scale;
+    } else if (is_typed(ask.kind)) {
+        const bool has_rows = ask.kind == AskKind::matrix;
+        height = (has_rows ? static_cast<float>(ask.rows) : 1.0F) * (frame_height(context) + gap * scale);
+    } else if (ask.kind != AskKind::goal) {
+        height = lay_out_tiles(ask, as_written(ask), width, context, [](int, float, float, float) {});
+    }
+    return height;
+}
+
+bool draw_answers(LessonRun& run, const AnswerStyle& style, float width) {
+    const widgets::Group group("answers");
+    const AskKind kind = run.step().ask.kind;
+    if (kind == AskKind::choice) return draw_choices(run, style, width);
+    if (is_typed(kind)) draw_numbers(run, style);
+    if (kind == AskKind::order || kind == AskKind::product) draw_order(run, style, width);
+    if (kind == AskKind::sequence || kind == AskKind::subset) draw_chosen(run, style, width);
+    return false;
+}
+
+}  // namespace viewing

@@ -1,0 +1,226 @@
+#include "ui/lesson/strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/catalogue.h"
+#include "ui/lesson/answers.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr float margin = 14.0F, between = 26.0F, line_gap = 6.0F;  ///< design pixels
+constexpr float least_two_columns = 760.0F;
+constexpr float left_share = 0.36F;
+
+struct Columns {
+    bool are_two = false;
+    float left = 0.0F, right = 0.0F;  ///< widths, pixels
+};
+
+Columns columns_of(float width, float scale) {
+    const float inner = width - 2.0F * margin * scale;
+    if (width < least_two_columns * scale) return {false, inner, inner};
+    const float left = std::floor((inner - between * scale) * left_share);
+    return {true, left, inner - between * scale - left};
+}
+
+float button_height(const widgets::Context& context) {
+    return context.fonts.text->FontSize + 8.0F * context.scale;
+}
+
+/// All that may be said to an answer, in the room that it has.
+float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
+    float height = paragraph(shown_text(step.reveal.say), context.fonts.caption, width).height;
+    if (presents) return height;
+    const auto say = [&](const LessonText& text) {
+        const float sign = 24.0F * context.scale;
+        height = std::max(height, paragraph(shown_text(text), context.fonts.text, width - sign).height);
+    };
+    for (const LessonChoice& choice : step.ask.choices) say(choice.why);
+    for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
+    return height;
+}
+
+float left_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+    const LessonStep& step = run.step();
+    const float gap = line_gap * context.scale;
+    float height = context.fonts.note->FontSize + gap;
+    height += paragraph(shown_text(step.say), context.fonts.caption, width).height + gap;
+    for (int i = 0; i < run.hints_shown(); ++i)
+        height += paragraph(shown_text(step.ask.hints[static_cast<std::size_t>(i)]), context.fonts.text, width).height + gap;
+    return presents ? height : height + button_height(context) + gap;
+}
+
+float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+    const LessonStep& step = run.step();
+    const float gap = line_gap * context.scale;
+    float height = paragraph(shown_text(step.ask.question), context.fonts.caption, width).height + gap;
+    height += answers_height(step.ask, width, context);
+    if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
+    return height + feedback_height(step, width, context, presents);
+}
+
+/// A paragraph and the gap below it.
+void draw_paragraph(const LessonText& text, ImFont* font, float width, const char* label, ImU32 color) {
+    if (text.empty()) return;
+    paragraph(shown_text(text), font, width).draw(label, color);
+}
+
+/// The lesson's name and how far one is; the dot says that the state is no longer the step's.
+void draw_heading(const LessonRun& run, const StripLook& look, float width) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const std::string place =
+        say("{step} / {steps}", "step"_a = run.index() + 1, "steps"_a = run.lesson().steps.size());
+    ImGui::PushFont(context.fonts.note);
+    const float place_width = ImGui::CalcTextSize(place.c_str()).x, dot = look.departs ? px(14.0F) : 0.0F;
+    const float clock = look.clock.empty() ? 0.0F : ImGui::CalcTextSize(look.clock.c_str()).x + px(14.0F);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const std::string title = widgets::Shortened(shown_text(run.lesson().title), width - place_width - dot - clock - px(12.0F));
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+    ImGui::TextUnformatted(title.c_str());
+    widgets::Record("lesson");
+    ImGui::SetCursorScreenPos({corner.x + width - place_width, corner.y});
+    ImGui::TextUnformatted(place.c_str());
+    widgets::Record("place");
+    if (!look.clock.empty()) {
+        ImGui::SetCursorScreenPos({corner.x + width - place_width - dot - clock, corner.y});
+        ImGui::TextUnformatted(look.clock.c_str());
+        widgets::Record("clock");
+    }
+    ImGui::PopStyleColor();
+    if (look.departs)
+        ImGui::GetWindowDrawList()->AddCircleFilled(
+            {corner.x + width - place_width - px(8.0F), corner.y + context.fonts.note->FontSize * 0.5F}, px(3.0F),
+            palette().accent);
+    ImGui::PopFont();
+}
+
+/// One after the other, in a new line where there is no room.
+class ButtonRow {
+public:
+    explicit ButtonRow(float right) : right_(right) {}
+    bool button(const char* label, bool enabled, const char* why, const char* tip) {
+        const float width = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right_) ImGui::SameLine();
+        is_first_ = false;
+        const bool pressed = widgets::Button(label, enabled, why);
+        widgets::Tooltip(label, tip);
+        return pressed;
+    }
+
+private:
+    float right_;
+    bool is_first_ = true;
+};
+
+void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
+    ButtonRow row(ImGui::GetCursorScreenPos().x + width);
+    const bool is_revealed = run.is_revealed();
+    wishes.previous = row.button("◂###back", !run.is_first() || is_revealed, marked("this is where the lesson begins"),
+                                 marked("Back: the question again, then the step before."));
+    if (!is_revealed)
+        wishes.next = row.button("Show the answer", true, "", marked("What one would see, and why. Answering first teaches more."));
+    else
+        wishes.next = row.button("Next ▸", !run.is_last(), marked("this was the last step"), marked("The next step."));
+    const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
+    if (!is_revealed && has_more_hints && row.button("Hint", true, "", marked("A step towards the answer."))) run.show_hint();
+    if (look.departs)
+        wishes.again = row.button("As it was", true, "", marked("The step's state again. Ctrl+Z takes that back."));
+    wishes.overview = row.button("All steps", true, "", marked("The steps of this lesson as pictures."));
+    wishes.leave = row.button("Explore freely", true, "",
+                              marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
+}
+
+void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const LessonStep& step = run.step();
+    draw_heading(run, look, width);
+    draw_paragraph(step.say, context.fonts.caption, width, "say", palette().text);
+    for (int i = 0; i < run.hints_shown(); ++i)
+        draw_paragraph(step.ask.hints[static_cast<std::size_t>(i)], context.fonts.text, width, "hint", palette().quiet);
+    if (!look.presents) draw_buttons(run, look, width, wishes);
+}
+
+/// A sign in front of what is said: ✓ or ✗, without relying on colour.
+void draw_told(bool is_right, const std::string& text, float width, const char* label) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImU32 color = is_right ? palette().plane : palette().trouble;
+    ImGui::GetWindowDrawList()->AddText(context.fonts.heading, context.fonts.heading->FontSize, corner, color,
+                                        is_right ? "✓" : "✗");
+    const float sign = px(24.0F);
+    ImGui::SetCursorScreenPos({corner.x + sign, corner.y});
+    paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
+}
+
+void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const LessonStep& step = run.step();
+    if (run.is_revealed()) {
+        draw_paragraph(step.reveal.say, context.fonts.caption, width, "reveal", palette().accent);
+        return;
+    }
+    if (look.presents) return;
+    if (!look.trouble.empty()) return draw_told(false, look.trouble, width, "trouble");
+    if (!run.verdict()) return;
+    const Verdict& verdict = *run.verdict();
+    if (verdict.right)
+        draw_told(true, tr("Reached."), width, "verdict");
+    else if (!verdict.say.empty())
+        draw_told(false, shown_text(verdict.say), width, "verdict");
+    else if (step.ask.kind != AskKind::goal)
+        draw_told(false, tr("Not yet. Try again, or take a hint."), width, "verdict");
+}
+
+void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const LessonStep& step = run.step();
+    draw_paragraph(step.ask.question, context.fonts.caption, width, "question", palette().text);
+    const AnswerStyle style{!run.is_revealed() && !look.presents, run.is_revealed(), look.presents};
+    wishes.check = draw_answers(run, style, width);
+    if (!look.presents && needs_check(step.ask.kind)) {
+        const bool is_open = !run.is_revealed();
+        wishes.check = widgets::Button("Check", is_open, marked("the answer is shown already")) || wishes.check;
+    }
+    draw_feedback(run, look, width);
+}
+
+}  // namespace
+
+float strip_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
+    if (!context.fonts.caption) return 0.0F;
+    const Columns columns = columns_of(width, context.scale);
+    const float left = left_height(run, columns.left, context, presents);
+    const float right = right_height(run, columns.right, context, presents);
+    const float frame = 2.0F * margin * context.scale;
+    return std::ceil((columns.are_two ? std::max(left, right) : left + right + line_gap * context.scale) + frame);
+}
+
+StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) {
+    const widgets::Group group("lesson strip");
+    const widgets::Context& context = widgets::CurrentContext();
+    StripWishes wishes;
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->AddRectFilled(rect.min, rect.max, palette().raised);
+    draw->AddRectFilled(rect.min, {rect.max.x, rect.min.y + px(2.0F)}, palette().accent);
+    const Columns columns = columns_of(rect.width(), context.scale);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(line_gap)});
+    const ImVec2 corner(rect.min.x + px(margin), rect.min.y + px(margin));
+    ImGui::SetCursorScreenPos(corner);
+    ImGui::BeginGroup();
+    draw_left(run, look, columns.left, wishes);
+    ImGui::EndGroup();
+    const float below = ImGui::GetItemRectMax().y + px(line_gap);
+    ImGui::SetCursorScreenPos(columns.are_two ? ImVec2(corner.x + columns.left + px(between), corner.y)
+                                              : ImVec2(corner.x, below));
+    ImGui::BeginGroup();
+    draw_right(run, look, columns.right, wishes);
+    ImGui::EndGroup();
+    ImGui::PopStyleVar();
+    return wishes;
+}
+
+}  // namespace viewing
