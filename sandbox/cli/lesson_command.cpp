@@ -40,8 +40,10 @@ LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless&
         const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar,
                                                {.origin = state.scene_origin, .reach = state.reach});
         if (!scene) return findings;  // check_step has said so
-        const Result<Image> drawn =
-            draw_picture(headless.renderer(), state, *scene, {.view = PictureView::camera, .size_px = {640, 360}});
+        PictureRequest request;
+        request.view = PictureView::camera;
+        request.size_px = {640, 360};
+        const Result<Image> drawn = draw_picture(headless.renderer(), state, *scene, request);
         if (!drawn) findings.push_back(lesson.id + ", step " + step.id + ": " + drawn.error());
     }
     headless.require_no_errors();
@@ -53,7 +55,15 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     if (wanted.empty())
         for (const LessonFile& file : lessons()) wanted.push_back(file.path.string());
     std::vector<Lesson> read;
-    for (const std::string& argument : wanted) read.push_back(value_or_end(load_lesson(argument)));
+    std::string broken;
+    for (const std::string& argument : wanted) {
+        Result<Lesson> lesson = load_lesson(argument);
+        if (lesson)
+            read.push_back(*std::move(lesson));
+        else
+            broken += (broken.empty() ? "" : "\n") + lesson.error();
+    }
+    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
     Headless headless(device);
     std::string findings;
     std::size_t steps = 0;

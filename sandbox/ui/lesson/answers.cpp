@@ -52,7 +52,8 @@ float frame_height(const widgets::Context& context) {
 
 float tile_width(const LessonText& item, const widgets::Context& context) {
     const std::string& text = shown_text(item);
-    const float text_width = context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
+    const float text_width =
+        context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
     return text_width + 2.0F * padding_x * context.scale;
 }
 
@@ -69,7 +70,8 @@ float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, 
     const float scale = context.scale, height = frame_height(context) + gap * scale;
     float x = 0.0F, y = 0.0F;
     for (const int item : order) {
-        const float tile = std::min(tile_width(ask.items[static_cast<std::size_t>(item)], context) + tile_extra(ask, context), width);
+        const float tile =
+            std::min(tile_width(ask.items[static_cast<std::size_t>(item)], context) + tile_extra(ask, context), width);
         if (x > 0.0F && x + tile > width) {
             x = 0.0F;
             y += height;
@@ -224,7 +226,8 @@ void draw_order(LessonRun& run, const AnswerStyle& style, float width) {
             if (!style.is_open || neighbour < 0 || neighbour >= std::ssize(order)) return;
             ImGui::SetCursorScreenPos({at, min.y});
             const std::string id = std::string(sign) + " item " + std::to_string(item + 1);
-            if (ImGui::InvisibleButton(id.c_str(), {arrow, frame_height(context)})) swapped = std::pair(place, neighbour);
+            if (ImGui::InvisibleButton(id.c_str(), {arrow, frame_height(context)}))
+                swapped = std::pair(place, neighbour);
             widgets::Record(id.c_str());
             const ImVec2 size = ImGui::CalcTextSize(sign);
             ImGui::GetWindowDrawList()->AddText(
@@ -256,9 +259,9 @@ void draw_chosen(LessonRun& run, const AnswerStyle& style, float width) {
         const auto at = std::find(shown.begin(), shown.end(), item);
         const bool is_chosen = at != shown.end();
         const ImVec2 min(corner.x + x, corner.y + y);
-        const bool clicked =
-            draw_tile(ask.items[static_cast<std::size_t>(item)], min, tile, px(letter_room + padding_x),
-                      {is_chosen, is_chosen && style.shows_right, false}, style.is_open, "item " + std::to_string(item + 1));
+        const bool clicked = draw_tile(ask.items[static_cast<std::size_t>(item)], min, tile,
+                                       px(letter_room + padding_x), {is_chosen, is_chosen && style.shows_right, false},
+                                       style.is_open, "item " + std::to_string(item + 1));
         const std::string sign = !is_chosen                      ? ""
                                  : ask.kind == AskKind::sequence ? std::to_string(at - shown.begin() + 1)
                                                                  : "✓";

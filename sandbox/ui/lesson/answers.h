@@ -10,13 +10,13 @@ namespace viewing {
 float answers_height(const Ask& ask, float width, const widgets::Context& context);
 
 struct AnswerStyle {
-    bool is_open = true;        ///< it can be answered still
-    bool shows_right = false;   ///< the right answer is marked
-    bool shows_votes = false;   ///< in front of a room: bars of raised hands in place of a click
+    bool is_open = true;       ///< it can be answered still
+    bool shows_right = false;  ///< the right answer is marked
+    bool shows_votes = false;  ///< in front of a room: bars of raised hands in place of a click
 };
 
-/// Edits the run's answer. True when it was given with this: a choice that was clicked. What is typed or put in order is
-/// given by Check.
+/// Edits the run's answer. True when it was given with this: a choice that was clicked. What is typed or put in order
+/// is given by Check.
 bool draw_answers(LessonRun& run, const AnswerStyle& style, float width);
 
 /// Whether answers of that kind are given by a button of their own.

@@ -50,7 +50,8 @@ float left_height(const LessonRun& run, float width, const widgets::Context& con
     float height = context.fonts.note->FontSize + gap;
     height += paragraph(shown_text(step.say), context.fonts.caption, width).height + gap;
     for (int i = 0; i < run.hints_shown(); ++i)
-        height += paragraph(shown_text(step.ask.hints[static_cast<std::size_t>(i)]), context.fonts.text, width).height + gap;
+        height +=
+            paragraph(shown_text(step.ask.hints[static_cast<std::size_t>(i)]), context.fonts.text, width).height + gap;
     return presents ? height : height + button_height(context) + gap;
 }
 
@@ -78,7 +79,8 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const float place_width = ImGui::CalcTextSize(place.c_str()).x, dot = look.departs ? px(14.0F) : 0.0F;
     const float clock = look.clock.empty() ? 0.0F : ImGui::CalcTextSize(look.clock.c_str()).x + px(14.0F);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const std::string title = widgets::Shortened(shown_text(run.lesson().title), width - place_width - dot - clock - px(12.0F));
+    const std::string title =
+        widgets::Shortened(shown_text(run.lesson().title), width - place_width - dot - clock - px(12.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::TextUnformatted(title.c_str());
     widgets::Record("lesson");
@@ -104,7 +106,8 @@ public:
     explicit ButtonRow(float right) : right_(right) {}
     bool button(const char* label, bool enabled, const char* why, const char* tip) {
         const float width = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-        if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right_) ImGui::SameLine();
+        if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right_)
+            ImGui::SameLine();
         is_first_ = false;
         const bool pressed = widgets::Button(label, enabled, why);
         widgets::Tooltip(label, tip);
@@ -122,16 +125,19 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
     wishes.previous = row.button("◂###back", !run.is_first() || is_revealed, marked("this is where the lesson begins"),
                                  marked("Back: the question again, then the step before."));
     if (!is_revealed)
-        wishes.next = row.button("Show the answer", true, "", marked("What one would see, and why. Answering first teaches more."));
+        wishes.next = row.button("Show the answer", true, "",
+                                 marked("What one would see, and why. Answering first teaches more."));
     else
         wishes.next = row.button("Next ▸", !run.is_last(), marked("this was the last step"), marked("The next step."));
     const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
-    if (!is_revealed && has_more_hints && row.button("Hint", true, "", marked("A step towards the answer."))) run.show_hint();
+    if (!is_revealed && has_more_hints && row.button("Hint", true, "", marked("A step towards the answer.")))
+        run.show_hint();
     if (look.departs)
         wishes.again = row.button("As it was", true, "", marked("The step's state again. Ctrl+Z takes that back."));
     wishes.overview = row.button("All steps", true, "", marked("The steps of this lesson as pictures."));
-    wishes.leave = row.button("Explore freely", true, "",
-                              marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
+    wishes.leave =
+        row.button("Explore freely", true, "",
+                   marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
 }
 
 void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {

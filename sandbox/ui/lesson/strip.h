@@ -1,5 +1,5 @@
-// The strip below the views while a lesson leads: what the step says, its question with the answers, and what to do next.
-// In front of a room it has nothing to press. Read session/guide.h for what its buttons do.
+// The strip below the views while a lesson leads: what the step says, its question with the answers, and what to do
+// next. In front of a room it has nothing to press. Read session/guide.h for what its buttons do.
 #pragma once
 
 #include <string>
