@@ -1,0 +1,153 @@
+// The lessons that come with the program keep the plan of the lecture: sixteen in its order, 103 steps, and each step
+// asks before it shows, answers what people get wrong, and changes something when it shows. Whether their claims and
+// answers are true needs the renderer: `viewing-sandbox lesson --check` looks at that.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "lesson/lesson.h"
+#include "lesson/targets.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// All of them; a failure and what could be read where one cannot.
+const std::vector<Lesson>& lecture() {
+    static const std::vector<Lesson> read = [] {
+        std::vector<Lesson> result;
+        for (const LessonFile& file : lessons()) {
+            Result<Lesson> lesson = load_lesson(file.path.string());
+            if (lesson) {
+                result.push_back(*std::move(lesson));
+            } else {
+                ADD_FAILURE() << lesson.error();
+            }
+        }
+        return result;
+    }();
+    return read;
+}
+
+/// Calls `look` with every step and a name of it for messages.
+template <typename Look>
+void for_each_step(const Look& look) {
+    for (const Lesson& lesson : lecture())
+        for (const LessonStep& step : lesson.steps) look(step, lesson.id + ", step " + step.id);
+}
+
+std::vector<std::string> texts_of(const LessonStep& step) {
+    std::vector<std::string> texts{step.say.en, step.ask.question.en, step.reveal.say.en};
+    for (const LessonChoice& choice : step.ask.choices) texts.push_back(choice.why.en);
+    for (const WrongAnswer& wrong : step.ask.wrong) texts.push_back(wrong.say.en);
+    return texts;
+}
+
+/// Ends of sentences: a stop with a space or nothing behind it.
+int sentence_count(const std::string& text) {
+    int count = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_stop = text[i] == '.' || text[i] == '?' || text[i] == '!';
+        count += is_stop && (i + 1 == text.size() || text[i + 1] == ' ');
+    }
+    return count;
+}
+
+TEST(LectureLessons, AreSixteenInTheOrderOfTheSlides) {
+    const std::pair<const char*, std::size_t> plan[] = {{"view-is-the-inverse", 7},
+                                                        {"fly-and-walk", 6},
+                                                        {"lens", 6},
+                                                        {"who-hides-whom", 6},
+                                                        {"orders", 7},
+                                                        {"rays", 4},
+                                                        {"two-sides", 6},
+                                                        {"two-buffers", 6},
+                                                        {"gl-depth", 6},
+                                                        {"depth-is-not-linear", 6},
+                                                        {"depth-fighting", 8},
+                                                        {"similar-triangles", 6},
+                                                        {"any-plane-any-light", 7},
+                                                        {"drawing-the-shadow", 7},
+                                                        {"mirror-matrix", 8},
+                                                        {"drawing-the-mirror", 7}};
+    ASSERT_EQ(lecture().size(), std::size(plan));
+    std::size_t steps = 0;
+    for (std::size_t i = 0; i < std::size(plan); ++i) {
+        EXPECT_EQ(lecture()[i].id, plan[i].first);
+        EXPECT_EQ(lecture()[i].steps.size(), plan[i].second) << plan[i].first;
+        EXPECT_FALSE(lecture()[i].slides.empty()) << plan[i].first;
+        EXPECT_GE(lecture()[i].minutes, 10) << plan[i].first;
+        steps += lecture()[i].steps.size();
+    }
+    EXPECT_EQ(steps, 103U);
+}
+
+TEST(LectureLessons, WhatALessonNeedsComesBeforeIt) {
+    std::set<std::string> before;
+    for (const Lesson& lesson : lecture()) {
+        for (const std::string& needed : lesson.needs) EXPECT_TRUE(before.contains(needed)) << lesson.id << needed;
+        before.insert(lesson.id);
+    }
+}
+
+TEST(LectureLessons, EveryStepAnswersWhatIsGotWrong) {
+    for_each_step([](const LessonStep& step, const std::string& name) {
+        if (step.ask.kind == AskKind::choice) {
+            EXPECT_GE(step.ask.choices.size(), 3U) << name;
+            EXPECT_LE(step.ask.choices.size(), 4U) << name;
+            EXPECT_TRUE(std::any_of(step.ask.choices.begin(), step.ask.choices.end(), [](const LessonChoice& choice) {
+                return !choice.tag.empty();
+            })) << name;
+        } else {
+            EXPECT_FALSE(step.ask.wrong.empty()) << name;
+            EXPECT_FALSE(step.ask.hints.empty()) << name;
+            EXPECT_LE(step.ask.hints.size(), 2U) << name;
+        }
+    });
+}
+
+TEST(LectureLessons, EveryRevealShowsSomethingAndIsProvedAndNoted) {
+    for_each_step([](const LessonStep& step, const std::string& name) {
+        EXPECT_TRUE(!step.reveal.settings.empty() || !step.reveal.highlight.empty()) << name;
+        EXPECT_FALSE(step.claims.empty()) << name;
+        EXPECT_FALSE(step.note.empty()) << name;
+    });
+}
+
+TEST(LectureLessons, TextsAreShortEnoughForTheLastRow) {
+    for_each_step([](const LessonStep& step, const std::string& name) {
+        for (const std::string& text : texts_of(step)) {
+            EXPECT_LE(sentence_count(text), 2) << name << ": " << text;
+            EXPECT_LE(character_count(text), 140U) << name << ": " << text;
+        }
+        EXPECT_LE(sentence_count(step.note.en), 3) << name << ": " << step.note.en;
+    });
+}
+
+TEST(LectureLessons, WhatIsCoveredAndPointedOutHasAName) {
+    for_each_step([](const LessonStep& step, const std::string& name) {
+        for (const auto* const targets : {&step.cover, &step.highlight, &step.reveal.highlight})
+            for (const std::string& target : *targets) {
+                const Result<std::string> read = read_target(target);
+                EXPECT_TRUE(read) << name << ": " << read.error();
+            }
+    });
+}
+
+TEST(LectureLessons, TheRightAnswerStandsAtNoPlaceOftenerThanNot) {
+    std::map<std::ptrdiff_t, int> places;
+    int choices = 0;
+    for_each_step([&](const LessonStep& step, const std::string&) {
+        if (step.ask.kind != AskKind::choice) return;
+        const auto right = std::find_if(step.ask.choices.begin(), step.ask.choices.end(),
+                                        [](const LessonChoice& choice) { return choice.right; });
+        ++places[right - step.ask.choices.begin()];
+        ++choices;
+    });
+    for (const auto& [place, count] : places) EXPECT_LE(2 * count, choices) << "place " << place;
+}
+
+}  // namespace
+}  // namespace viewing
