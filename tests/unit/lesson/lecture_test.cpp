@@ -8,7 +8,6 @@
 #include <set>
 
 #include "lesson/lesson.h"
-#include "lesson/targets.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -126,17 +125,7 @@ TEST(LectureLessons, TextsAreShortEnoughForTheLastRow) {
     });
 }
 
-TEST(LectureLessons, WhatIsCoveredAndPointedOutHasAName) {
-    for_each_step([](const LessonStep& step, const std::string& name) {
-        for (const auto* const targets : {&step.cover, &step.highlight, &step.reveal.highlight})
-            for (const std::string& target : *targets) {
-                const Result<std::string> read = read_target(target);
-                EXPECT_TRUE(read) << name << ": " << read.error();
-            }
-    });
-}
-
-TEST(LectureLessons, TheRightAnswerStandsAtNoPlaceOftenerThanNot) {
+TEST(LectureLessons, TheRightAnswerStandsAtEachOfTheFirstThreePlaces) {
     std::map<std::ptrdiff_t, int> places;
     int choices = 0;
     for_each_step([&](const LessonStep& step, const std::string&) {
@@ -146,7 +135,7 @@ TEST(LectureLessons, TheRightAnswerStandsAtNoPlaceOftenerThanNot) {
         ++places[right - step.ask.choices.begin()];
         ++choices;
     });
-    for (const auto& [place, count] : places) EXPECT_LE(2 * count, choices) << "place " << place;
+    for (const std::ptrdiff_t place : {0, 1, 2}) EXPECT_GE(5 * places[place], choices) << "place " << place;
 }
 
 }  // namespace
