@@ -16,10 +16,22 @@ void show(Studio& studio, ViewName maximised) {
     ImGui::GetIO().MousePos = {-1e6F, -1e6F};
 }
 
+void lead(Studio& studio, const LessonPicture& wanted) {
+    Guide& guide = studio.workbench.guide;
+    guide.begin(wanted.lesson, wanted.step, studio.session);
+    if (wanted.revealed) {
+        guide.reveal(studio.session);
+        guide.next(studio.session);  // at once
+    }
+    if (wanted.presents) studio.workbench.presenter.begin();
+    studio.session.finish_loading();
+}
+
 Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
                           const PictureRequest& request, ViewName maximised) {
     Studio studio(renderer, Session(state, scene));
     show(studio, maximised);
+    if (request.lesson) lead(studio, *request.lesson);
     const Studio::Surroundings surroundings{.size_px = request.size_px, .input = {}};
     Image last, picture;
     for (int frame = 0; frame < most_frames; ++frame) {

@@ -2,8 +2,10 @@
 // window on screen.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "lesson/lesson.h"
 #include "render/renderer.h"
 #include "session/session.h"
 #include "state/presets.h"
@@ -12,12 +14,21 @@
 
 namespace viewing {
 
+/// A step of a lesson as the window shows it.
+struct LessonPicture {
+    Lesson lesson;
+    std::size_t step = 0;  ///< from 0 on
+    bool revealed = false;
+    bool presents = false;  ///< as a room sees it
+};
+
 enum class PictureView { window, camera, depth, stencil, observer };
 
 struct PictureRequest {
     PictureView view = PictureView::window;
     glm::ivec2 size_px{1280, 720};
-    std::optional<int> samples;  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
+    std::optional<int> samples = {};  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
+    std::shared_ptr<const LessonPicture> lesson = {};  ///< of the whole window; the state is then the step's
 };
 
 /// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.

@@ -11,8 +11,8 @@ constexpr glm::ivec2 size_px{384, 216};
 
 }  // namespace
 
-Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, bool clip_control) {
-    const Result<LoadedState> state = load_state(name);
+Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load, bool clip_control) {
+    const Result<LoadedState> state = load();
     if (!state) return Error{state.error()};
     Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
     if (!scene) return Error{scene.error()};
@@ -44,6 +44,10 @@ Status PresetPictures::draw(Prepared& prepared) {
 }
 
 PresetPicture PresetPictures::of(const std::string& name) {
+    return of(name, [name] { return load_state(name); });
+}
+
+PresetPicture PresetPictures::of(const std::string& name, const Load& load) {
     if (std::optional<Result<Prepared>> prepared = preparing_.take()) {
         // What cannot be drawn stays without a picture: opening it says why.
         if (!*prepared || !draw(**prepared)) pictures_[wanted_] = {};
@@ -55,7 +59,7 @@ PresetPicture PresetPictures::of(const std::string& name) {
     if (!preparing_.is_running()) {
         wanted_ = name;
         const bool clip_control = renderer_.capabilities().clip_control;
-        preparing_.start([name, clip_control](WorkProgress&) { return prepare(name, clip_control); });
+        preparing_.start([name, load, clip_control](WorkProgress&) { return prepare(name, load, clip_control); });
     }
     return {name, nullptr};
 }

@@ -1,7 +1,8 @@
-// Small pictures of presets, made when they are wanted and kept. Reading a preset and finding what its hidden-surface
-// method finds happens beside the window; of the drawing one picture a frame is done.
+// Small pictures of presets and of steps of lessons, made when they are wanted and kept. Reading a preset and finding
+// what its hidden-surface method finds happens beside the window; of the drawing one picture a frame is done.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,8 +21,12 @@ class PresetPictures {
 public:
     explicit PresetPictures(Renderer& renderer) : renderer_(renderer) {}
 
+    /// Reads the state of a picture, beside the window.
+    using Load = std::function<Result<LoadedState>()>;
     /// The picture of a preset, without a texture while it is being made, and where it cannot be. "" wants none.
     PresetPicture of(const std::string& name);
+    /// The same of any state, kept under `name`.
+    PresetPicture of(const std::string& name, const Load& load);
 
     /// Something is being made: further frames are wanted.
     bool is_busy() const { return preparing_.is_running(); }
@@ -35,7 +40,7 @@ private:
         Derived derived;
         std::shared_ptr<HiddenAnswer> answer;  ///< null where GL's depth buffer draws
     };
-    static Result<Prepared> prepare(const std::string& name, bool clip_control);
+    static Result<Prepared> prepare(const std::string& name, const Load& load, bool clip_control);
     Status draw(Prepared& prepared);
 
     Renderer& renderer_;

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "gl/dialect.h"
+#include "lesson/judge.h"
+#include "report/lesson_numbers.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
 
@@ -108,15 +111,25 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     pictures.hidden = {shown_.hidden, answer_.fraction(), surroundings.shows_time};
     pictures.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
     pictures.preset = preset_pictures_.of(workbench.wanted_preset_picture());
+    for (const CardPicture& card : workbench.wanted_cards())
+        pictures.cards.push_back(preset_pictures_.of(card.key, [card]() -> Result<LoadedState> {
+            const Result<Lesson> lesson = load_lesson(card.lesson);
+            if (!lesson) return Error{lesson.error()};
+            return lesson->steps.at(std::min(card.step, lesson->steps.size() - 1)).start;
+        }));
     const StatusLine told = status(surroundings.shows_time);
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     const Requests requests = workbench.draw(session, shown_.derived, shown_.before, shown_.plan, shown_.problems,
                                              pictures, told, surroundings.input);
+    judge_answer(requests.check_answer);
     if (requests.cancel_hidden) answer_.cancel();
     if (requests.restart_hidden) answer_.restart();
     ImGui::Render();
+    // What is frozen stays on the screen; the frame that says so is drawn once.
+    const bool was_frozen = std::exchange(is_frozen_, workbench.presenter.is_frozen());
+    if (was_frozen && is_frozen_) return requests;
     glBindFramebuffer(GL_FRAMEBUFFER, window_.framebuffer());
     glViewport(0, 0, surroundings.size_px.x, surroundings.size_px.y);
     const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(workbench.widgets.palette.ground);
@@ -126,15 +139,44 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     return requests;
 }
 
+void Studio::judge_answer(bool wants_check) {
+    LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
+    if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) return;
+    const LessonStep& step = run->step();
+    const bool is_goal = step.ask.kind == AskKind::goal;
+    if (is_goal) {
+        const bool is_known = watched_ && watched_step_ == run->index() && *watched_ == session.params;
+        // What is measured takes a moment: it waits for the hand to rest.
+        if (is_held() || is_known) return;
+    } else if (!wants_check) {
+        return;
+    }
+    watched_ = session.params;
+    watched_step_ = run->index();
+    Params start = step.start.params;
+    start.ui = session.params.ui;
+    if (is_goal && session.params == start) return run->forget_verdict();
+    const Params& judged = is_goal ? session.params : start;
+    LessonNumbers numbers(judged, start, session.scene(), &renderer_);
+    const Result<Verdict> verdict = judge(step.ask, run->answer(), numbers.surroundings());
+    workbench.lesson_trouble = verdict ? "" : verdict.error();
+    settling_ = std::max(settling_, 2);
+    if (!verdict) return;
+    run->take(*verdict);
+    if (verdict->right) workbench.guide.reveal(session);
+}
+
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
-    const bool busy = session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
+    const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading();
+    const bool busy = leads || session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
                       is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy();
     if (busy || works) return busy ? 0.0 : 0.05;
     const auto widgets_in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
     const double message_in_s = Workbench::message_ends_in_s(session.message);
+    if (workbench.presenter.has_running_clock()) return 0.5;
     if (widgets_in_s < 0.0 || message_in_s < 0.0) return std::max(widgets_in_s, message_in_s);
     return std::min(widgets_in_s, message_in_s);
 }

@@ -52,6 +52,8 @@ private:
     Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
     StatusLine status(bool shows_time);
     Requests draw_interface(const Surroundings& surroundings);
+    /// The lesson's answer is judged when that was asked for; a goal is watched while it is being reached.
+    void judge_answer(bool wants_check);
     double next_redraw_in_s() const;
     bool is_held() const;  ///< something is moved by hand
 
@@ -79,9 +81,12 @@ private:
     Drawn drawn_;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
 
-    Moment moment_;       ///< of what moves by itself
-    bool moves_ = false;  ///< something does
-    int settling_ = 0;    ///< frames until ImGui has laid out what changed
+    Moment moment_;                  ///< of what moves by itself
+    bool moves_ = false;             ///< something does
+    int settling_ = 0;               ///< frames until ImGui has laid out what changed
+    std::optional<Params> watched_;  ///< what a goal was judged for
+    std::size_t watched_step_ = 0;
+    bool is_frozen_ = false;  ///< the window keeps what it shows
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;
 };

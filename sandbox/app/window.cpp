@@ -96,15 +96,43 @@ Result<Window> make_window(bool checks_gl) {
     return window;
 }
 
-/// Between full screen and the place it had.
+/// The monitor that shows most of the window; null without monitors.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    glm::ivec2 min(0), size(0);
+    glfwGetWindowPos(window, &min.x, &min.y);
+    glfwGetWindowSize(window, &size.x, &size.y);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = nullptr;
+    std::int64_t largest = -1;
+    for (int i = 0; i < count; ++i) {
+        glm::ivec2 corner(0);
+        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+        if (!mode) continue;
+        const glm::ivec2 end = glm::min(min + size, corner + glm::ivec2(mode->width, mode->height));
+        const glm::ivec2 shared = glm::max(end - glm::max(min, corner), glm::ivec2(0));
+        const std::int64_t area = std::int64_t{shared.x} * shared.y;
+        if (area > largest) {
+            largest = area;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+/// Between full screen, on the monitor where the window is, and the place it had.
 class FullScreen {
 public:
-    void toggle(GLFWwindow* window) {
-        if (glfwGetWindowMonitor(window)) {
+    void toggle(GLFWwindow* window) { set(window, glfwGetWindowMonitor(window) == nullptr); }
+
+    void set(GLFWwindow* window, bool is_full) {
+        if (is_full == (glfwGetWindowMonitor(window) != nullptr)) return;
+        if (!is_full) {
             glfwSetWindowMonitor(window, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
             return;
         }
-        GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+        GLFWmonitor* monitor = monitor_of(window);
         if (!monitor) return;
         glfwGetWindowPos(window, &x_, &y_);
         glfwGetWindowSize(window, &width_, &height_);
@@ -194,8 +222,11 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         Remembered looks = memory.remembered();
         if (requests.chosen_theme) looks.theme = requests.chosen_theme;
         if (requests.chosen_scale) looks.scale = requests.chosen_scale;
+        looks.lessons = studio.workbench.progress;
+        looks.recent = studio.workbench.recent;
         studio.session.report(memory.remember(looks));
         if (requests.toggle_full_screen) full_screen.toggle(window);
+        if (requests.full_screen) full_screen.set(window, *requests.full_screen);
         present(window, studio, size_px);
     }
     Remembered last = memory.remembered();
@@ -205,7 +236,8 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
 
 }  // namespace
 
-Status run_window(Session session, WindowMemory& memory, int lost_display_status, std::vector<std::string>* gl_errors) {
+Status run_window(Session session, const WindowStart& start, WindowMemory& memory, int lost_display_status,
+                  std::vector<std::string>* gl_errors) {
     const Glfw glfw;
     if (!glfw.started) {
         return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
@@ -224,6 +256,14 @@ Status run_window(Session session, WindowMemory& memory, int lost_display_status
     Result<Renderer> renderer = Renderer::make();
     if (!renderer) return Error{renderer.error()};
     Studio studio(*renderer, std::move(session));
+    Workbench& workbench = studio.workbench;
+    workbench.progress = memory.remembered().lessons;
+    workbench.recent = memory.remembered().recent;
+    if (start.lesson) {
+        workbench.guide.begin(start.lesson->lesson, start.lesson->step, studio.session);
+        if (start.lesson->presents) workbench.presenter.begin();
+    }
+    if (start.shows_lessons) workbench.start_page.open();
     const WakeUp wake_up;
     Events events(window);
     ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order

@@ -7,6 +7,8 @@
 namespace viewing {
 
 WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(std::move(file)) {
+    std::error_code unknown;
+    is_first_time_ = is_fresh || !std::filesystem::exists(file_, unknown);
     if (is_fresh) {
         std::error_code failed;
         if (!file_.empty()) std::filesystem::remove(file_, failed);

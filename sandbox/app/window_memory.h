@@ -17,6 +17,8 @@ public:
     /// Of the last time, "" where all went well.
     const std::string& trouble() const { return trouble_; }
     const Remembered& remembered() const { return remembered_; }
+    /// Nothing was there to be remembered: the first time.
+    bool is_first_time() const { return is_first_time_; }
 
     /// A state that says nothing of its looks has the remembered ones.
     void dress(Params& params) const;
@@ -28,6 +30,7 @@ private:
     std::filesystem::path file_;
     Remembered remembered_;
     std::string trouble_;
+    bool is_first_time_ = false;
 };
 
 }  // namespace viewing

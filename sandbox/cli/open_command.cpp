@@ -1,11 +1,8 @@
 // open: the window on screen.
-#include <cstdlib>
-
-#include "app/window.h"
 #include "cli/commands.h"
-#include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/state_arguments.h"
+#include "cli/window_commands.h"
 
 namespace viewing {
 namespace {
@@ -23,18 +20,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     LoadedState state = state_arguments.load();
     WindowMemory memory(remembered_file(), is_fresh);
     memory.dress(state.params);
+    WindowStart start;
+    start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
     // What is wrong with the scene is said before there is a window, unless it takes long to find out.
     constexpr double patience_s = 0.5;
     Session session = value_or_end(Session::begin(state, patience_s));
-    require_threads();
-    // For tests: a context that checks every call is slower.
-    const bool checks_gl = std::getenv("VIEWING_SANDBOX_CHECK_GL") != nullptr;
-    std::vector<std::string> gl_errors;
-    value_or_end(run_window(std::move(session), memory, static_cast<int>(ExitStatus::no_context),
-                            checks_gl ? &gl_errors : nullptr),
-                 ExitStatus::no_context);
-    if (!gl_errors.empty()) throw Failure(ExitStatus::gl_error, "GL error: " + gl_errors.front());
-    return ExitStatus::done;
+    return show_window(std::move(session), start, memory);
 }
 
 }  // namespace

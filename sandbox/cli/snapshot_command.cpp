@@ -24,7 +24,8 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 /// The options as they were typed.
 struct Typed {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
-    bool fail_if_blank = false;
+    std::optional<std::string> lesson, step;
+    bool fail_if_blank = false, revealed = false, presents = false;
 };
 
 /// The same, checked.
@@ -51,6 +52,12 @@ void declare(Options& options, Typed& typed) {
     options.text("--size", "WxH", typed.size, size_help);
     options.text("--samples", "0|4", typed.samples, "Multisampling; default: view.samples of the state");
     add_device_option(options, typed.device);
+    options.group("Lesson");
+    options.text("--lesson", "ID|FILE", typed.lesson,
+                 "A step of a lesson in place of STATE (viewing-sandbox lesson --list)");
+    options.text("--step", "N", typed.step, "Which one, counted from 1; default 1");
+    options.flag("--revealed", typed.revealed, "After its answer");
+    options.flag("--present", typed.presents, "As a room sees it");
     options.group("Checks");
     options.text("--repeat", "N", typed.repeat,
                  "Draws N times, each in a new context; exit 7 unless all are byte-equal");
@@ -78,11 +85,27 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
         constexpr std::array choices{"0", "4"};
         wish.picture.samples = choice_option(options, "--samples", *typed.samples, choices) == 0 ? 0 : 4;
     }
+    if (!typed.lesson && (typed.step || typed.revealed || typed.presents))
+        options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     wish.limits = thresholds.values();
     for (const auto& target : {typed.output, typed.json})
         if (target) check_output(*target);
     return wish;
+}
+
+/// The state of the step, and for a picture of the window the lesson itself.
+LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
+    LessonPicture picture{value_or_end(load_lesson(*typed.lesson)), 0, typed.revealed, typed.presents};
+    const int count = static_cast<int>(picture.lesson.steps.size());
+    const int number = typed.step ? whole_option(options, "--step", *typed.step, 1, count) : 1;
+    picture.step = static_cast<std::size_t>(number - 1);
+    const LessonStep& step = picture.lesson.steps[picture.step];
+    LoadedState state = step.start;
+    if (wish.picture.view != PictureView::window && typed.revealed) state.params = step.revealed;
+    if (wish.picture.view == PictureView::window)
+        wish.picture.lesson = std::make_shared<const LessonPicture>(std::move(picture));
+    return state;
 }
 
 /// None when the file is not there; one that cannot be read or is no PNG is bad input.
@@ -185,7 +208,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     Wish wish = checked(options, typed, thresholds);
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
-    const LoadedState state = state_arguments.load();
+    LoadedState state = state_arguments.load();
+    if (typed.lesson) {
+        if (state_arguments.are_given())
+            options.refuse("--lesson: a step has its own state, so no STATE, --mesh or --set");
+        state = take_step(options, typed, wish);
+    }
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});
     refuse_nan(derived);

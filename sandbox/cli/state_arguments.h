@@ -23,6 +23,8 @@ public:
     /// scene which settings change has all its files relative to the working directory. Within reach are STATE's folder
     /// and what was typed here; everything with --allow-outside. Throws Failure.
     LoadedState load() const;
+    /// Whether any of them was typed.
+    bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_; }
 
 private:
     const Options& options_;

@@ -96,14 +96,17 @@ void Guide::go_back(Session& session) {
 void Guide::reveal(Session& session) {
     if (!run_) return;
     const LessonStep& step = run_->step();
+    Params start = step.start.params;
+    start.ui = session.params.ui;
+    const bool has_improvised = session.params != start;
     const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
     run_->reveal();
     // A goal that was reached in another way than the model's stays as it was reached.
-    const Params from = has_reached ? session.params : step.start.params;
+    const Params from = has_reached ? session.params : start;
     const Result<Params> changed = apply_settings(from, step.reveal.settings);
     const Params to = has_reached && changed ? *changed : step.revealed;
     held_.reset();
-    if (!has_reached && departs(session)) put(from, session);
+    if (!has_reached && has_improvised) put(from, session);
     reveal_ = Revealing{from, to, step.reveal.over_s, 0.0};
 }
 

@@ -9,6 +9,7 @@
 #include "platform/text_file.h"
 #include "state/document.h"
 #include "state/fields.h"
+#include "state/reader.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -16,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int most_steps = 200;
+constexpr std::size_t most_recent = 20;
 constexpr int most_units = 100'000;  ///< of a position or a size: more is no screen
 
 std::optional<double> number_in(const Json& value, double min, double max) {
@@ -31,6 +34,35 @@ glm::ivec2 pair_in(const Json& object, const char* key, int min, const Where& wh
     const auto y = is_pair ? number_in(pair[1], min, most_units) : std::nullopt;
     if (!x || !y) where.key(key).refuse("must be two numbers of a screen, got " + describe(pair));
     return {static_cast<int>(std::lround(*x)), static_cast<int>(std::lround(*y))};
+}
+
+/// {"view-is-the-inverse": {"step": 3, "done": [1, 2]}, …}: steps count from 1 on.
+LessonsProgress lessons_in(const Json& object, const Where& where) {
+    require_object(object, where, "an object of lessons");
+    LessonsProgress lessons;
+    for (const auto& [id, value] : object.items()) {
+        const Where inside = where.key(id);
+        require_object(value, inside, "an object with step and done");
+        LessonProgress& progress = lessons[id];
+        const auto number = [&](const Json& json, const Where& place) {
+            return static_cast<std::size_t>(read_whole(json, place, 1, most_steps) - 1);
+        };
+        if (value.contains("step")) progress.step = number(value["step"], inside.key("step"));
+        if (!value.contains("done")) continue;
+        require_array(value["done"], inside.key("done"), most_steps, "a list of steps");
+        for (const Json& step : value["done"]) progress.done.push_back(number(step, inside.key("done")));
+    }
+    return lessons;
+}
+
+Json lessons_as_json(const LessonsProgress& lessons) {
+    Json object = Json::object();
+    for (const auto& [id, progress] : lessons) {
+        Json done = Json::array();
+        for (const std::size_t step : progress.done) done.push_back(step + 1);
+        object[id] = {{"step", progress.step + 1}, {"done", std::move(done)}};
+    }
+    return object;
 }
 
 Remembered remembered_in(const Json& document, const Where& where) {
@@ -55,6 +87,12 @@ Remembered remembered_in(const Json& document, const Where& where) {
         if (!window.is_object()) inside.refuse("must be an object, got " + describe(window));
         remembered.window = WindowPlace{pair_in(window, "position", -most_units, inside),
                                         pair_in(window, "size", 1, inside), window.value("maximised", Json()) == true};
+    }
+    if (document.contains("lessons")) remembered.lessons = lessons_in(document["lessons"], where.key("lessons"));
+    if (document.contains("recent")) {
+        const Where inside = where.key("recent");
+        require_array(document["recent"], inside, most_recent, "a list of files");
+        for (const Json& file : document["recent"]) remembered.recent.push_back(read_name(file, inside));
     }
     return remembered;
 }
@@ -91,6 +129,8 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
         document["window"] = {{"position", {window->position.x, window->position.y}},
                               {"size", {window->size.x, window->size.y}},
                               {"maximised", window->maximised}};
+    if (!remembered.lessons.empty()) document["lessons"] = lessons_as_json(remembered.lessons);
+    if (!remembered.recent.empty()) document["recent"] = remembered.recent;
     const std::string text = print_document(document) + "\n";
     std::error_code failed;
     fs::create_directories(file.parent_path(), failed);

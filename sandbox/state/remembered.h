@@ -1,4 +1,5 @@
-// What the window remembers of a person from one time to the next: theme, scale, size and place; never the state. Read
+// What the window remembers of a person from one time to the next: theme, scale, size and place, how far one is in the
+// lessons, files that were opened; never the state. Read
 // and written by the window alone: a headless command touches no file that was not named.
 #pragma once
 
@@ -7,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "state/lesson_progress.h"
 #include "state/params.h"
 #include "text/result.h"
 
@@ -23,6 +25,8 @@ struct Remembered {
     std::optional<Theme> theme;
     std::optional<double> scale;
     std::optional<WindowPlace> window;
+    LessonsProgress lessons;
+    std::vector<std::string> recent;  ///< files that were opened, the latest first
     bool operator==(const Remembered&) const = default;
 };
 

@@ -33,6 +33,10 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
+    // The lesson's text is a 36th of the height, numbers are not smaller than a 48th.
+    constexpr float text_px = 17.0F, number_px = 14.0F;  // of design
+    if (arrangement.presents && !arrangement.bare)
+        return std::max(window_px.y / (36.0F * text_px), window_px.y / (48.0F * number_px)) / scale;
     if (arrangement.maximised == ViewName::none || arrangement.bare) return 1.0F;
     // The bar above needs that much.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
@@ -42,7 +46,8 @@ float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement)
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const auto px = [scale](float design) { return design * scale; };
     const bool bare = arrangement.bare && arrangement.maximised != ViewName::none;
-    const float bar = bare ? 0.0F : px(40.0F), status = bare ? 0.0F : px(26.0F), gap = bare ? 0.0F : px(10.0F);
+    const bool has_bars = !bare && !arrangement.presents;
+    const float bar = has_bars ? px(40.0F) : 0.0F, status = has_bars ? px(26.0F) : 0.0F, gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
     const float least_view = px(420.0F), least_lower = px(240.0F);
 
@@ -50,7 +55,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     layout.header_height = bare ? 0.0F : px(26.0F);
     layout.top_bar = rounded(0, 0, window_px.x, bar);
     layout.status_bar = rounded(0, window_px.y - status, window_px.x, window_px.y);
-    const float top = bar + margin, bottom = window_px.y - status - margin;
+    // A strip that would leave no room for what it is about goes on below the window's end.
+    const float strip = std::min(bare ? 0.0F : arrangement.strip_px, 0.62F * window_px.y);
+    if (strip > 0.0F) layout.strip = rounded(0, window_px.y - status - strip, window_px.x, window_px.y - status);
+    const float top = bar + margin, bottom = window_px.y - status - strip - margin;
 
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
     if (arrangement.maximised != ViewName::none) {

@@ -36,6 +36,8 @@ struct Arrangement {
     float lower_height = 232.0F;
     float lower_split = 0.5F;  ///< share of the left one's width
     float caption_px = 0.0F;   ///< what the caption needs below the camera's picture, in pixels
+    float strip_px = 0.0F;     ///< what the lesson's strip needs below everything, in pixels
+    bool presents = false;     ///< a lesson in front of a room: no bars, and type to be read from the back row
 };
 
 struct Layout {
@@ -43,6 +45,7 @@ struct Layout {
     Rect panel, matrices;                  ///< empty when folded
     Rect camera, lower_left, lower_right;  ///< pictures, without their header lines; empty when hidden
     Rect beside;                           ///< a second picture right of the camera's, which then has the other half
+    Rect strip;                            ///< of the lesson; empty without one
     Rect caption;                          ///< below the camera's picture and the one beside it; empty without one
     bool caption_is_folded = false;        ///< it is the preset's title alone
     float header_height = 0.0F;            ///< above each picture

@@ -36,6 +36,7 @@ struct Pictures {
     HiddenStatus hidden;
     DepthData depth;
     PresetPicture preset;
+    std::vector<PresetPicture> cards;  ///< of lessons and steps, by their keys
 };
 
 /// Which of the lower views a person wants to see where there is room for one only, as long as they show these topics.

@@ -136,7 +136,7 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
     if (widgets::Toggle("Controls (F2)", panel, true)) arrangement.panel_folded = !panel;
     if (widgets::Toggle("Matrices (F3)", matrices, true)) arrangement.matrices_folded = !matrices;
-    widgets::Toggle("Handles and labels (B)", views.handles, true);
+    widgets::Toggle("Handles and labels (H)", views.handles, true);
     if (widgets::Button("Full screen (F11)")) requests.toggle_full_screen = true;
     ImGui::EndPopup();
 }
@@ -166,7 +166,8 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     const bool narrow = layout.top_bar.width() < px(1000.0F);
     const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
-    for (const char* label : {"Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
+    const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
+    for (const char* label : {lesson, "Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
     // In a narrow bar long buttons take their room from the lists.
     const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
@@ -201,6 +202,8 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
         if (widgets::Button(other_column)) arrangement.prefers_matrices = !arrangement.prefers_matrices;
         ImGui::SameLine();
     }
+    draw_lesson_button(session);
+    ImGui::SameLine();
     if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();
     ImGui::SameLine();
     if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();

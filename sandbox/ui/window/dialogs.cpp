@@ -236,7 +236,7 @@ void draw_help(bool& open) {
         {"F2  F3", marked("fold the controls, the matrices")},
         {"M", marked("maximise the view under the pointer")},
         {"N", marked("next navigation mode")},
-        {"B", marked("handles and labels on, off")},
+        {"H", marked("handles and labels on, off")},
         {"C", marked("fold the preset's sentence, unfold it")},
         {"Ctrl+P", marked("the presets; type to search")},
         {marked("Page up  Page down"), marked("the preset before, the next one")},

@@ -6,6 +6,7 @@
 
 #include "text/catalogue.h"
 #include "text/words.h"
+#include "ui/lesson/strip.h"
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
@@ -41,6 +42,7 @@ Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
     };
     now.beside_matrices = !arrangement.bare && (shows_code(ViewName::lower_left, Slot::left) ||
                                                 shows_code(ViewName::lower_right, Slot::right));
+    if (guide.is_shown()) now.strip_px = strip_height(*guide.run(), window_px.x, widgets, arrangement.presents);
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
     if (!preset || bare.camera.empty() || arrangement.bare) return bare;
@@ -104,10 +106,13 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput alone still says yes in the frame after the typing has ended.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
+    const bool is_answering = typing && guide.is_shown();
     const bool in_dialog = help_open_ || file_dialog_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
         const Key key = press.key;
+        const bool turns_page = key == Key::page_down || key == Key::page_up;
+        if (!in_dialog && (!is_answering || turns_page) && take_lesson_key(press, session)) continue;
         if (key == Key::f1) help_open_ = !help_open_;
         if (key == Key::f2) arrangement.panel_folded = !arrangement.panel_folded;
         if (key == Key::f3) arrangement.matrices_folded = !arrangement.matrices_folded;
@@ -131,7 +136,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (key == Key::x) session.look_along(0);
         if (key == Key::y) session.look_along(1);
         if (key == Key::z) session.look_along(2);
-        if (key == Key::b) views.handles = !views.handles;
+        if (key == Key::h) views.handles = !views.handles;
         if (key == Key::c) caption_fold_ = !layout(ImGui::GetIO().DisplaySize, session).caption_is_folded;
         if (key == Key::page_down || key == Key::page_up)
             if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
@@ -242,6 +247,7 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
                          const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
                          const FrameInput& input) {
+    follow_lesson(session, input);
     set_stage();
     widgets::NewFrame(widgets);
     Requests requests;
@@ -265,6 +271,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
     requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
     widgets::DrawHighlights();
+    draw_lesson(session, now, pictures, requests);
     draw_loading(session, now);
     draw_message(session, now);
     file_dialog_.draw(session);
@@ -273,7 +280,8 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
-    if (!ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views)) session.rest();
+    const bool rests = !ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views);
+    if (rests && !guide.is_revealing()) session.rest();
     return requests;
 }
 

@@ -8,6 +8,8 @@
 
 #include "frame/problems.h"
 #include "state/presets.h"
+#include "ui/lesson/presenter.h"
+#include "ui/lesson/start_page.h"
 #include "ui/matrices/matrices.h"
 #include "ui/parts/stage.h"
 #include "ui/views/views.h"
@@ -28,8 +30,10 @@ struct StatusLine {
 struct Requests {
     bool snapshot = false;
     bool toggle_full_screen = false;
-    bool restart_hidden = false;  ///< their work on the current question, which was cancelled
-    bool cancel_hidden = false;   ///< what the hidden-surface methods are working on
+    std::optional<bool> full_screen;  ///< what is wanted, whatever it is now
+    bool check_answer = false;        ///< of the lesson's question: to be judged
+    bool restart_hidden = false;      ///< their work on the current question, which was cancelled
+    bool cancel_hidden = false;       ///< what the hidden-surface methods are working on
     std::optional<ViewPicture> view_picture;
     std::optional<Theme> chosen_theme;   ///< by hand: what is remembered for the next time
     std::optional<double> chosen_scale;  ///< the same
@@ -43,11 +47,19 @@ public:
     Arrangement arrangement;
     ViewState views;
     Stage stage;  ///< what a lesson covers, points out and marks
+    Guide guide;  ///< the lesson that leads, if there is one
+    Presenter presenter;
+    StartPage start_page;
+    LessonsProgress progress;         ///< of this person, in every lesson
+    std::vector<std::string> recent;  ///< files that were opened, the latest first
+    std::string lesson_trouble;       ///< why an answer could not be judged; "" when it could
     widgets::Context widgets;
 
     /// Where everything is for this session, in the fonts that the widgets have now.
     Layout layout(ImVec2 window_px, const Session& session) const;
 
+    /// Pictures of lessons and steps that are wanted in Pictures.
+    std::vector<CardPicture> wanted_cards();
     /// The preset whose small picture is wanted in Pictures; "" for none.
     const std::string& wanted_preset_picture() const { return preset_picker_.wanted_picture(); }
     /// In how many seconds the good news in the status bar go; negative: there are none.
@@ -61,6 +73,10 @@ public:
 
 private:
     void set_stage();
+    void follow_lesson(Session& session, const FrameInput& input);
+    bool take_lesson_key(const KeyPress& press, Session& session);
+    void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
+    void draw_lesson_button(Session& session);
     void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
@@ -88,6 +104,7 @@ private:
     std::optional<double> pending_scale_;
     bool help_open_ = false;
     MatrixChoice matrix_choice_;
+    std::string led_;  ///< the lesson whose progress was taken over
 };
 
 }  // namespace viewing

@@ -1,0 +1,93 @@
+#include "ui/lesson/cards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/lesson/lesson_text.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+constexpr float least_card = 232.0F, gap = 14.0F, inset = 8.0F;  ///< design pixels
+
+struct CardSize {
+    float width = 0.0F, picture = 0.0F;
+    float height = 0.0F;  ///< of all in a row
+};
+
+float text_height(const Card& card, float width, const widgets::Context& context) {
+    return paragraph(card.title, context.fonts.heading, width - px(2.0F * inset)).height + px(4.0F) +
+           context.fonts.note->FontSize;
+}
+
+void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID texture, bool is_chosen,
+               bool is_hovered) {
+    const widgets::Context& context = widgets::CurrentContext();
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    const ImVec2 max(min.x + size.width, min.y + size.height);
+    const float rounding = px(6.0F);
+    draw->AddRectFilled(min, max, is_hovered ? palette().field_hovered : palette().field, rounding);
+    const ImVec2 picture_max(max.x, min.y + size.picture);
+    draw->AddRectFilled(min, picture_max, palette().view_ground, rounding, ImDrawFlags_RoundCornersTop);
+    if (texture)
+        draw->AddImageRounded(texture, min, picture_max, {0.0F, 1.0F}, {1.0F, 0.0F}, IM_COL32_WHITE, rounding,
+                              ImDrawFlags_RoundCornersTop);
+    const ImVec2 text(min.x + px(inset), picture_max.y + px(inset));
+    const Paragraph title = paragraph(card.title, context.fonts.heading, size.width - px(2.0F * inset));
+    draw->AddText(title.font, title.font->FontSize, text, palette().text, title.lines.c_str());
+    const ImVec2 note(text.x, max.y - px(inset) - context.fonts.note->FontSize);
+    draw->AddText(context.fonts.note, context.fonts.note->FontSize, note, palette().quiet, card.note.c_str());
+    if (card.is_done) {
+        const ImVec2 sign = context.fonts.heading->CalcTextSizeA(context.fonts.heading->FontSize, FLT_MAX, 0.0F, "✓");
+        draw->AddText(context.fonts.heading, context.fonts.heading->FontSize,
+                      {max.x - px(inset) - sign.x, max.y - px(inset) - sign.y}, palette().plane, "✓");
+    }
+    const bool is_framed = is_chosen || card.is_current;
+    draw->AddRect(min, max,
+                  is_chosen         ? palette().accent
+                  : card.is_current ? palette().text
+                                    : palette().border,
+                  rounding, 0, px(is_framed ? 2.5F : 1.0F));
+}
+
+}  // namespace
+
+int card_columns(float width, float scale) {
+    return std::max(1, static_cast<int>((width + gap * scale) / ((least_card + gap) * scale)));
+}
+
+int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
+               int chosen) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
+    const int columns = card_columns(width, context.scale);
+    CardSize size;
+    size.width = std::floor((width - px(gap) * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    size.picture = std::floor(size.width * 9.0F / 16.0F);
+    int clicked = -1;
+    const float left = ImGui::GetCursorPosX();
+    for (std::size_t row = 0; row < cards.size(); row += static_cast<std::size_t>(columns)) {
+        const std::size_t end = std::min(cards.size(), row + static_cast<std::size_t>(columns));
+        size.height = 0.0F;
+        for (std::size_t i = row; i < end; ++i)
+            size.height = std::max(
+                size.height, std::ceil(size.picture + text_height(cards[i], size.width, context) + px(3.0F * inset)));
+        const float top = ImGui::GetCursorPosY();
+        for (std::size_t i = row; i < end; ++i) {
+            ImGui::SetCursorPos({left + static_cast<float>(i - row) * (size.width + px(gap)), top});
+            const ImVec2 min = ImGui::GetCursorScreenPos();
+            const std::string name = "card " + std::to_string(i + 1);
+            if (ImGui::InvisibleButton(name.c_str(), {size.width, size.height})) clicked = static_cast<int>(i);
+            widgets::Record(name.c_str());
+            const bool is_chosen = static_cast<int>(i) == chosen;
+            if (is_chosen) ImGui::SetScrollHereY(0.5F);
+            draw_card(cards[i], min, size, texture_of(cards[i].key), is_chosen, ImGui::IsItemHovered());
+        }
+        ImGui::SetCursorPos({left, top + size.height + px(gap)});
+        ImGui::Dummy({0.0F, 0.0F});
+    }
+    return clicked;
+}
+
+}  // namespace viewing

@@ -1,0 +1,222 @@
+#include "ui/lesson/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "text/catalogue.h"
+#include "ui/lesson/cards.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+int digit_of(Key key) {
+    if (key == Key::zero) return 0;
+    return key >= Key::one && key <= Key::nine ? static_cast<int>(key) - static_cast<int>(Key::one) + 1 : -1;
+}
+
+bool is_modifier(Key key) {
+    return key == Key::shift || key == Key::ctrl || key == Key::alt || key == Key::super;
+}
+
+}  // namespace
+
+void Presenter::begin() {
+    if (is_on_) return;
+    is_on_ = true;
+    wants_full_screen_ = true;
+    presented_s_ = 0.0;
+}
+
+void Presenter::end() {
+    is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
+    blank_ = Blank::none;
+    pointer_ = Pointer::none;
+    wants_full_screen_ = false;
+}
+
+void Presenter::show_overview(const Guide& guide) {
+    shows_overview_ = true;
+    typed_.clear();
+    choice_ = guide.run() ? static_cast<int>(guide.run()->index()) : 0;
+}
+
+std::string Presenter::clock() const {
+    if (clock_s_ == 0.0 && !clock_runs_) return "";
+    const auto seconds = static_cast<int>(clock_s_);
+    return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
+}
+
+bool Presenter::take_in_overview(const KeyPress& press, Guide& guide, Session& session) {
+    const int last = static_cast<int>(guide.run()->lesson().steps.size()) - 1;
+    const int row = card_columns(ImGui::GetIO().DisplaySize.x - px(60.0F), widgets::CurrentContext().scale);
+    const auto move = [&](int by) { choice_ = std::clamp(choice_ + by, 0, last); };
+    switch (press.key) {
+        case Key::left:
+        case Key::page_up:
+            move(-1);
+            break;
+        case Key::right:
+        case Key::page_down:
+            move(1);
+            break;
+        case Key::up:
+            move(-row);
+            break;
+        case Key::down:
+            move(row);
+            break;
+        case Key::o:
+        case Key::escape:
+            shows_overview_ = false;
+            break;
+        case Key::enter:
+        case Key::space:
+            shows_overview_ = false;
+            guide.go_to(static_cast<std::size_t>(choice_), session);
+            break;
+        default:
+            if (const int digit = digit_of(press.key); digit >= 0 && typed_.size() < 3) {
+                typed_ += static_cast<char>('0' + digit);
+                choice_ = std::clamp(std::atoi(typed_.c_str()) - 1, 0, last);
+            }
+    }
+    return true;
+}
+
+void Presenter::vote(int choice, int change, Guide& guide) {
+    std::vector<int>& votes = guide.run()->votes();
+    if (choice < 0 || choice >= static_cast<int>(votes.size())) return;
+    int& hands = votes[static_cast<std::size_t>(choice)];
+    hands = std::max(hands + change, 0);
+}
+
+bool Presenter::take(const KeyPress& press, Guide& guide, Session& session) {
+    if (is_modifier(press.key) || !guide.is_shown()) return false;
+    if (shows_overview_) return take_in_overview(press, guide, session);
+    if (!is_on_) return false;
+    if (blank_ != Blank::none) {  // any key brings the picture back and does nothing else
+        blank_ = Blank::none;
+        return true;
+    }
+    if (press.ctrl && press.key == Key::z && inks_) {
+        if (std::vector<Stroke>& strokes = ink_[guide.run()->index()]; !strokes.empty()) strokes.pop_back();
+        return true;
+    }
+    if (press.ctrl) return false;
+    switch (press.key) {
+        case Key::page_down:
+            guide.next(session);
+            return true;
+        case Key::page_up:
+            guide.previous(session);
+            return true;
+        case Key::space:
+            press.shift ? guide.previous(session) : guide.next(session);
+            return true;
+        case Key::home:
+            guide.return_to_step(session);
+            return true;
+        case Key::backspace:
+            guide.go_back(session);
+            return true;
+        case Key::period:
+        case Key::b:
+            blank_ = Blank::black;
+            return true;
+        case Key::comma:
+            blank_ = Blank::white;
+            return true;
+        case Key::o:
+            show_overview(guide);
+            return true;
+        case Key::p:
+            is_frozen_ = !is_frozen_;
+            return true;
+        case Key::l:
+            pointer_ = static_cast<Pointer>((static_cast<int>(pointer_) + 1) % 3);
+            return true;
+        case Key::i:
+            inks_ = !inks_;
+            if (!inks_) ink_.erase(guide.run()->index());
+            return true;
+        case Key::t:
+            clock_runs_ = !press.shift && !clock_runs_;
+            if (press.shift) clock_s_ = 0.0;
+            return true;
+        case Key::f5:
+        case Key::f1:  // no help over the lecture
+        case Key::x:   // held
+            return true;
+        case Key::escape:
+            if (press.shift)
+                end();
+            else if (inks_)
+                inks_ = false;
+            return true;
+        default:
+            if (const int digit = digit_of(press.key); digit > 0 && !guide.run()->is_revealed()) {
+                vote(digit - 1, press.shift ? -1 : 1, guide);
+                return true;
+            }
+            return digit_of(press.key) >= 0;
+    }
+}
+
+void Presenter::update(const FrameInput& input, Guide& guide, Session& session) {
+    if (guide.is_shown()) guide.hold_before(input.is_down(Key::x), session);
+    if (!is_on_) return;
+    presented_s_ += input.dt_s;
+    if (clock_runs_) clock_s_ += input.dt_s;
+    if (!guide.is_shown()) end();
+}
+
+void Presenter::draw_ink(std::size_t step) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const ImVec2 size = io.DisplaySize;
+    std::vector<Stroke>& strokes = ink_[step];
+    if (inks_ && ImGui::IsMousePosValid()) {
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) strokes.emplace_back();
+        const ImVec2 here(io.MousePos.x / size.x, io.MousePos.y / size.y);
+        if (ImGui::IsMouseDown(ImGuiMouseButton_Left) && !strokes.empty() &&
+            (strokes.back().empty() || strokes.back().back().x != here.x || strokes.back().back().y != here.y))
+            strokes.back().push_back(here);
+    }
+    ImDrawList* draw = ImGui::GetForegroundDrawList();
+    const float width = std::max(px(3.0F), size.y / 240.0F);
+    for (const Stroke& stroke : strokes) {
+        std::vector<ImVec2> points;
+        for (const ImVec2& point : stroke) points.push_back({point.x * size.x, point.y * size.y});
+        if (points.size() == 1) draw->AddCircleFilled(points.front(), width, palette().point);
+        draw->AddPolyline(points.data(), static_cast<int>(points.size()), palette().point, 0, width);
+    }
+    if (inks_ && ImGui::IsMousePosValid()) draw->AddCircleFilled(io.MousePos, width, with_alpha(palette().point, 160));
+}
+
+void Presenter::draw_pointer() {
+    if (pointer_ == Pointer::none || !ImGui::IsMousePosValid()) return;
+    const ImVec2 at = ImGui::GetIO().MousePos, size = ImGui::GetIO().DisplaySize;
+    ImDrawList* draw = ImGui::GetForegroundDrawList();
+    if (pointer_ == Pointer::spot) {
+        draw->AddCircleFilled(at, size.y / 60.0F, with_alpha(palette().trouble, 150), 48);
+        draw->AddCircle(at, size.y / 60.0F, palette().text, 48, px(1.5F));
+        return;
+    }
+    // A ring so wide that it reaches every corner.
+    const float radius = size.y / 7.0F, reach = std::hypot(size.x, size.y);
+    draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
+}
+
+void Presenter::draw(std::size_t step) {
+    if (!is_on_) return;
+    draw_ink(step);
+    draw_pointer();
+    ImDrawList* draw = ImGui::GetForegroundDrawList();
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    if (is_frozen_) draw->AddRect({0.0F, 0.0F}, size, palette().accent, 0.0F, 0, px(4.0F));
+    if (blank_ != Blank::none)
+        draw->AddRectFilled({0.0F, 0.0F}, size, blank_ == Blank::black ? IM_COL32_BLACK : IM_COL32_WHITE);
+}
+
+}  // namespace viewing

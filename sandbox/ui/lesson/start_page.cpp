@@ -1,0 +1,153 @@
+#include "ui/lesson/start_page.h"
+
+#include <algorithm>
+
+#include "text/catalogue.h"
+#include "text/words.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+std::string key_of(const std::string& lesson, std::size_t step) {
+    return lesson + "/" + std::to_string(step + 1);
+}
+
+ImTextureID texture_in(const Pictures& pictures, const std::string& key) {
+    const auto at = std::find_if(pictures.cards.begin(), pictures.cards.end(),
+                                 [&](const PresetPicture& picture) { return picture.name == key; });
+    return at == pictures.cards.end() ? nullptr : at->texture;
+}
+
+/// A page over the whole window.
+struct Page {
+    explicit Page(const char* name) {
+        ImGui::SetNextWindowPos({0.0F, 0.0F});
+        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+        ImGui::SetNextWindowFocus();
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(30.0F), px(22.0F)});
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().ground);
+        ImGui::Begin(name, nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    }
+    ~Page() {
+        ImGui::End();
+        ImGui::PopStyleColor();
+        ImGui::PopStyleVar();
+    }
+    Page(const Page&) = delete;
+    Page& operator=(const Page&) = delete;
+};
+
+void heading(const std::string& text, const char* label) {
+    const widgets::Context& context = widgets::CurrentContext();
+    paragraph(text, context.fonts.caption, ImGui::GetContentRegionAvail().x - px(180.0F)).draw(label, palette().text);
+}
+
+/// At the right end of the line that was begun.
+bool button_at_right(const char* label) {
+    const float width = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+    return widgets::Button(label);
+}
+
+std::string slides_text(const std::vector<int>& slides) {
+    if (slides.empty()) return "";
+    const bool is_range = slides.size() > 1 && slides.back() - slides.front() + 1 == std::ssize(slides);
+    std::string text;
+    if (is_range) return std::to_string(slides.front()) + "–" + std::to_string(slides.back());
+    for (const int slide : slides) text += (text.empty() ? "" : ", ") + std::to_string(slide);
+    return text;
+}
+
+}  // namespace
+
+const std::vector<LessonFile>& StartPage::lessons() {
+    if (!lessons_) lessons_ = viewing::lessons();
+    return *lessons_;
+}
+
+std::vector<CardPicture> StartPage::wanted_pictures() {
+    std::vector<CardPicture> wanted;
+    if (is_open_)
+        for (const LessonFile& file : lessons()) wanted.push_back({key_of(file.id, 0), file.path.string(), 0});
+    return wanted;
+}
+
+void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& progress,
+                     const std::vector<std::string>& recent, const Pictures& pictures) {
+    if (!is_open_) return;
+    const Page page("start page");
+    const widgets::Group group("start");
+    heading(tr("Viewing: a lecture in pictures that answer back"), "title");
+    if (button_at_right("Explore freely")) is_open_ = false;
+    widgets::Note("Each lesson asks before it shows. Leave one at any point and come back to the step.");
+    for (std::size_t i = 0; i < std::min<std::size_t>(recent.size(), 3); ++i) {
+        if (i > 0) ImGui::SameLine();
+        const std::filesystem::path file(recent[i]);
+        if (widgets::SmallButton(
+                (printable(file.filename().string()) + "###recent " + std::to_string(i + 1)).c_str())) {
+            session.open(recent[i]);
+            is_open_ = false;
+        }
+        widgets::Tooltip("Opened before", printable(recent[i]).c_str());
+    }
+    ImGui::Dummy({0.0F, px(4.0F)});
+    ImGui::BeginChild("cards");
+    std::vector<Card> cards;
+    for (const LessonFile& file : lessons()) {
+        const auto known = progress.find(file.id);
+        const std::size_t done = known == progress.end() ? 0 : known->second.done.size();
+        const std::string steps = done > 0 ? say("{done} of {count} steps", "done"_a = done, "count"_a = file.steps)
+                                           : say_count(file.steps, "one step", "{count} steps");
+        const std::string slides = slides_text(file.slides);
+        cards.push_back({key_of(file.id, 0), std::to_string(cards.size() + 1) + " · " + shown_text(file.title),
+                         say("{steps} · {minutes} min · slides {slides}", "steps"_a = steps, "minutes"_a = file.minutes,
+                             "slides"_a = slides),
+                         done > 0 && static_cast<int>(done) == file.steps, false});
+    }
+    if (cards.empty()) widgets::Note("There are no lessons: the folder assets/lessons was not found.");
+    const int clicked = draw_cards(
+        cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
+    ImGui::EndChild();
+    if (clicked < 0) return;
+    const LessonFile& file = lessons()[static_cast<std::size_t>(clicked)];
+    const auto known = progress.find(file.id);
+    guide.open(file.path.string(), known == progress.end() ? 0 : known->second.step);
+    is_open_ = false;
+}
+
+std::vector<CardPicture> overview_pictures(const Guide& guide) {
+    std::vector<CardPicture> wanted;
+    if (!guide.run()) return wanted;
+    const Lesson& lesson = guide.run()->lesson();
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+        wanted.push_back({key_of(lesson.id, i), lesson.file.string(), i});
+    return wanted;
+}
+
+void draw_overview(Presenter& presenter, Guide& guide, Session& session, const Pictures& pictures) {
+    if (!presenter.shows_overview() || !guide.run()) return;
+    const LessonRun& run = *guide.run();
+    const Page page("overview");
+    const widgets::Group group("overview");
+    heading(shown_text(run.lesson().title), "title");
+    if (button_at_right("Close")) presenter.close_overview();
+    ImGui::Dummy({0.0F, px(6.0F)});
+    ImGui::BeginChild("cards");
+    std::vector<Card> cards;
+    for (std::size_t i = 0; i < run.lesson().steps.size(); ++i) {
+        const LessonStep& step = run.lesson().steps[i];
+        cards.push_back({key_of(run.lesson().id, i), std::to_string(i + 1) + " · " + shown_text(step.ask.question), "",
+                         run.is_done(i), i == run.index()});
+    }
+    const int clicked = draw_cards(
+        cards, [&](const std::string& key) { return texture_in(pictures, key); }, presenter.overview_choice());
+    ImGui::EndChild();
+    if (clicked < 0) return;
+    presenter.close_overview();
+    guide.go_to(static_cast<std::size_t>(clicked), session);
+}
+
+}  // namespace viewing

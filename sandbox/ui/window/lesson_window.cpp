@@ -1,0 +1,97 @@
+// How a lesson takes part in the window: its strip, its keys, what it covers and points out, its pages.
+#include <algorithm>
+
+#include "text/catalogue.h"
+#include "ui/lesson/lesson_text.h"
+#include "ui/lesson/strip.h"
+#include "ui/window/areas.h"
+#include "ui/window/workbench.h"
+
+namespace viewing {
+
+std::vector<CardPicture> Workbench::wanted_cards() {
+    if (start_page.is_open()) return start_page.wanted_pictures();
+    if (presenter.shows_overview()) return overview_pictures(guide);
+    return {};
+}
+
+void Workbench::follow_lesson(Session& session, const FrameInput& input) {
+    guide.update(session, input.dt_s);
+    presenter.update(input, guide, session);
+    arrangement.presents = presenter.is_on();
+    stage = {};
+    LessonRun* const run = guide.run();
+    if (!run) {
+        led_.clear();
+        return;
+    }
+    const Lesson& lesson = run->lesson();
+    LessonProgress& known = progress[lesson.id];
+    if (led_ != lesson.id) {
+        led_ = lesson.id;
+        for (const std::size_t step : known.done)
+            if (step < lesson.steps.size()) run->set_done(step);
+    }
+    known.step = run->index();
+    known.done.clear();
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+        if (run->is_done(step)) known.done.push_back(step);
+    if (!guide.is_shown()) return;
+    const LessonStep& step = run->step();
+    stage.has_lesson = true;
+    stage.asks = !run->is_revealed();
+    if (stage.asks) stage.cover = step.cover;
+    stage.highlight = stage.asks ? step.highlight : step.reveal.highlight;
+    if (step.target) stage.target = Stage::Target{step.target->point_world, shown_text(step.target->label)};
+}
+
+bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
+    if (start_page.is_open()) {
+        if (press.key == Key::escape) start_page.close();
+        return press.key != Key::f11;
+    }
+    if (presenter.take(press, guide, session)) return true;
+    if (!guide.is_shown() || press.ctrl) return false;
+    if (press.key == Key::page_down) guide.next(session);
+    if (press.key == Key::page_up) guide.previous(session);
+    if (press.key == Key::home) guide.return_to_step(session);
+    if (press.key == Key::f5) presenter.begin();
+    const Key of_lesson[] = {Key::page_down, Key::page_up, Key::home, Key::f5, Key::x};
+    return std::find(std::begin(of_lesson), std::end(of_lesson), press.key) != std::end(of_lesson);
+}
+
+void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests) {
+    if (guide.is_shown() && !layout.strip.empty()) {
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+        begin_area("lesson", layout.strip);
+        ImGui::PopStyleVar();
+        const StripLook look{presenter.is_on(), guide.departs(session), false, presenter.clock(), lesson_trouble};
+        const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);
+        ImGui::End();
+        if (wishes.check) lesson_trouble.clear();
+        requests.check_answer = wishes.check;
+        if (wishes.next) guide.next(session);
+        if (wishes.previous) guide.previous(session);
+        if (wishes.again) guide.return_to_step(session);
+        if (wishes.overview) presenter.show_overview(guide);
+        if (wishes.leave) guide.leave();
+    }
+    draw_overview(presenter, guide, session, pictures);
+    start_page.draw(guide, session, progress, recent, pictures);
+    requests.full_screen = presenter.take_wish_for_full_screen();
+    if (guide.run()) presenter.draw(guide.run()->index());
+}
+
+void Workbench::draw_lesson_button(Session& session) {
+    const bool waits = guide.run() && !guide.is_shown();
+    if (widgets::Button(waits ? "Back to the lesson###Lesson" : "Lesson")) {
+        if (waits)
+            guide.resume(session);
+        else
+            start_page.open();
+    }
+    widgets::Tooltip("Lesson", waits ? marked("The step that was left, as it was written.")
+                                     : marked("The lessons of the lecture: each step asks before it shows."));
+}
+
+}  // namespace viewing
