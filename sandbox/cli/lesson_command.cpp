@@ -1,9 +1,13 @@
 // lesson: the window in a lesson; or, without a window, its own tests and the names that its expressions may use.
+#include <algorithm>
+
 #include "app/picture.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/values.h"
+#include "cli/window_commands.h"
 #include "lesson/lesson.h"
 #include "lesson/names.h"
 #include "report/lesson_check.h"
@@ -16,8 +20,8 @@ namespace {
 /// The options as they were typed.
 struct Typed {
     std::vector<std::string> lessons;
-    std::optional<std::string> device;
-    bool check = false, names = false, list = false;
+    std::optional<std::string> device, step;
+    bool check = false, names = false, list = false, presents = false;
 };
 
 std::string list_of_lessons() {
@@ -81,12 +85,39 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     return findings.empty() ? ExitStatus::done : ExitStatus::different;
 }
 
+/// The window in the lesson; without one named, with the page of all.
+ExitStatus show_lesson(const Options& options, const Typed& typed) {
+    if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
+    WindowMemory memory(remembered_file(), false);
+    WindowStart start;
+    LoadedState state = value_or_end(load_state(""));
+    if (typed.lessons.empty()) {
+        if (typed.presents || typed.step) options.refuse("--present and --step need a lesson");
+        start.shows_lessons = true;
+    } else {
+        Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
+        const LessonsProgress& progress = memory.remembered().lessons;
+        const auto known = progress.find(lesson.id);
+        const int count = static_cast<int>(lesson.steps.size());
+        std::size_t step = known == progress.end() || typed.presents ? 0 : known->second.step;
+        if (typed.step) step = static_cast<std::size_t>(whole_option(options, "--step", *typed.step, 1, count) - 1);
+        step = std::min(step, lesson.steps.size() - 1);
+        state = lesson.steps[step].start;
+        start.lesson = LessonPicture{std::move(lesson), step, false, typed.presents};
+    }
+    memory.dress(state.params);
+    constexpr double patience_s = 0.5;
+    return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
+}
+
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     Typed typed;
     options.group("Lesson");
     options.positionals("ID|FILE", typed.lessons,
                         "A lesson's name (--list), or a file of one's own; --check takes several");
+    options.text("--step", "N", typed.step, "Begins there, counted from 1; else where one was the last time");
+    options.flag("--present", typed.presents, "In front of a room: full screen, in large type, by a clicker's keys");
     options.group("Without a window");
     options.flag(
         "--check", typed.check,
@@ -107,17 +138,19 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         return ExitStatus::done;
     }
     if (typed.check) return check(typed, device_option(options, typed.device));
-    options.refuse("the window in a lesson is not there yet; use --check, --names or --list");
+    return show_lesson(options, typed);
 }
 
 }  // namespace
 
 constinit const Command lesson_command{"lesson",
-                                       "[ID|FILE] [--check] [--names] [--list]",
-                                       "guided lessons: each step asks before it shows",
+                                       "[ID|FILE] [--step N] [--present] [--check] [--names] [--list]",
+                                       "the window in a guided lesson: each step asks before it shows",
                                        "A lesson is a JSON file of steps, each with its whole state, a question, the "
                                        "answers that people give, and what is "
                                        "shown then.",
+                                       "lesson view-is-the-inverse\n"
+                                       "lesson depth-fighting --present\n"
                                        "lesson --list\n"
                                        "lesson --check mine.json\n"
                                        "lesson --names",
