@@ -22,33 +22,33 @@ bool is_modifier(Key key) {
 
 }  // namespace
 
-void Presenter::begin() {
+void PresenterMode::begin() {
     if (is_on_) return;
     is_on_ = true;
     wants_full_screen_ = true;
     presented_s_ = 0.0;
 }
 
-void Presenter::end() {
+void PresenterMode::end() {
     is_on_ = is_frozen_ = shows_overview_ = inks_ = clock_runs_ = false;
     blank_ = Blank::none;
     pointer_ = Pointer::none;
     wants_full_screen_ = false;
 }
 
-void Presenter::show_overview(const Guide& guide) {
+void PresenterMode::show_overview(const Guide& guide) {
     shows_overview_ = true;
     typed_.clear();
     choice_ = guide.run() ? static_cast<int>(guide.run()->index()) : 0;
 }
 
-std::string Presenter::clock() const {
+std::string PresenterMode::clock() const {
     if (clock_s_ == 0.0 && !clock_runs_) return "";
     const auto seconds = static_cast<int>(clock_s_);
     return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
 }
 
-bool Presenter::take_in_overview(const KeyPress& press, Guide& guide, Session& session) {
+bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Session& session) {
     const int last = static_cast<int>(guide.run()->lesson().steps.size()) - 1;
     const int row = card_columns(ImGui::GetIO().DisplaySize.x - px(60.0F), widgets::CurrentContext().scale);
     const auto move = [&](int by) { choice_ = std::clamp(choice_ + by, 0, last); };
@@ -85,14 +85,14 @@ bool Presenter::take_in_overview(const KeyPress& press, Guide& guide, Session& s
     return true;
 }
 
-void Presenter::vote(int choice, int change, Guide& guide) {
+void PresenterMode::vote(int choice, int change, Guide& guide) {
     std::vector<int>& votes = guide.run()->votes();
     if (choice < 0 || choice >= static_cast<int>(votes.size())) return;
     int& hands = votes[static_cast<std::size_t>(choice)];
     hands = std::max(hands + change, 0);
 }
 
-bool Presenter::take(const KeyPress& press, Guide& guide, Session& session) {
+bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) {
     if (is_modifier(press.key) || !guide.is_shown()) return false;
     if (shows_overview_) return take_in_overview(press, guide, session);
     if (!is_on_) return false;
@@ -164,7 +164,7 @@ bool Presenter::take(const KeyPress& press, Guide& guide, Session& session) {
     }
 }
 
-void Presenter::update(const FrameInput& input, Guide& guide, Session& session) {
+void PresenterMode::update(const FrameInput& input, Guide& guide, Session& session) {
     if (guide.is_shown()) guide.hold_before(input.is_down(Key::x), session);
     if (!is_on_) return;
     presented_s_ += input.dt_s;
@@ -172,7 +172,7 @@ void Presenter::update(const FrameInput& input, Guide& guide, Session& session) 
     if (!guide.is_shown()) end();
 }
 
-void Presenter::draw_ink(std::size_t step) {
+void PresenterMode::draw_ink(std::size_t step) {
     const ImGuiIO& io = ImGui::GetIO();
     const ImVec2 size = io.DisplaySize;
     std::vector<Stroke>& strokes = ink_[step];
@@ -194,7 +194,7 @@ void Presenter::draw_ink(std::size_t step) {
     if (inks_ && ImGui::IsMousePosValid()) draw->AddCircleFilled(io.MousePos, width, with_alpha(palette().point, 160));
 }
 
-void Presenter::draw_pointer() {
+void PresenterMode::draw_pointer() {
     if (pointer_ == Pointer::none || !ImGui::IsMousePosValid()) return;
     const ImVec2 at = ImGui::GetIO().MousePos, size = ImGui::GetIO().DisplaySize;
     ImDrawList* draw = ImGui::GetForegroundDrawList();
@@ -208,7 +208,7 @@ void Presenter::draw_pointer() {
     draw->AddCircle(at, radius + reach * 0.5F, IM_COL32(0, 0, 0, 170), 96, reach);
 }
 
-void Presenter::draw(std::size_t step) {
+void PresenterMode::draw(std::size_t step) {
     if (!is_on_) return;
     draw_ink(step);
     draw_pointer();

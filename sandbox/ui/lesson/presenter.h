@@ -14,7 +14,7 @@
 
 namespace viewing {
 
-class Presenter {
+class PresenterMode {
 public:
     bool is_on() const { return is_on_; }
     void begin();

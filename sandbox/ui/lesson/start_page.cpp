@@ -127,7 +127,7 @@ std::vector<CardPicture> overview_pictures(const Guide& guide) {
     return wanted;
 }
 
-void draw_overview(Presenter& presenter, Guide& guide, Session& session, const Pictures& pictures) {
+void draw_overview(PresenterMode& presenter, Guide& guide, Session& session, const Pictures& pictures) {
     if (!presenter.shows_overview() || !guide.run()) return;
     const LessonRun& run = *guide.run();
     const Page page("overview");

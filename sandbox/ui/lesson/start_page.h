@@ -42,7 +42,7 @@ private:
 };
 
 /// The steps of the lesson that is open, over everything; a click goes there.
-void draw_overview(Presenter& presenter, Guide& guide, Session& session, const Pictures& pictures);
+void draw_overview(PresenterMode& presenter, Guide& guide, Session& session, const Pictures& pictures);
 std::vector<CardPicture> overview_pictures(const Guide& guide);
 
 }  // namespace viewing

@@ -48,7 +48,7 @@ public:
     ViewState views;
     Stage stage;  ///< what a lesson covers, points out and marks
     Guide guide;  ///< the lesson that leads, if there is one
-    Presenter presenter;
+    PresenterMode presenter;
     StartPage start_page;
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
