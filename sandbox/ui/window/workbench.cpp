@@ -174,7 +174,8 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
                            const FrameInput& input, MotionInput& motion) {
     const Rect between{
         {layout.panel.max.x, layout.top_bar.max.y},
-        {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x, layout.status_bar.min.y}};
+        {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x,
+         layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y}};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();

@@ -1,0 +1,133 @@
+// Expressions of lesson files: their values against numbers worked by hand, and that none can do harm.
+#include "lesson/expression.h"
+
+#include <gtest/gtest.h>
+
+#include "lesson/names.h"
+
+namespace viewing {
+namespace {
+
+Surroundings around() {
+    Surroundings result;
+    result.look_up = [](const std::string& name, std::span<const double> arguments) -> Result<Json> {
+        if (name == "V") return Json::parse("[[1, 0, 0, -2], [0, 1, 0, -1], [0, 0, 1, -10], [0, 0, 0, 1]]");
+        if (name == "camera") return Json::parse(R"({"position": [2, 1, 10], "yaw": 30, "target": null})");
+        if (name == "depth_step") return Json(arguments[0] * arguments[0] / 128.0);
+        if (name == "problems") return Json::array({"one", "two"});
+        return Error{name + " is not here"};
+    };
+    result.answer = Json::array({2, 1, -10});
+    return result;
+}
+
+double number(const std::string& expression) {
+    const Result<Json> value = evaluate(expression, around());
+    EXPECT_TRUE(value) << expression << ": " << (value ? "" : value.error());
+    return value && value->is_number() ? value->get<double>() : -12345.0;
+}
+
+bool truth(const std::string& expression) {
+    const Result<bool> value = holds(expression, around());
+    EXPECT_TRUE(value) << expression << ": " << (value ? "" : value.error());
+    return value && *value;
+}
+
+std::string trouble(const std::string& expression, const ExpressionLimits& limits = {}) {
+    const Result<Json> value = evaluate(expression, around(), limits);
+    EXPECT_FALSE(value) << expression;
+    return value ? "" : value.error();
+}
+
+TEST(Expression, ListsOfTheStateCountFromZero) {
+    EXPECT_EQ(number("V[2][3]"), -10.0);
+    EXPECT_EQ(number("camera.position[1]"), 1.0);
+    EXPECT_EQ(number("answer[2]"), -10.0);
+    EXPECT_EQ(number("#V"), 4.0);
+    EXPECT_EQ(number("count(problems)"), 2.0);
+    EXPECT_EQ(number("count({1, 2, 3})"), 3.0);
+    EXPECT_TRUE(truth("camera.target == nil"));
+}
+
+TEST(Expression, WhatBracesMakeIsAVectorToo) {
+    EXPECT_EQ(number("apply(V, {0, 0, 0})[2]"), -10.0);
+    EXPECT_TRUE(truth("close(apply(V, camera.position), {0, 0, 0}, 1e-12)"));
+    EXPECT_TRUE(truth("close(answer, {2, 1, -10}, 0) and not close(answer, {2, 1}, 1)"));
+}
+
+TEST(Expression, MathematicsAgreesWithWhatIsWorkedByHand) {
+    EXPECT_NEAR(number("depth_step(4)"), 0.125, 0.0);
+    EXPECT_NEAR(number("degrees(2 * atan(tan(22.5)))"), 58.31, 0.01);  // 45 taken for radians
+    EXPECT_NEAR(number("det({{2, 0, 0}, {0, 3, 0}, {0, 0, -4}})"), -24.0, 1e-12);
+    EXPECT_NEAR(number("det({{0, 1}, {1, 0}})"), -1.0, 1e-12);
+    EXPECT_NEAR(number("det({{1, 2}, {2, 4}})"), 0.0, 0.0);
+    EXPECT_NEAR(number("norm({3, 4})"), 5.0, 1e-12);
+    EXPECT_NEAR(number("dot({1, 2, 3}, {4, 5, 6})"), 32.0, 0.0);
+    EXPECT_TRUE(truth("close(cross({1, 0, 0}, {0, 1, 0}), {0, 0, 1}, 0)"));
+    EXPECT_TRUE(truth("close(unit({0, 2, 0, 1}), {0, 1, 0, 0.5}, 0)"));
+    EXPECT_TRUE(truth("close(mul(V, inverse(V)), identity, 1e-12)"));
+    EXPECT_TRUE(truth("close(times(rotation_y(90), {1, 0, 0, 1}), {0, 0, -1, 1}, 1e-12)"));
+    EXPECT_TRUE(truth("close(times(rotation_x(90), {0, 1, 0, 1}), {0, 0, 1, 1}, 1e-12)"));
+    EXPECT_TRUE(truth("close(times(rotation_z(90), {1, 0, 0, 1}), {0, 1, 0, 1}, 1e-12)"));
+    EXPECT_TRUE(truth("close(mul(translation({1, 2, 3}), {0, 0, 0, 1}), {1, 2, 3, 1}, 0)"));
+    EXPECT_TRUE(truth("close(transpose({{1, 2}, {3, 4}}), {{1, 3}, {2, 4}}, 0)"));
+    EXPECT_TRUE(truth("same_map({1, -2, 4}, {-2, 4, -8}, 1e-12) and not same_map({1, 2}, {1, 2.1}, 1e-3)"));
+    // A floor mirrors y, and a light 4 above it flattens along its rays.
+    EXPECT_TRUE(truth("close(apply(reflection_matrix({0, 1, 0, 0}), {1, 2, 3}), {1, -2, 3}, 1e-12)"));
+    EXPECT_TRUE(truth("close(apply(shadow_matrix({0, 1, 0, 0}, {0, 4, 0, 1}), {1, 2, 0}), {2, 0, 0}, 1e-12)"));
+    EXPECT_EQ(number("min(3, 1, 2) + max(3, 1, 2)"), 4.0);
+}
+
+TEST(Expression, ATroubleIsOneSentence) {
+    EXPECT_EQ(trouble("camera.positon"), "camera has no positon; did you mean position?");
+    EXPECT_EQ(trouble("inverse({{1, 2}, {2, 4}})"), "the matrix has no inverse");
+    EXPECT_NE(trouble("apply(V, {1, 2})").find("must have 3 entries"), std::string::npos);
+    EXPECT_NE(trouble("close(V, 1)").find("number expected"), std::string::npos);
+    EXPECT_EQ(trouble("S"), "S is not here");
+    EXPECT_NE(trouble("apply"), "");
+    EXPECT_EQ(holds("1 + 1", around()).error(), "must be true or false, is the number 2");
+    for (const char* const broken : {"1 +", "V[", "}", "", "a b", "\"", "1 = 2"})
+        EXPECT_NE(trouble(broken), "") << broken;
+}
+
+TEST(Expression, WhatIsNoNameIsToldBeforeAnythingRuns) {
+    EXPECT_TRUE(check_expression("close(V, identity, 1e-9) and camera.yaw == 30 and 'x' ~= \"function\""));
+    EXPECT_EQ(check_expression("clos(V, identity, 1)").error(), "there is no name clos; did you mean close?");
+    for (const char* const forbidden :
+         {"os.exit()", "io.open('x')", "require('os')", "load('1')()", "dofile('x')", "print(1)", "_G", "_ENV",
+          "string", "setmetatable({}, {})", "(function() return 1 end)()", "pcall(V)", "debug"})
+        EXPECT_FALSE(check_expression(forbidden)) << forbidden;
+}
+
+TEST(Expression, NothingOfLuaIsThereWhenItRuns) {
+    for (const char* const forbidden : {"os.exit()", "io", "require", "load", "print", "_G", "string", "setmetatable",
+                                        "rawset", "coroutine", "collectgarbage", "('x'):rep(9)"})
+        EXPECT_NE(trouble(forbidden), "") << forbidden;
+    EXPECT_NE(trouble("(function() x = 1 end)()").find("changes nothing"), std::string::npos);
+}
+
+TEST(Expression, EndlessLoopsHugeTextsAndDeepRecursionEnd) {
+    EXPECT_EQ(trouble("(function() while true do end end)()"), "takes too long");
+    EXPECT_EQ(
+        trouble("(function() local t = {} for i = 1, 1e9 do t[i] = {} end end)()", {.instructions = 2'000'000'000}),
+        "needs too much memory");
+    EXPECT_EQ(trouble("(function() local s = 'x' while true do s = s .. s end end)()"), "needs too much memory");
+    EXPECT_NE(trouble("(function() local f f = function() return 1 + f() end return f() end)()"), "");
+    EXPECT_NE(trouble("(function() local t = {} t[1] = t return t end)()"), "");
+    const std::string deep = std::string(1500, '(') + "1" + std::string(1500, ')');
+    EXPECT_NE(trouble(deep), "");
+    EXPECT_NE(trouble(std::string(5000, '1')), "");
+    std::string lists;
+    for (int i = 0; i < 100; ++i) lists = "{" + lists + "}";
+    EXPECT_NE(trouble(lists), "");
+}
+
+TEST(Expression, EveryNameIsExplained) {
+    for (const ExpressionName& name : expression_names()) {
+        EXPECT_FALSE(name.help.empty()) << name.name;
+        EXPECT_TRUE(check_expression(name.name)) << name.name;
+    }
+}
+
+}  // namespace
+}  // namespace viewing

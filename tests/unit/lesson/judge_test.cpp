@@ -1,0 +1,121 @@
+// What is right, wrong in a known way, or just wrong; and one person's way through a lesson.
+#include "lesson/judge.h"
+
+#include <gtest/gtest.h>
+
+#include "lesson/run.h"
+
+namespace viewing {
+namespace {
+
+Surroundings yaw_of(double yaw) {
+    Surroundings result;
+    result.look_up = [yaw](const std::string&, std::span<const double>) -> Result<Json> {
+        return Json{{"yaw", yaw}, {"position", {1, 2, 4}}};
+    };
+    return result;
+}
+
+Verdict judged(const Ask& ask, const Answer& answer, double yaw = 10.0) {
+    const Result<Verdict> verdict = judge(ask, answer, yaw_of(yaw));
+    EXPECT_TRUE(verdict) << (verdict ? "" : verdict.error());
+    return verdict ? *verdict : Verdict{};
+}
+
+TEST(Judge, ANumberIsRightWithinItsTolerance) {
+    Ask ask;
+    ask.kind = AskKind::number;
+    ask.expect = "camera.yaw";
+    ask.tolerance = 0.5;
+    ask.wrong.push_back({"answer == -camera.yaw", {"the sign", ""}, "M02", {}, {}});
+    EXPECT_TRUE(judged(ask, {{10.49}, {}}).right);
+    EXPECT_FALSE(judged(ask, {{10.51}, {}}).right);
+    EXPECT_EQ(judged(ask, {{-10.0}, {}}).tag, "M02");
+    EXPECT_TRUE(judged(ask, {{7.0}, {}}).say.empty());
+    EXPECT_FALSE(judged(ask, {{std::nan("")}, {}}).right);
+    EXPECT_FALSE(judged(ask, {}).right) << "nothing was typed";
+    ask.tolerance = 0.0;
+    ask.relative_tolerance = 0.1;
+    EXPECT_TRUE(judged(ask, {{10.9}, {}}).right);
+    EXPECT_FALSE(judged(ask, {{11.1}, {}}).right);
+}
+
+TEST(Judge, AVectorMayBeRightUpToAFactor) {
+    Ask ask;
+    ask.kind = AskKind::vector;
+    ask.rows = 3;
+    ask.expect = "camera.position";
+    EXPECT_TRUE(judged(ask, {{1, 2, 4}, {}}).right);
+    EXPECT_FALSE(judged(ask, {{2, 4, 8}, {}}).right);
+    ask.up_to_factor = true;
+    EXPECT_TRUE(judged(ask, {{-2, -4, -8}, {}}).right);
+    EXPECT_FALSE(judged(ask, {{0, 0, 0}, {}}).right);
+    EXPECT_FALSE(judged(ask, {{2, 4, 9}, {}}).right);
+}
+
+TEST(Judge, TilesCountInTheirOrderOrAsASet) {
+    Ask ask;
+    ask.kind = AskKind::product;
+    ask.items = {{"A", ""}, {"B", ""}, {"C", ""}};
+    ask.expected_items = {{2, 0, 1}, {2, 1, 0}};
+    ask.wrong.push_back({"", {"the other way", ""}, "M03", {{}, {1, 0, 2}}, {}});
+    EXPECT_TRUE(judged(ask, {{}, {2, 0, 1}}).right);
+    EXPECT_TRUE(judged(ask, {{}, {2, 1, 0}}).right);
+    EXPECT_EQ(judged(ask, {{}, {1, 0, 2}}).tag, "M03");
+    ask.kind = AskKind::subset;
+    EXPECT_TRUE(judged(ask, {{}, {1, 2, 0}}).right);
+    EXPECT_FALSE(judged(ask, {{}, {1, 2}}).right);
+}
+
+TEST(Judge, AGoalLooksAtTheStateAlone) {
+    Ask ask;
+    ask.kind = AskKind::goal;
+    ask.until = "camera.yaw > 90";
+    ask.wrong.push_back({"camera.yaw < 0", {"the other way", ""}, "", {}, {}});
+    EXPECT_TRUE(judged(ask, {}, 91.0).right);
+    EXPECT_EQ(judged(ask, {}, -5.0).say.en, "the other way");
+    EXPECT_TRUE(judged(ask, {}, 50.0).say.empty());
+    ask.until = "camera.yaw";
+    EXPECT_FALSE(judge(ask, {}, yaw_of(1.0)));
+}
+
+Lesson of_three() {
+    Lesson lesson;
+    lesson.steps.resize(3);
+    for (LessonStep& step : lesson.steps) {
+        step.ask.choices = {{{"no", ""}, false, {"because", ""}, "M01"}, {{"yes", ""}, true, {}, ""}};
+        step.ask.hints = {{"one", ""}, {"two", ""}};
+    }
+    return lesson;
+}
+
+TEST(LessonRun, ARightAnswerRevealsAndAWrongOneTellsWhy) {
+    LessonRun run(of_three());
+    run.answer().items = {0};
+    run.take(judged(run.step().ask, run.answer()));
+    EXPECT_FALSE(run.is_revealed());
+    EXPECT_EQ(run.verdict()->tag, "M01");
+    EXPECT_EQ(run.verdict()->say.en, "because");
+    run.answer().items = {1};
+    run.take(judged(run.step().ask, run.answer()));
+    EXPECT_TRUE(run.is_revealed());
+    EXPECT_TRUE(run.is_done(0));
+    EXPECT_EQ(run.done_count(), 1);
+}
+
+TEST(LessonRun, EachStepKeepsWhatWasAnswered) {
+    LessonRun run(of_three(), 99);
+    EXPECT_TRUE(run.is_last()) << "a step beyond the end is the last one";
+    run.go_to(0);
+    run.answer().items = {0};
+    for (int i = 0; i < 5; ++i) run.show_hint();
+    EXPECT_EQ(run.hints_shown(), 2);
+    run.go_to(1);
+    EXPECT_TRUE(run.answer().empty());
+    EXPECT_EQ(run.hints_shown(), 0);
+    run.go_to(0);
+    EXPECT_EQ(run.answer().items, std::vector{0});
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,118 @@
+// Lesson files: what is read of them, and the sentence for each thing that can be wrong.
+#include <gtest/gtest.h>
+
+#include "lesson/lesson.h"
+#include "state/document.h"
+
+namespace viewing {
+namespace {
+
+const char* const small = R"({
+  "lesson": 1, "id": "mine", "title": {"en": "Mine", "ko": "내 것"}, "slides": [2, 3], "minutes": 5,
+  "tags": {"M01": "C used for V"},
+  "steps": [
+    {
+      "id": "first",
+      "state": {"preset": "opening", "set": {"camera.yaw": 10}},
+      "layout": {"lower_left": "depth", "target": {"point": [1, 2, 3], "label": "here"}},
+      "say": "Look.", "cover": ["matrix:V"], "highlight": ["control:camera.yaw"],
+      "ask": {"kind": "number", "question": "How far?", "expect": "camera.yaw", "tol": 0.5,
+              "wrong": [{"when": "answer == -10", "try": -10, "tag": "M01", "say": "The sign."}], "hints": ["Look at yaw."]},
+      "reveal": {"set": {"camera.yaw": 40}, "over_s": 2, "highlight": ["matrix:V[0][0]"], "say": "So far."},
+      "claims_before": ["camera.yaw == 10"], "claims": ["camera.yaw == 40"], "note": "Slowly."
+    },
+    {
+      "id": "second", "say": "Now you.",
+      "ask": {"kind": "goal", "question": "Turn.", "until": "camera.yaw > 90", "allow": ["camera.yaw"], "model": {"camera.yaw": 100}},
+      "reveal": {"set": {"camera.pitch": -5}, "say": "Turned."}
+    }
+  ]
+})";
+
+TEST(LessonReader, AStepIsWholeByItself) {
+    const Result<Lesson> lesson = parse_lesson(small, "mine.json", "");
+    ASSERT_TRUE(lesson) << lesson.error();
+    EXPECT_EQ(lesson->title.ko, "내 것");
+    EXPECT_EQ(lesson->slides, (std::vector{2, 3}));
+    ASSERT_EQ(lesson->steps.size(), 2U);
+    const LessonStep& first = lesson->steps[0];
+    EXPECT_EQ(first.start.params.camera.yaw, 10.0);
+    EXPECT_EQ(first.start.params.view.lower_left, Topic::depth);
+    EXPECT_EQ(first.revealed.camera.yaw, 40.0);
+    EXPECT_EQ(first.target->label.en, "here");
+    EXPECT_EQ(first.target->point_world, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(first.ask.wrong[0].sample.numbers, std::vector{-10.0});
+    const LessonStep& second = lesson->steps[1];
+    EXPECT_EQ(second.start.params.camera, Params{}.camera);
+    EXPECT_EQ(second.revealed.camera.yaw, 100.0) << "what a reveal adds, it adds to the goal's model";
+    EXPECT_EQ(second.revealed.camera.pitch, -5.0);
+}
+
+/// The file with one part of it replaced by another.
+std::string trouble_with(const std::string& part, const std::string& other) {
+    std::string text = small;
+    const std::size_t at = text.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    text.replace(at, part.size(), other);
+    const Result<Lesson> lesson = parse_lesson(text, "mine.json", "");
+    EXPECT_FALSE(lesson) << other;
+    return lesson ? "" : lesson.error();
+}
+
+TEST(LessonReader, EachFaultIsToldWithFileStepAndField) {
+    EXPECT_EQ(trouble_with("\"hints\"", "\"hint\""),
+              "mine.json: step first: ask.hint: no such field; did you mean hints?");
+    EXPECT_EQ(trouble_with("\"number\"", "\"numbr\"").substr(0, 40), "mine.json: step first: ask.kind: must be");
+    EXPECT_EQ(trouble_with("\"expect\": \"camera.yaw\"", "\"expect\": \"camra.yaw\""),
+              "mine.json: step first: ask.expect: there is no name camra; did you mean camera?");
+    EXPECT_NE(trouble_with("camera.yaw == 40", "camera.yaw == ").find("mine.json: step first: claims[0]: "),
+              std::string::npos);
+    EXPECT_NE(trouble_with("{\"camera.yaw\": 10}", "{\"camera.yow\": 10}")
+                  .find("mine.json: step first: state.set: camera.yow"),
+              std::string::npos);
+    EXPECT_NE(trouble_with("\"preset\": \"opening\"", "\"preset\": \"openning\"").find("did you mean \"opening\"?"),
+              std::string::npos);
+    EXPECT_NE(trouble_with("[\"matrix:V\"]", "[\"matrix:W\"]").find("mine.json: step first: cover[0]: "),
+              std::string::npos);
+    EXPECT_NE(trouble_with("\"minutes\": 5", "\"minutes\": \"five\"").find("mine.json: minutes: must be"),
+              std::string::npos);
+    EXPECT_NE(trouble_with("\"lesson\": 1", "\"lesson\": 2").find("mine.json: lesson: must be 1"), std::string::npos);
+    EXPECT_NE(trouble_with("\"id\": \"second\"", "\"id\": \"first\"").find("another step has the id"),
+              std::string::npos);
+    EXPECT_NE(trouble_with("\"say\": \"Look.\"", "\"say\": [1]").find("mine.json: step first: say: must be a text"),
+              std::string::npos);
+    EXPECT_NE(
+        trouble_with("\"allow\": [\"camera.yaw\"]", "\"allow\": [\"camera.yawn\"]").find("did you mean camera.yaw?"),
+        std::string::npos);
+    EXPECT_NE(trouble_with("\"try\": -10", "\"try\": [1, 2]").find("must have 1 numbers"), std::string::npos);
+    EXPECT_NE(trouble_with("\"over_s\": 2", "\"over_s\": 1e9").find("reveal.over_s: must be"), std::string::npos);
+    EXPECT_NE(trouble_with("\"model\": {\"camera.yaw\": 100}", "\"model\": {}").find("ask.model: is missing"),
+              std::string::npos);
+    EXPECT_NE(trouble_with("\"reveal\": {\"set\": {\"camera.pitch\": -5}, \"say\": \"Turned.\"}", "\"note\": \"x\"")
+                  .find("step second: reveal: is missing"),
+              std::string::npos);
+}
+
+TEST(LessonReader, ACutFileIsNeverACrash) {
+    const std::string whole = small;
+    for (std::size_t length = 0; length < whole.size(); length += 7)
+        EXPECT_FALSE(parse_lesson(std::string_view(whole).substr(0, length), "cut.json", ""));
+}
+
+TEST(LessonReader, TheProgramsOwnLessonsStandInTheLecturesOrder) {
+    const std::vector<LessonFile> files = lessons();
+    ASSERT_EQ(files.size(), 16U);
+    EXPECT_EQ(files.front().id, "view-is-the-inverse");
+    EXPECT_EQ(files.back().id, "drawing-the-mirror");
+    int steps = 0;
+    for (const LessonFile& file : files) {
+        const Result<Lesson> lesson = load_lesson(file.id);
+        EXPECT_TRUE(lesson) << (lesson ? "" : lesson.error());
+        steps += file.steps;
+    }
+    EXPECT_EQ(steps, 103);
+    EXPECT_NE(load_lesson("veiw-is-the-inverse").error().find("view-is-the-inverse"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace viewing
