@@ -14,13 +14,14 @@
 #include "report/as_json.h"
 #include "report/fighting_report.h"
 #include "report/mirror_report.h"
+#include "report/order_report.h"
 #include "report/visibility_report.h"
 #include "visibility/growth.h"
 
 namespace viewing {
 namespace {
 
-constexpr std::array<const char*, 4> quantities{"visibility", "growth", "fighting", "mirror"};
+constexpr std::array<const char*, 5> quantities{"visibility", "growth", "fighting", "mirror", "order"};
 constexpr std::array<const char*, 3> polygon_kinds{"small", "large", "scene"};
 constexpr std::array<const char*, 2> format_names{"json", "csv"};
 
@@ -32,10 +33,11 @@ struct Typed {
 
 void declare(Options& options, Typed& typed) {
     options.group("Measurement");
-    options.text("--what", "QUANTITY", typed.what,
-                 "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
-                 "costs on more and more polygons; fighting: where depth fights, counted and predicted; mirror: the "
-                 "mirror image in four ways, compared");
+    options.text(
+        "--what", "QUANTITY", typed.what,
+        "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
+        "costs on more and more polygons; fighting: where depth fights, counted and predicted; mirror: the "
+        "mirror image in four ways, compared; order: who hides whom, and whether whole polygons have an order");
     options.text(
         "--size", "WxH", typed.size,
         "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
@@ -55,12 +57,13 @@ void declare(Options& options, Typed& typed) {
 
 /// What only growth takes is refused elsewhere, and the other way round.
 void refuse_strangers(const Options& options, const Typed& typed) {
-    const bool grows = typed.what == "growth";
+    const bool grows = typed.what == "growth", draws = !grows && typed.what != "order";
     if (!grows && typed.max) options.refuse("--max needs --what growth");
     if (!grows && typed.polygons) options.refuse("--polygons needs --what growth");
     if (!grows && typed.format) options.refuse("--format needs --what growth");
-    if (grows && typed.device)
-        options.refuse("--device needs --what visibility, fighting or mirror: growth draws nothing with GL");
+    if (!draws && typed.device)
+        options.refuse("--device needs --what visibility, fighting or mirror: " + *typed.what +
+                       " draws nothing with GL");
 }
 
 /// The counts of the list below the largest one, and that one.
@@ -149,7 +152,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    if (!typed.what) options.refuse("--what is missing: one of visibility, growth, fighting, mirror");
+    if (!typed.what) options.refuse("--what is missing: one of visibility, growth, fighting, mirror, order");
     typed.what = quantities[choice_option(options, "--what", *typed.what, quantities)];
     refuse_strangers(options, typed);
     const glm::ivec2 size_px = size_option(options, typed.size);
@@ -163,6 +166,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     std::string text;
     if (typed.what == "growth") {
         text = growth_text(state, scene, growth, as_csv, !typed.no_times);
+    } else if (typed.what == "order") {
+        text = document(value_or_end(order_as_json(state.params, scene, size_px)), !typed.no_times);
     } else {
         Headless headless(device_option(options, typed.device));
         const auto measured = [&](Renderer& renderer) {
@@ -180,8 +185,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
 constinit const Command measure_command{
     "measure",
-    "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror [--size WxH] [OPTIONS]",
-    "what hidden-surface methods do and cost, where depth fights, how mirror images differ: JSON or CSV",
+    "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror|order [--size WxH] [OPTIONS]",
+    "what hidden-surface methods do and cost, where depth fights, how mirror images differ, who hides whom: JSON or "
+    "CSV",
     "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
     "and culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "
     "triangles sees nowhere within a pixel. A number that a method does not have is null; problem is a sentence when "
@@ -202,12 +208,19 @@ constinit const Command measure_command{
     "oblique near plane, and with the camera mirrored in place of the scene: different counts the pixels without a "
     "like within 2 levels next to them in the first one's picture, worst is their largest difference, and the depths "
     "are those that the image leaves in the buffer before its mirror covers it: distinct_depths counts the codes in "
-    "use, which is no measure of how finely they tell surfaces apart.",
+    "use, which is no measure of how finely they tell surfaces apart. order compares every polygon with every other "
+    "one (at most 20000): a pair [a, b] says that a has to be painted before b, which hides a part of it; two that run "
+    "through each other are in it both ways round. polygons has the numbers of triangles, object whose each one is, "
+    "objects the same for whole objects by name. exists says whether an order of whole ones obeys all pairs; then "
+    "order "
+    "is one, from back to front, else cycle names a few of which each must come before the next, the last before the "
+    "first. painter_keys has how many pairs each sort key puts the wrong way round.",
     "measure --what visibility\n"
     "measure painter-cycle --what visibility --size 640x360\n"
     "measure bunny.obj --set visibility.splitter=balanced --what visibility --timeout 60\n"
     "measure depth-fighting --what fighting\n"
     "measure mirror-unclipped --what mirror\n"
+    "measure cyclic-overlap --what order\n"
     "measure --what growth --max 3000 --format csv > growth.csv\n"
     "measure teapot --what growth --polygons scene",
     "023489",

@@ -6,10 +6,10 @@
 #include "frame/hidden/hidden_budget.h"
 #include "frame/plan.h"
 #include "frame/problems.h"
-#include "geometry/projection.h"
 #include "report/fighting_report.h"
 #include "report/matrices_report.h"
 #include "report/mirror_report.h"
+#include "report/order_report.h"
 #include "report/pixel_as_json.h"
 #include "report/visibility_report.h"
 #include "state/reader.h"
@@ -63,8 +63,11 @@ const Json& LessonNumbers::matrices() {
 Result<Json> LessonNumbers::measured(const std::string& name, std::span<const double> arguments) {
     if (name == "depth_step") {
         if (arguments.size() != 1 || !(arguments[0] > 0.0)) return wants_arguments("depth_step(z) with z > 0");
-        return Json(
-            depth_step(now_.projection.lens(), now_.depth.mapping, precision_of(now_.depth.format), arguments[0]));
+        return Json(depth_step(now_, arguments[0]));
+    }
+    if (name == "order") {
+        if (!arguments.empty()) return wants_arguments("order()");
+        return order_as_json(now_, scene_, size_px);
     }
     if (!renderer_) return Error{name + " is measured in pictures, which there are none of here"};
     if (name == "pixel") {

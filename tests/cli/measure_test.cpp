@@ -77,6 +77,36 @@ TEST_F(Measure, VisibilityOfACycleIsTheLectures) {
     EXPECT_GT(measured["methods"]["newell"]["splits"], 0);
 }
 
+TEST_F(Measure, OrderNamesTheCycleOfThreeBars) {
+    const Json measured = expect(0, {"measure", "cyclic-overlap", "--what", "order"}).json();
+    EXPECT_EQ(measured["scene"], "cyclic-overlap");
+    const Json& objects = measured["objects"];
+    EXPECT_EQ(objects["count"], 3);
+    EXPECT_EQ(objects["exists"], false);
+    EXPECT_TRUE(objects["order"].is_null());
+    const auto cycle = objects["cycle"].get<std::vector<std::string>>();
+    EXPECT_EQ(std::set<std::string>(cycle.begin(), cycle.end()),
+              (std::set<std::string>{"red bar", "green bar", "blue bar"}));
+    const Json& polygons = measured["polygons"];
+    EXPECT_EQ(polygons["count"], 36) << "three boxes of 12";
+    EXPECT_EQ(polygons["object"].size(), 36);
+    for (const char* key : {"nearest", "farthest", "centroid"}) EXPECT_GT(polygons["painter_keys"][key], 0) << key;
+}
+
+TEST_F(Measure, OrderExistsWhereBoxesStandApart) {
+    const std::string boxes =
+        R"(scene={"objects":[{"name":"near","shape":"box","position":[0,1,3]},{"name":"far","shape":"box","position":[0,1,-3]}]})";
+    const Json measured = expect(0, {"measure", "--set", "camera.position=[0,1,12]", "--set", "camera.yaw=0", "--set",
+                                     "camera.pitch=0", "--set", boxes, "--what", "order"})
+                              .json();
+    EXPECT_EQ(measured["objects"]["pairs"], Json::parse(R"([["far", "near"]])"));
+    EXPECT_EQ(measured["objects"]["order"], Json::parse(R"(["far", "near"])"));
+    EXPECT_TRUE(measured["objects"]["cycle"].is_null());
+    EXPECT_EQ(measured["polygons"]["painter_keys"]["farthest"], 0);
+    EXPECT_NE(expect(2, {"measure", "--what", "order", "--device", "auto"}).err.find("order draws nothing"),
+              std::string::npos);
+}
+
 TEST_F(Measure, PainterUsesTheStatesKey) {
     for (const char* key : {"nearest", "farthest", "centroid"}) {
         const Json measured = visibility({"--size", "160x90", "--set", std::string("visibility.sort_key=") + key,

@@ -1,0 +1,189 @@
+// Who hides whom, against rays through many points of the picture; orders and cycles of whole things.
+#include "visibility/hiding.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "unit/visibility/scenes.h"
+
+namespace viewing {
+namespace {
+
+/// A ray through a place of the picture, from the near plane on, and how far along it a polygon is met.
+struct Sight {
+    glm::dvec3 origin, direction;
+
+    std::optional<double> meets(const Polygon& polygon) const {
+        const glm::dvec3 normal(polygon.plane);
+        const double slope = glm::dot(normal, direction);
+        if (std::abs(slope) < 1e-9) return std::nullopt;
+        const double t = -(glm::dot(normal, origin) + polygon.plane.w) / slope;
+        const glm::dvec3 at = origin + t * direction;
+        for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+            const glm::dvec3& a = polygon.vertices[i];
+            const glm::dvec3 edge = polygon.vertices[(i + 1) % polygon.vertices.size()] - a;
+            // Well inside: 1e−6 off each edge.
+            if (glm::dot(glm::cross(normal, edge), at - a) < 1e-6 * glm::length(edge)) return std::nullopt;
+        }
+        return t > 1e-6 ? std::optional(t) : std::nullopt;
+    }
+};
+
+Sight sight_through(const Viewpoint& viewpoint, double x, double y) {
+    const glm::dmat4 world_from_clip = glm::inverse(viewpoint.clip_from_world());
+    const auto at = [&](double z) {
+        const glm::dvec4 point = world_from_clip * glm::dvec4(x, y, z, 1.0);
+        return glm::dvec3(point) / point.w;
+    };
+    return {at(-1.0), glm::normalize(at(1.0) - at(-1.0))};
+}
+
+/// Whether one of the rays through points of `front` goes on to `back`. Beside the picture, too, and where they overlap
+/// by little.
+bool some_ray_sees(const Polygon& back, const Polygon& front, const Viewpoint& viewpoint, Random& random) {
+    for (int tried = 0; tried < 2000; ++tried) {
+        glm::dvec3 point(0.0);
+        double sum = 0.0;
+        for (const glm::dvec3& vertex : front.vertices) {
+            const double weight = -std::log(random.number(1e-9, 1.0));
+            point += weight * vertex;
+            sum += weight;
+        }
+        const glm::dvec4 clip = viewpoint.clip_from_world() * glm::dvec4(point / sum, 1.0);
+        if (clip.z < -clip.w || clip.w <= 0.0) continue;  // before the near plane
+        const Sight sight = sight_through(viewpoint, clip.x / clip.w, clip.y / clip.w);
+        const std::optional<double> near = sight.meets(front), far = sight.meets(back);
+        if (near && far && *far > *near) return true;
+    }
+    return false;
+}
+
+/// What a grid of rays sees hidden by what; with how many rays.
+std::map<HidingPair, int> seen_pairs(const std::vector<Polygon>& polygons, const Viewpoint& viewpoint) {
+    constexpr int side = 60;
+    std::map<HidingPair, int> pairs;
+    for (int cell = 0; cell < side * side; ++cell) {
+        const Sight sight = sight_through(viewpoint, 2.0 * (cell % side + 0.37) / side - 1.0,
+                                          2.0 * (static_cast<double>(cell / side) + 0.41) / side - 1.0);
+        std::vector<std::pair<double, int>> met;
+        for (std::size_t i = 0; i < polygons.size(); ++i)
+            if (const auto t = sight.meets(polygons[i])) met.emplace_back(*t, static_cast<int>(i));
+        for (const auto& [near, front] : met)
+            for (const auto& [far, back] : met)
+                if (far > near + 1e-6) ++pairs[{back, front}];
+    }
+    return pairs;
+}
+
+TEST(HidingPairs, AreThoseThatRaysSee) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::size_t compared = 0, unseen = 0, all = 0;
+    for (int scene = 0; scene < 40; ++scene) {
+        const std::vector<Polygon> polygons = random_polygons(random);
+        const Viewpoint viewpoint = random_viewpoint(random);
+        const std::vector<HidingPair> found = hiding_pairs(polygons, viewpoint);
+        EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+        EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "each once";
+        const auto seen = seen_pairs(polygons, viewpoint);
+        for (const auto& [pair, rays] : seen) {
+            EXPECT_TRUE(std::binary_search(found.begin(), found.end(), pair))
+                << "scene " << scene << ": " << rays << " rays see " << pair.after << " in front of " << pair.before;
+        }
+        compared += seen.size();
+        for (const HidingPair& pair : found) {
+            const auto at = [&](int index) { return polygons[static_cast<std::size_t>(index)]; };
+            const bool is_seen =
+                seen.contains(pair) || some_ray_sees(at(pair.before), at(pair.after), viewpoint, random);
+            unseen += is_seen ? 0 : 1;
+        }
+        all += found.size();
+    }
+    EXPECT_GT(compared, 1000U);
+    EXPECT_LT(unseen, all / 10) << "overlaps that are smaller than rays find";
+}
+
+TEST(HidingPairs, OfParallelSquaresAreByDepthAlone) {
+    std::vector<Polygon> squares;
+    for (const double z : {0.0, 2.0, 1.0}) add(squares, {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}});
+    add(squares, {{3, -1, 1.5}, {5, -1, 1.5}, {5, 1, 1.5}, {3, 1, 1.5}});  // beside them
+    const std::vector<HidingPair> expected = {{0, 1}, {0, 2}, {2, 1}};
+    EXPECT_EQ(hiding_pairs(squares, viewpoint_on_z(true)), expected);
+    EXPECT_EQ(whole_order(4, expected).order, (std::vector<int>{0, 2, 1, 3}));
+}
+
+TEST(HidingPairs, OfWhatRunsThroughEachOtherStandBothWaysRound) {
+    std::vector<Polygon> crossing;
+    add(crossing, {{-1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}});
+    add(crossing, {{-1, -1, 1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, 1}});
+    const std::vector<HidingPair> pairs = hiding_pairs(crossing, viewpoint_on_z(true));
+    EXPECT_EQ(pairs, (std::vector<HidingPair>{{0, 1}, {1, 0}}));
+    const WholeOrder order = whole_order(2, pairs);
+    EXPECT_TRUE(order.order.empty());
+    EXPECT_EQ(order.cycle.size(), 2U);
+}
+
+TEST(HidingPairs, OfCoplanarOnesTheLowerSourceIsInFront) {
+    std::vector<Polygon> coplanar;
+    add(coplanar, {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}});
+    add(coplanar, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+    EXPECT_EQ(hiding_pairs(coplanar, viewpoint_on_z()), (std::vector<HidingPair>{{1, 0}}));
+}
+
+TEST(WholeOrder, PaintsWhatRaysSeeWhereThereIsOne) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    int painted = 0;
+    for (int scene = 0; scene < 60; ++scene) {
+        std::vector<Polygon> polygons = random_polygons(random);
+        polygons.resize(std::min<std::size_t>(polygons.size(), 5));
+        const Viewpoint viewpoint = random_viewpoint(random);
+        const std::vector<HidingPair> pairs = hiding_pairs(polygons, viewpoint);
+        const int count = static_cast<int>(polygons.size());
+        const WholeOrder found = whole_order(count, pairs);
+        ASSERT_NE(found.order.empty(), found.cycle.empty());
+        if (found.order.empty()) {
+            for (std::size_t i = 0; i < found.cycle.size(); ++i) {
+                const HidingPair link{found.cycle[i], found.cycle[(i + 1) % found.cycle.size()]};
+                EXPECT_TRUE(std::binary_search(pairs.begin(), pairs.end(), link)) << "scene " << scene;
+            }
+            continue;
+        }
+        EXPECT_EQ(wrong_pairs(pairs, found.order), 0);
+        EXPECT_EQ(difference(ray_cast_image(polygons, viewpoint), paint(polygons, found.order, viewpoint)).different, 0)
+            << "scene " << scene;
+        ++painted;
+    }
+    EXPECT_GT(painted, 10);
+}
+
+TEST(WholeOrder, OfThreeBarsIsNoneOfSix) {
+    const std::vector<Polygon> bars = cyclic_bars();
+    const std::vector<HidingPair> pairs = hiding_pairs(bars, viewpoint_on_z());
+    EXPECT_EQ(pairs.size(), 3U);
+    const WholeOrder found = whole_order(3, pairs);
+    EXPECT_TRUE(found.order.empty());
+    EXPECT_EQ(std::set<int>(found.cycle.begin(), found.cycle.end()), (std::set<int>{0, 1, 2}));
+    std::vector<int> order = {0, 1, 2};
+    do EXPECT_GE(wrong_pairs(pairs, order), 1);
+    while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(WholeOrder, FindsTheShortCycleBehindALongOne) {
+    // 0 → 1 → 2 → 3 → 0, and 4 ⇄ 5, which also wait for the first ones.
+    const std::vector<HidingPair> pairs = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {3, 4}, {4, 5}, {5, 4}};
+    EXPECT_EQ(whole_order(6, pairs).cycle.size(), 2U);
+    EXPECT_TRUE(whole_order(0, {}).order.empty());
+}
+
+TEST(Grouped, HasEachPairOfGroupsOnce) {
+    const std::vector<HidingPair> pairs = {{0, 1}, {0, 2}, {1, 2}, {1, 3}, {3, 0}};
+    const std::vector<int> group_of = {0, 0, 1, 1};
+    EXPECT_EQ(grouped(pairs, group_of), (std::vector<HidingPair>{{0, 1}, {1, 0}}));
+}
+
+}  // namespace
+}  // namespace viewing
