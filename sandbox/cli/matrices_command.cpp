@@ -68,7 +68,9 @@ constinit const Command matrices_command{
     "V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S (uploaded "
     "is shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S and R² = I) "
-    "and sentences about what is wrong. Needs no GL.",
+    "and sentences about what is wrong; followed has the followed point p: shadow_homogeneous is S p as it comes, "
+    "shadow "
+    "what it is after the division by w, or null, mirrored R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
     "matrices --format numpy > matrices.py",

@@ -69,6 +69,14 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
     return cast;
 }
 
+/// R as the slips and the lecture's array have it.
+glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips, bool printed_by_rows) {
+    glm::dmat4 mirror = mirror_matrix(slips.normal_not_unit ? equation : unit_plane(equation));
+    if (slips.plus_2ab) mirror[0][1] = -mirror[0][1];
+    // The lecture's array is filled by rows; GL reads columns.
+    return printed_by_rows ? glm::transpose(mirror) : mirror;
+}
+
 DerivedPlane derive_one_plane(const PlaneParams& plane, const PlaneOverrides& by_hand, const Derived& derived,
                               const Params& params) {
     DerivedPlane made;
@@ -78,11 +86,12 @@ DerivedPlane derive_one_plane(const PlaneParams& plane, const PlaneOverrides& by
     made.receives_shadow = plane.receives_shadow;
     made.mirrors = plane.mirrors;
     made.gloss = plane.gloss;
-    const glm::dmat4 mirror = mirror_matrix(made.unit_plane);
-    // The lecture's array is filled by rows; GL reads columns.
-    made.mirrored_world_from_world =
-        by_hand.mirrored_world_from_world.value_or(params.reflection.printed_by_rows ? glm::transpose(mirror) : mirror);
+    const bool by_rows = params.reflection.printed_by_rows;
+    const glm::dmat4 mirror = mirror_with_slips(plane.equation, params.slips, by_rows);
+    made.mirrored_world_from_world = by_hand.mirrored_world_from_world.value_or(mirror);
     made.mirror_by_hand = by_hand.mirrored_world_from_world.has_value();
+    made.mirror_has_slip =
+        !made.mirror_by_hand && largest_entry(mirror - mirror_with_slips(plane.equation, {}, by_rows)) > 1e-9;
     for (std::size_t light = 0; light < derived.lights_world.size(); ++light)
         made.shadows.push_back(cast_shadow(made.unit_plane, derived.lights_world[light], params.shadow.sign,
                                            by_hand.shadowed_world_from_world[light]));

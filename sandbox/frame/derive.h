@@ -58,6 +58,7 @@ struct DerivedPlane {
     bool receives_shadow = true, mirrors = true, gloss = false;
     glm::dmat4 mirrored_world_from_world{1.0};  ///< R
     bool mirror_by_hand = false;                ///< R does not come from the plane
+    bool mirror_has_slip = false;               ///< plus_2ab or normal_not_unit makes R another matrix
     std::vector<CastShadow> shadows;            ///< of each light, in order
 };
 
@@ -111,8 +112,17 @@ DepthPrecision precision_of(DepthFormat format);
 /// Positive and finite; what is nearer than near counts as at near.
 double depth_step(const Params& params, double z);
 
-/// The eight corners of the view frustum in world space: near then far, each counter-clockwise from bottom left as the
-/// camera sees them. From the camera's pose and lens, so it shows where the camera is even while a slip breaks V.
+/// Where the camera's numbers put it: C without slips.
+glm::dmat4 placed_camera(const Params& params);
+
+/// Where the matrix that is uploaded really puts the eye: V⁻¹. The same as placed_camera but for the slips.
+glm::dmat4 effective_camera(const Derived& derived);
+
+/// The eight corners of what a camera with this state's projection sees, in world space: near then far, each
+/// counter-clockwise from bottom left as the camera sees them.
+std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
+                                          const glm::dmat4& world_from_view);
+/// Of the placed camera: it shows where the camera is even while a slip breaks V.
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived);
 
 }  // namespace viewing

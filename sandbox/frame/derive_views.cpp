@@ -115,8 +115,21 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
     return view;
 }
 
+glm::dmat4 placed_camera(const Params& params) {
+    return world_from_view(params.camera.position, params.camera.angles());
+}
+
+glm::dmat4 effective_camera(const Derived& derived) {
+    return view_from_world(derived.view_from_world);  // a rotation and a move, as C is: inverted alike
+}
+
 std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived) {
-    const Lens lens = params.projection.lens();
+    return frustum_corners(params, derived, placed_camera(params));
+}
+
+std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& derived,
+                                          const glm::dmat4& world_from_view) {
+    const Lens lens = params.lens();
     std::array<glm::dvec3, 8> corners{};
     const double slope = std::tan(glm::radians(lens.fovy_deg) * 0.5);
     for (int corner = 0; corner < 8; ++corner) {
@@ -125,7 +138,7 @@ std::array<glm::dvec3, 8> frustum_corners(const Params& params, const Derived& d
         const double x = (corner % 4 == 1 || corner % 4 == 2) ? 1.0 : -1.0;
         const double y = corner % 4 >= 2 ? 1.0 : -1.0;
         const glm::dvec4 corner_view(x * half_height * derived.aspect, y * half_height, -distance, 1.0);
-        corners[static_cast<std::size_t>(corner)] = glm::dvec3(derived.world_from_view * corner_view);
+        corners[static_cast<std::size_t>(corner)] = glm::dvec3(world_from_view * corner_view);
     }
     return corners;
 }

@@ -15,7 +15,7 @@ struct DisplayLine {
     std::string part = {};  ///< what it stands for: "projection", "rotate.yaw", "translate"; empty: nothing by itself
 };
 
-/// At most 33 characters a line. P, V and W are the matrices of GLM's functions, angles in degrees, lengths in world
+/// P, V and W are the matrices of GLM's functions, angles in degrees, lengths in world
 /// units; P V W is clip_from_world of standard depth.
 std::vector<DisplayLine> display_lines(const Params& params, const Derived& derived);
 

@@ -10,6 +10,13 @@
 namespace viewing {
 namespace {
 
+double product_of_x_and_y(const glm::dvec4& equation) {
+    return equation.x * equation.y;
+}
+double excess_of_length(const glm::dvec4& equation) {
+    return glm::length(glm::dvec3(equation)) - 1.0;
+}
+
 /// The state that is asked about.
 struct State {
     const Params& params;
@@ -26,6 +33,11 @@ struct State {
     }
     bool mirrors() const {
         return std::any_of(params.planes.begin(), params.planes.end(), [](const auto& p) { return p.mirrors; });
+    }
+    /// Whether there is a plane that this is not 0 of.
+    bool mirrors_with(double (*quantity)(const glm::dvec4& equation)) const {
+        return std::any_of(params.planes.begin(), params.planes.end(),
+                           [&](const PlaneParams& plane) { return quantity(plane.equation) != 0.0; });
     }
     /// Culling and the facing view do, and the counts beside a method's steps.
     bool tells_faces() const {
@@ -53,14 +65,18 @@ std::span<const Reason> reasons() {
     static const Reason all[] = {
         {[](const State& s) { return s.params.projection.type == ProjectionType::orthographic; },
          marked("An orthographic view has a height and no angle."),
-         {"projection.fovy"}},
+         {"projection.fovy", "slips.degrees_as_radians"}},
         {[](const State& s) { return s.params.projection.type == ProjectionType::perspective; },
          marked("A perspective has an angle and no height."),
          {"projection.height"}},
 
         {[](const State& s) { return !s.uses(VisibilityMethod::depth_buffer); },
          marked("This method draws with GL's depth test off."),
-         {"depth.test", "depth.func", "depth.write", "depth.clear"}},
+         {"depth.buffer", "depth.test", "depth.func", "depth.write", "depth.clear"}},
+        {[](const State& s) { return !s.params.depth.buffer; },
+         marked("The window has no depth buffer."),
+         {"depth.test", "depth.func", "depth.write", "depth.clear", "depth.write_while_clearing",
+          "depth.reversed_clear"}},
         {[](const State& s) { return !s.params.depth.test; },
          marked("Without the depth test nothing is compared, and no depth is written."),
          {"depth.func", "depth.write"}},
@@ -125,6 +141,12 @@ std::span<const Reason> reasons() {
           "reflection.flip_winding", "reflection.reflect_light", "reflection.bounces", "reflection.mirrored",
           "reflection.same_projection", "reflection.mask_writes_depth", "reflection.after_objects",
           "reflection.shadows"}},
+        {[](const State& s) { return !s.mirrors_with(product_of_x_and_y); },
+         marked("No plane's normal has both an x and a y: 2ab is 0."),
+         {"slips.plus_2ab"}},
+        {[](const State& s) { return !s.mirrors_with(excess_of_length); },
+         marked("Every plane is given with a normal of length 1."),
+         {"slips.normal_not_unit"}},
         {[](const State& s) { return s.params.reflection.mirrored != MirroredThing::camera; },
          marked("The scene is mirrored, not the camera."),
          {"reflection.same_projection"}},

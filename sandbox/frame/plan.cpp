@@ -164,7 +164,7 @@ Pass Level::pass(std::string name, std::string reason, Subject subject) const {
     made.lights_world = lights_world;
     made.light_strength = 1.0 / static_cast<double>(lights_world.size());
     made.sky_world = sky_world;
-    const bool gl_test = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool gl_test = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
     made.depth = {
         .test = gl_test, .func = func_for(params.depth.func, params.depth.mapping), .write = params.depth.write};
     if (subject == Subject::objects)

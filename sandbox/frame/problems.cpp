@@ -131,6 +131,34 @@ void find_overrides(std::vector<Problem>& problems, const Params& params, const 
             say("{matrix} is overridden by hand: the plane no longer changes it", "matrix"_a = mirror_name(plane)));
 }
 
+/// What the slips make of P and of its picture.
+void find_projection_problems(std::vector<Problem>& problems, const Params& params, const Derived& derived) {
+    Sayer tell(problems, "projection");
+    const Lens lens = params.lens();
+    if (params.slips.degrees_as_radians && !lens.orthographic) {
+        const std::string fovy = figures(params.projection.fovy, 4);
+        const double c = derived.clip_from_view[1][1];
+        tell.broken(
+            c > 0.0,
+            say("slip: {fovy}° are given where P takes radians: {fovy} radians look like {degrees}°, and c = cot(½ "
+                "fovy) is {c}",
+                "fovy"_a = fovy, "degrees"_a = figures(lens.fovy_deg, 3), "c"_a = figures(c, 3)),
+            "slips.degrees_as_radians");
+        tell.broken(c < 0.0,
+                    say("slip: {fovy}° are given where P takes radians: c = cot(½ fovy) is {c}, less than 0, and the "
+                        "picture is upside down and left to right",
+                        "fovy"_a = fovy, "c"_a = figures(c, 3)),
+                    "slips.degrees_as_radians");
+    }
+    const double stretch = derived.view_aspect / derived.aspect;
+    tell.broken(std::abs(stretch - 1.0) > 1e-3,
+                say("P is made for a picture {aspect} times as wide as high, the view is {view}: everything is "
+                    "stretched to {stretch} times its width",
+                    "aspect"_a = figures(derived.aspect, 3), "view"_a = figures(derived.view_aspect, 3),
+                    "stretch"_a = figures(stretch, 3)),
+                "projection.aspect");
+}
+
 void find_slips(std::vector<Problem>& problems, const SlipParams& slips) {
     Sayer tell(problems, "camera");
     tell(slips.walk_slows, tr("slip: walking follows the view direction, so it slows when looking up or down"));
@@ -147,6 +175,7 @@ std::vector<Problem> find_problems(const Params& params, const Derived& derived,
     std::vector<Problem> problems;
     find_view_problems(problems, params, derived, scene);
     find_slips(problems, params.slips);
+    find_projection_problems(problems, params, derived);
     find_light_problems(problems, params, derived);
     find_plane_problems(problems, params, derived);
     find_shadow_problems(problems, params, derived, scene);

@@ -16,7 +16,7 @@ constexpr std::string_view group = "view";
 bool is_soon_found(const SceneObject& object, const Params& params, const Derived& derived) {
     constexpr std::size_t tried = 64;
     const glm::dmat4 clip_from_model =
-        clip_from_view(params.projection.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
+        clip_from_view(params.lens(), derived.aspect) * derived.view_from_world * object.world_from_model;
     const std::size_t count = object.mesh->positions.size(), step = std::max<std::size_t>(1, count / tried);
     for (std::size_t i = 0; i < count; i += step) {
         const glm::dvec4 clip = clip_from_model * glm::dvec4(object.mesh->positions[i], 1.0);
@@ -40,8 +40,8 @@ std::string beside_the_view(const Params& params, const Derived& derived, const 
     const std::array<glm::dvec3, 8> corners = corners_view(scene.bounds_world, derived);
     if (std::all_of(corners.begin(), corners.end(), [](const glm::dvec3& corner) { return corner.z >= 0.0; }))
         return tr("every object lies behind the camera: the key G frames them all, Home goes back");
-    const Lens lens = params.projection.lens();
-    const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * lens.fovy_deg));
+    const Lens lens = params.lens();
+    const double y = lens.orthographic ? 0.5 * lens.height : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg)));
     const glm::dvec2 edge(y * derived.aspect, y);
     const auto beyond = [&](int axis, double sign) {
         return std::all_of(corners.begin(), corners.end(), [&](const glm::dvec3& corner) {

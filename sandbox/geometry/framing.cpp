@@ -9,7 +9,7 @@ Framing framing(const Bounds& box, const Angles& angles, const Lens& lens, doubl
     constexpr double room = 1.08, least = 1e-3;
     const glm::dmat3 world_from_axes(rotation_from_angles(angles));
     const glm::dvec3 low = box.empty() ? glm::dvec3(0.0) : box.min, high = box.empty() ? glm::dvec3(0.0) : box.max;
-    const double y_slope = lens.orthographic ? 0.0 : std::tan(glm::radians(0.5 * lens.fovy_deg)) / room;
+    const double y_slope = lens.orthographic ? 0.0 : std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg))) / room;
     const glm::dvec2 slope(y_slope * aspect, y_slope);
 
     // Along right, up and back. An edge of the picture touches the corner that reaches farthest out along it.

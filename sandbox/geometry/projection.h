@@ -11,7 +11,7 @@ enum class DepthMapping { standard, reversed, logarithmic };
 
 struct Lens {
     bool orthographic = false;
-    double fovy_deg = 40.0;  ///< full vertical angle, perspective only
+    double fovy_deg = 40.0;  ///< full vertical angle, perspective only; negative: the picture is turned by 180°
     double height = 6.0;     ///< full vertical size in world units, orthographic only
     double near = 0.5;
     double far = 40.0;

@@ -45,7 +45,7 @@ double far_end_of_a_code(const DepthCoding& coding, double distance) {
 /// Of a quad at a distance: the same part of the view.
 double half_side(const Lens& lens, double distance) {
     const double half_height =
-        lens.orthographic ? lens.height / 2.0 : distance * std::tan(glm::radians(lens.fovy_deg) / 2.0);
+        lens.orthographic ? lens.height / 2.0 : distance * std::tan(glm::radians(std::abs(lens.fovy_deg)) / 2.0);
     return half_height * share_of_view;
 }
 
@@ -56,7 +56,7 @@ struct MinimumGapSearch::Implementation {
     enum class Phase { widening, narrowing, between, done };
 
     Implementation(const Renderer& renderer, const Params& state, double distance)
-        : params(plain(state)), lens(params.projection.lens()) {
+        : params(plain(state)), lens(params.lens()) {
         const DepthCoding coding =
             depth_coding(params, derive(params, Scene{}, {size_px, renderer.capabilities().clip_control}));
         found.distance = far_end_of_a_code(coding, std::clamp(distance, lens.near, lens.far));

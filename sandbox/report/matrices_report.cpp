@@ -23,6 +23,7 @@ Json facts_as_json(const Facts& facts, const glm::dmat4& mirror, const CastShado
 
 Json followed_as_json(const FollowedPoint& followed) {
     return {{"point", as_json(followed.point_world)},
+            {"shadow_homogeneous", as_json(followed.shadow_homogeneous)},
             {"shadow", followed.shadow_world ? as_json(*followed.shadow_world) : Json()},
             {"plane_distance", followed.plane_distance + 0.0},
             {"foot", as_json(followed.foot_world)},

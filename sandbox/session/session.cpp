@@ -48,7 +48,7 @@ void Session::aim_at_target() {
     const glm::dvec3 to_target = camera.target - camera.position;
     const glm::dvec3 forward = -glm::dvec3(rotation_from_angles(camera.angles())[2]);
     const double half_view_deg =
-        params.projection.type == ProjectionType::perspective ? params.projection.fovy * 0.5 : 20.0;
+        params.projection.type == ProjectionType::perspective ? std::abs(params.lens().fovy_deg) * 0.5 : 20.0;
     const double distance = glm::length(to_target);
     if (distance == 0.0 || glm::dot(forward, to_target) >= distance * std::cos(glm::radians(half_view_deg))) return;
     const Angles angles = angles_looking_at(camera.position, camera.target);
@@ -95,7 +95,7 @@ void Session::frame_all(double aspect) {
     for (const PlaneParams& plane : params.planes)
         for (const glm::dvec3& corner : plane_patch(plane.equation, plane.extent).corners()) all.add(corner);
     CameraParams& camera = params.camera;
-    const Framing found = framing(all, camera.angles(), params.projection.lens(), aspect);
+    const Framing found = framing(all, camera.angles(), params.lens(), aspect);
     camera.position = found.eye;
     camera.target = all.center();
     if (params.projection.type == ProjectionType::orthographic) params.projection.height = found.height;

@@ -648,7 +648,9 @@ const Field all_fields[] = {
      .label = "method",
      .help =
          "Who decides what is hidden: the depth buffer of the GPU, nobody, sorting (painter, Newell), a BSP tree, a "
-         "depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth test off."},
+         "depth buffer in software, or a ray through each pixel. All but the first draw with GL's depth test off. The "
+         "slide puts all of this before rasterisation: sorting stands there, the depth test after it, fragment by "
+         "fragment."},
     {.path = "visibility.step",
      .place = IN(visibility.step),
      .label = "step",
@@ -670,8 +672,10 @@ const Field all_fields[] = {
     {.path = "visibility.walk",
      .place = IN(visibility.walk),
      .label = "walk",
-     .help = "How a BSP tree is drawn: from back to front, each polygon over the ones before; or from front to back, "
-             "where a mask of the pixels already covered keeps what is there."},
+     .help =
+         "How a BSP tree is drawn: from back to front, each polygon over the ones before; or from front to back, "
+         "where a mask of the pixels already covered keeps what is there. The walk goes by the eye; the tree itself, "
+         "which the slide divides \"according to the viewer direction\", does not."},
     {.path = "visibility.epsilon",
      .place = IN(visibility.epsilon),
      .label = "epsilon",

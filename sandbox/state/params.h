@@ -39,8 +39,6 @@ struct ProjectionParams {
     ProjectionType type = ProjectionType::perspective;
     double fovy = 40.0, height = 6.0, near = 0.5, far = 40.0;
     double aspect = 0.0;  ///< width : height that P is made for; 0: that of the view
-
-    Lens lens() const { return {type == ProjectionType::orthographic, fovy, height, near, far}; }
     bool operator==(const ProjectionParams&) const = default;
 };
 
@@ -128,8 +126,8 @@ struct Params {
     AnimationParams animation;
     UiParams ui;
 
-    /// What P is made of, the slip of degrees taken for radians included: an angle of view beyond ±180° turns the
-    /// picture upside down and is negative here.
+    /// What P is made of, the slip of degrees taken for radians included: where cot(fovy/2) is negative, which turns
+    /// the picture upside down, the angle of view is negative; it keeps off 0° and ±180°, so that P has an inverse.
     Lens lens() const;
 
     Choice chosen() const { return {index_of(view.plane, planes.size()), index_of(view.light, lights.size())}; }

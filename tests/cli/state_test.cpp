@@ -242,6 +242,21 @@ TEST_F(Matrices, WorkedExamplesOfTheShadow) {
     expect_point(expect(0, tilted).json()["mirror_from_world"], {1, 2, 3, 1}, {-0.690599, 0.309401, 1.309401});
 }
 
+// S p = (Π·L) p − (Π·p) L with Π = (0, 1, 0, 0), before the division by w.
+TEST_F(Matrices, TheFollowedPointIsToldBeforeAndAfterTheDivision) {
+    const Json followed =
+        expect(0, {"matrices", "--set", "light.position=[2,5,1,1]", "--set", R"(follow={"object":"box","vertex":0})"})
+            .json()
+            .at("followed");
+    const auto p = followed.at("point").get<std::vector<double>>();
+    const auto before = followed.at("shadow_homogeneous").get<std::vector<double>>();
+    const std::vector<double> light{2, 5, 1, 1};
+    ASSERT_EQ(before.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(before[i], 5.0 * (i < 3 ? p[i] : 1.0) - p[1] * light[i], 1e-9);
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(followed.at("shadow")[i].get<double>(), before[i] / before[3], 1e-9);
+}
+
 TEST_F(Matrices, AFlippedPlaneHasTheOtherSign) {
     const Json json = expect(0, {"matrices", "--set", "plane.equation=[0,-1,0,0]"}).json();
     EXPECT_EQ(json["shadow_sign"], -1);

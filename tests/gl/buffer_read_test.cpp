@@ -172,12 +172,12 @@ TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
                         ++unwritten;
                         continue;
                     }
-                    const double value = std::string(scale) == "window"
-                                             ? cell.window_depth
-                                             : (distance_of_window_depth(params.projection.lens(), params.depth.mapping,
-                                                                         cell.window_depth) -
-                                                params.projection.near) /
-                                                   (params.projection.far - params.projection.near);
+                    const double value =
+                        std::string(scale) == "window"
+                            ? cell.window_depth
+                            : (distance_of_window_depth(params.lens(), params.depth.mapping, cell.window_depth) -
+                               params.projection.near) /
+                                  (params.projection.far - params.projection.near);
                     ++expected[static_cast<std::size_t>(std::clamp(value * 128.0, 0.0, 127.0))];
                 }
                 EXPECT_EQ(counts.unwritten, unwritten);

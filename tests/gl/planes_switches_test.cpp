@@ -94,7 +94,12 @@ constexpr const char* switches[] = {"shadow.enabled=false",
                                     "reflection.side_of_eye=false",
                                     "reflection.shadows=false",
                                     "reflection.reflectance=0",
-                                    "reflection.reflectance=1"};
+                                    "reflection.reflectance=1",
+                                    "slips.plus_2ab=true",
+                                    "slips.normal_not_unit=true",
+                                    "slips.degrees_as_radians=true",
+                                    "projection.aspect=0.5",
+                                    "depth.buffer=false"};
 
 class Switches : public testing::GlTest {};
 

@@ -31,6 +31,8 @@ constexpr Control controls[] = {
     {"camera/flip at the pole (orbit)", "slips.pole_flip", Navigation::orbit},
     {"camera/R·T in place of T·R", "slips.swapped_order"},
     {"camera/C sent as V", "slips.camera_as_view"},
+    {"projection/aspect, 0: the view's", "projection.aspect"},
+    {"projection/degrees given as radians", "slips.degrees_as_radians"},
     {"projection/type/Perspective", "projection.type"},
     {"projection/type/Orthographic", "projection.type"},
     {"projection/fovy", "projection.fovy"},
@@ -44,6 +46,7 @@ constexpr Control controls[] = {
     {"depth/Cull face", "cull.enabled"},
     {"depth/face", "cull.face"},
     {"depth/front_face", "cull.front_face"},
+    {"buffer/The window has one", "depth.buffer"},
     {"buffer/depth format", "depth.format"},
     {"buffer/depth mapping", "depth.mapping"},
     {"buffer/Mask on while clearing", "depth.write_while_clearing"},
@@ -208,6 +211,8 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "planes",
                     "reflection.same_projection",
                     "reflection.printed_by_rows",
+                    "slips.plus_2ab",
+                    "slips.normal_not_unit",
                     "follow",
                     "view.shows",
                     "view.depth_range",
@@ -242,17 +247,8 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "visibility.compare_with",
                     "visibility.numbers"});
     // There is only one version; a layout and a pin by object are written, not dragged.
-    const std::set<std::string> without = {"version",
-                                           "projection.aspect",
-                                           "depth.buffer",
-                                           "slips.degrees_as_radians",
-                                           "slips.plus_2ab",
-                                           "slips.normal_not_unit",
-                                           "view.pin",
-                                           "view.layout.big",
-                                           "view.layout.matrices",
-                                           "view.layout.controls",
-                                           "view.layout.folded"};
+    const std::set<std::string> without = {
+        "version", "view.pin", "view.layout.big", "view.layout.matrices", "view.layout.controls", "view.layout.folded"};
     for (const Field& field : fields()) {
         const std::string path(field.path);
         EXPECT_TRUE(reached.contains(path) != without.contains(path)) << path;
@@ -274,6 +270,22 @@ TEST_F(PanelTest, WhatIsHiddenInTheOpeningStateHasItsControl) {
         const Params before = params;
         desk.drag(label, 25.0F);
         EXPECT_EQ(differing_fields(before, params), Paths{field});
+    }
+}
+
+// Both show only with a plane that they change.
+TEST_F(PanelTest, TheSlipsOfRAreSwitchesWhereTheyShow) {
+    desk.fold_out_all();
+    EXPECT_FALSE(ui.find("reflection/+2ab in R").enabled);
+    EXPECT_FALSE(ui.find("reflection/n not unit").enabled);
+    params.planes.front().equation = {0.3, 1.0, 0.15, 0.5};
+    desk.settle();
+    for (const auto& [label, field] : std::vector<std::pair<std::string, std::string>>{
+             {"reflection/+2ab in R", "slips.plus_2ab"}, {"reflection/n not unit", "slips.normal_not_unit"}}) {
+        const Params before = params;
+        desk.click(label);
+        EXPECT_EQ(differing_fields(before, params), Paths{field});
+        desk.undo();
     }
 }
 

@@ -12,6 +12,13 @@ namespace viewing {
 namespace {
 
 void say_tests(Sayer& tell, const DepthParams& depth) {
+    if (!depth.buffer) {
+        tell.broken(true,
+                    tr("the window has no depth buffer (GLUT_DEPTH is left out): whatever is set, the depth test "
+                       "passes always, and whatever is drawn last wins"),
+                    "depth.buffer");
+        return;
+    }
     if (!depth.test) {
         tell.broken(true,
                     tr("depth test off: whatever is drawn last wins, and no depth is written either, so the depth "
@@ -59,9 +66,9 @@ double start_of_cleared_code(const DepthParams& depth, const Lens& lens) {
 /// What has the depth of the background is not nearer than it.
 void say_cleared_code(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DepthParams& depth = params.depth;
-    const bool refuses_ties = depth.test && depth.func == CompareFunc::less;
+    const bool refuses_ties = depth.tests() && depth.func == CompareFunc::less;
     if (!refuses_ties || !is_cleared_to_farthest(depth) || has_bent_depth(depth)) return;
-    const double start = start_of_cleared_code(depth, params.projection.lens());
+    const double start = start_of_cleared_code(depth, params.lens());
     // Nearly at far: it is cut there, and rounding decides.
     if (start > params.projection.far * (1.0 - 1e-3)) return;
     if (objects_at_most(scene, glm::transpose(derived.view_from_world)[2], -start).empty()) return;

@@ -18,7 +18,7 @@ inline bool has_bent_depth(const DepthParams& depth) {
 
 /// Whether surfaces are compared by being nearer, as they should be.
 inline bool wants_nearer(const DepthParams& depth) {
-    return depth.test && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);
+    return depth.tests() && (depth.func == CompareFunc::less || depth.func == CompareFunc::lequal);
 }
 
 }  // namespace viewing

@@ -37,14 +37,14 @@ std::array<glm::dvec4, 6> sides_of(const Lens& lens, double aspect) {
         const double y = 0.5 * lens.height, x = y * aspect;
         return {{{1, 0, 0, x}, {-1, 0, 0, x}, {0, 1, 0, y}, {0, -1, 0, y}, front, far}};
     }
-    const double y = std::tan(glm::radians(0.5 * lens.fovy_deg)), x = y * aspect;
+    const double y = std::tan(glm::radians(0.5 * std::abs(lens.fovy_deg))), x = y * aspect;
     return {{{1, 0, -x, 0}, {-1, 0, -x, 0}, {0, 1, -y, 0}, {0, -1, -y, 0}, front, far}};
 }
 
 /// Finds the eye distances of convex polygons inside the view. Source: Sutherland and Hodgman 1974.
 class View {
 public:
-    View(const Params& params, const Derived& derived) : sides_(sides_of(params.projection.lens(), derived.aspect)) {}
+    View(const Params& params, const Derived& derived) : sides_(sides_of(params.lens(), derived.aspect)) {}
 
     /// Adds what is inside of a polygon in view space.
     void add(std::span<const glm::dvec3> polygon_view, Reach& reach) {

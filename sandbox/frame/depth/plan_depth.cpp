@@ -17,7 +17,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.depth_format = depth.format;
     frame.depth_mapping = depth.mapping;
     frame.logarithm_per_vertex = depth.logarithm_per_vertex;
-    frame.lens = params.projection.lens();
+    frame.lens = params.lens();
     frame.clip_zero_to_one = derived.clip_zero_to_one;
     frame.decal_offset = {offset_sign(depth) * depth.offset.factor, offset_sign(depth) * depth.offset.units};
     frame.object_marks = derived.object_marks;

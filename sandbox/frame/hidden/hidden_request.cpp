@@ -31,7 +31,7 @@ std::optional<glm::ivec2> raster_pixel(const glm::dvec2& place_px, glm::ivec2 vi
 HiddenRequest hidden_request(const Params& params, const Derived& derived, glm::ivec2 size_px) {
     HiddenRequest request{params.visibility,
                           params.cull,
-                          {derived.view_from_world, clip_from_view(params.projection.lens(), derived.aspect)},
+                          {derived.view_from_world, clip_from_view(params.lens(), derived.aspect)},
                           size_px};
     if (!has_raster(params.visibility)) return request;
     request.size_px = *params.visibility.raster;

@@ -15,7 +15,8 @@ bool has_image(const HiddenResult& result) {
 bool is_mirrored_by_gl_alone(const Params& params, const DerivedPlane& plane) {
     const ReflectionParams& reflection = params.reflection;
     const bool has_other_camera = reflection.mirrored == MirroredThing::camera && !reflection.same_projection;
-    return plane.mirror_by_hand || reflection.printed_by_rows || !reflection.side_of_eye || has_other_camera;
+    return plane.mirror_by_hand || plane.mirror_has_slip || reflection.printed_by_rows || !reflection.side_of_eye ||
+           has_other_camera;
 }
 
 /// What the painter's algorithm gets wrong, in a picture that costs little beside the view's.

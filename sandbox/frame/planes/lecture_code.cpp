@@ -29,14 +29,16 @@ CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light) {
     return lines;
 }
 
-CodeLines mirror_code(const glm::dvec4& unit_plane, bool printed_by_rows) {
-    const glm::dmat4 mirror = mirror_matrix(unit_plane);
+CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab) {
+    glm::dmat4 mirror = mirror_matrix(plane);
+    if (plus_2ab) mirror[0][1] = -mirror[0][1];
     CodeLines lines;
     for (int index = 0; index < 16; ++index) {
         const int row = index % 4, column = index / 4;
         const int mirror_row = printed_by_rows ? column : row, mirror_column = printed_by_rows ? row : column;
-        lines[static_cast<std::size_t>(index)] = {index, mirror_expression(mirror_row, mirror_column), row, column,
-                                                  mirror[mirror_column][mirror_row]};
+        std::string expression = mirror_expression(mirror_row, mirror_column);
+        if (plus_2ab && mirror_row == 1 && mirror_column == 0) expression.erase(0, 2);  // the minus
+        lines[static_cast<std::size_t>(index)] = {index, expression, row, column, mirror[mirror_column][mirror_row]};
     }
     return lines;
 }

@@ -39,7 +39,7 @@ glm::dmat4 seen_on_plane(const Mirror& mirror, const Derived& derived) {
 void say_oblique(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene,
                  const FramePlan& frame) {
     constexpr double alike = 1.05;
-    const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
     const std::optional<ObliqueDepth> depth = oblique_depth(params, derived, scene, frame);
     if (!depth) return;
@@ -98,7 +98,7 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
     const auto is_covered = [&](const Mirror& mirror) {
         return lands_inside(scene, seen_on_plane(mirror, derived), mirror.towards_eye(), mirror.plane.patch);
     };
-    const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
     tell.broken(
         !reflection.stencil && std::any_of(mirrors.begin(), mirrors.end(), image_is_wider),
         tr("R knows the whole plane, not its patch: without the stencil the image shows beyond the mirror's edge"),
@@ -111,6 +111,29 @@ void say_masks(Sayer& tell, const Params& params, const Derived& derived, const 
                     std::any_of(mirrors.begin(), mirrors.end(), is_covered),
                 tr("the mirror is painted last and without a depth test: it covers what stands in front of it"),
                 "reflection.after_objects");
+}
+
+/// R as the slips have it, of the first mirror that shows it.
+void say_slips(Sayer& tell, const Params& params, const Derived& derived, const std::vector<Mirror>& mirrors) {
+    constexpr double least = 1e-9;
+    const SlipParams& slips = params.slips;
+    for (const Mirror& mirror : mirrors) {
+        if (!mirror.plane.mirror_has_slip) continue;
+        const auto index = static_cast<std::size_t>(&mirror.plane - derived.planes.data());
+        const glm::dvec3 n(slips.normal_not_unit ? params.planes[index].equation : mirror.plane.unit_plane);
+        const double length = glm::length(n), entry = 2.0 * n.x * n.y;
+        tell.broken(slips.plus_2ab && std::abs(entry) > least,
+                    say("slip: row 2, column 1 of R is +2ab = {wrong} in place of −2ab = {right}: R R is not I, and "
+                        "the image does not fit its mirror",
+                        "wrong"_a = figures(entry, 3), "right"_a = figures(-entry, 3)),
+                    "slips.plus_2ab");
+        tell.broken(slips.normal_not_unit && std::abs(length - 1.0) > least,
+                    say("slip: R takes (a, b, c, d) as typed, but |n| is {length}, not 1: every point is moved "
+                        "|n|² = {factor} times as far as to its mirror image",
+                        "length"_a = figures(length, 3), "factor"_a = figures(length * length, 3)),
+                    "slips.normal_not_unit");
+        return;
+    }
 }
 
 /// What R, its winding and its camera make of the scene.
@@ -249,6 +272,7 @@ void find_mirror_problems(std::vector<Problem>& problems, const Params& params, 
     if (params.reflection.clip == MirrorClip::oblique) say_oblique(tell, params, derived, scene, frame);
     say_clipping(tell, params, mirrors, scene);
     say_masks(tell, params, derived, mirrors, scene);
+    say_slips(tell, params, derived, mirrors);
     say_images(tell, params, derived, mirrors);
     say_bounces(tell, params, derived, mirrors, frame.reflection_depth);
     say_shadows_inside(tell, params, derived, mirrors);

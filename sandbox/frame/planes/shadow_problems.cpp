@@ -90,7 +90,7 @@ void say_casters(Sayer& tell, const ShadowParams& shadow, const std::vector<Thro
 /// The offset that keeps a blended shadow from fighting with its plane.
 void say_offset(Sayer& tell, const Params& params) {
     const ShadowParams& shadow = params.shadow;
-    const bool tests = params.depth.test && params.visibility.method == VisibilityMethod::depth_buffer;
+    const bool tests = params.depth.tests() && params.visibility.method == VisibilityMethod::depth_buffer;
     if (!tests) return;
     const bool by_polygon = shadow.offset == ShadowOffset::polygon_offset,
                by_lift = shadow.offset == ShadowOffset::lift;

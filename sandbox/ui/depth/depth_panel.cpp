@@ -52,6 +52,7 @@ void draw_depth_section(Session& session) {
     if (!widgets::Section("Depth buffer", false)) return;
     const widgets::Group group("buffer");
     Params& params = session.params;
+    control(params, "depth.buffer", {.label = marked("The window has one")});
     control(params, "depth.format", {.width = 130.0F, .names = format_names});
     control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
     mapping_switches(params);

@@ -23,9 +23,11 @@ void depth_legend(const Params& params, const glm::dvec2& range, const Rect& rec
 }
 
 void tell_missing_depth(const Params& params, const Rect& rect) {
-    if (params.visibility.method == VisibilityMethod::depth_buffer) return;
-    const std::string sentence = widgets::BrokenAtBlanks(
-        tr("This method draws with GL's depth test off: no depth is written."), rect.width() - px(20.0F));
+    const bool by_buffer = params.visibility.method == VisibilityMethod::depth_buffer;
+    if (by_buffer && params.depth.buffer) return;
+    const char* const why = by_buffer ? tr("The window has no depth buffer: there is no depth to show.")
+                                      : tr("This method draws with GL's depth test off: no depth is written.");
+    const std::string sentence = widgets::BrokenAtBlanks(why, rect.width() - px(20.0F));
     widgets::HaloText(ImGui::GetWindowDrawList(), {rect.min.x + px(10.0F), rect.min.y + px(8.0F)}, palette().text,
                       sentence.c_str());
 }
@@ -94,7 +96,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     Params& params = session.params;
     const bool is_linear = params.view.depth_scale == DepthScale::linear;
     depth_choices(params, rect.max.x);
-    const Lens lens = params.projection.lens();
+    const Lens lens = params.lens();
     const DepthMapping mapping = params.depth.mapping;
     const auto shown = [&](double distance) { return is_linear ? distance : window_depth(lens, mapping, distance); };
     const auto meant = [&](double value) { return is_linear ? value : distance_of_window_depth(lens, mapping, value); };

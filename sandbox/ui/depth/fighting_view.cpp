@@ -41,7 +41,9 @@ constexpr std::array<ColumnText, column_count> columns = {{
      marked("Which codes meet the pixels goes by chance: the mean over 12 cameras that tremble by a thousandth of the "
             "target's distance, and between which shares they lie."),
      "column:fighting.trembling"},
-    {marked("counted"), marked("The share of the pair's pixels that show the wrong surface."),
+    {marked("counted"),
+     marked("The share of the pair's pixels that show the wrong surface. They are not random parts, as the slide has "
+            "it: the same frame rounds to the same codes, and only what moves changes them."),
      "column:fighting.counted"},
     {marked("wrong pixels"),
      marked("Pixels that show the wrong surface, and all that the pair has, away from its edges."),

@@ -57,13 +57,18 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
     ImDrawList* const draw = ImGui::GetWindowDrawList();
     for (std::size_t row = 0; row < lines.size(); ++row) {
         const DisplayLine& line = lines[row];
+        const char* const code = line.code.c_str();
         const ImVec2 at(rect.min.x + margin, rect.min.y + margin + size * spacing * static_cast<float>(row));
-        const ImVec2 end(at.x + font->CalcTextSizeA(size, FLT_MAX, 0.0F, line.code.c_str()).x, at.y + size);
+        const ImVec2 end(at.x + font->CalcTextSizeA(size, FLT_MAX, 0.0F, code).x, at.y + size);
         const std::string target = target_of(line);
-        if (widgets::IsCovered(target))
+        if (widgets::IsCovered(target)) {
             widgets::DrawPlate(draw, at, {std::max(end.x, rect.max.x - margin), end.y});
-        else
-            draw->AddText(font, size, at, color_of(line), line.code.c_str());
+        } else {
+            draw->AddText(font, size, at, color_of(line), code);
+            ImGui::SetCursorScreenPos(at);
+            ImGui::Dummy({end.x - at.x, end.y - at.y});
+            widgets::Record(code);
+        }
         widgets::MarkTarget(target, at, end);
     }
 }

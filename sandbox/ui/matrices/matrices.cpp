@@ -271,10 +271,13 @@ void camera_matrices(const Params& params, const Derived& derived, const Derived
     const std::string becomes =
         say("P takes view space to clip space; after ÷ w near becomes {near} and far {far}.",
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
+    const std::string aspect = number_text(derived.aspect, 3);
     show({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
           before.clip_from_view, projection_cells(params, derived.clip_zero_to_one), camera_roles()},
-         perspective ? say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3))
-                     : say("aspect {aspect}", "aspect"_a = number_text(derived.aspect, 3)),
+         !perspective               ? say("aspect {aspect}", "aspect"_a = aspect)
+         : slips.degrees_as_radians ? say("c = cot(½ · {fovy} radians), a slip · aspect {aspect}",
+                                          "fovy"_a = number_text(params.projection.fovy, 1), "aspect"_a = aspect)
+                                    : say("c = cot(½ fovy) · aspect {aspect}", "aspect"_a = aspect),
          {});
     const char* const slide = tr("the slide's display()");
     if (!heading(marked("Camera movement"), "", slide, Role::camera, ImGui::GetContentRegionMax().x))
@@ -361,13 +364,17 @@ void shadow_and_mirror(Session& session, const Derived& derived, const Derived& 
     const glm::dmat4& mirror = plane.mirrored_world_from_world;
     const bool by_rows = session.params.reflection.printed_by_rows;
     const bool is_transposed = by_rows && !overrides.mirrored_world_from_world;
-    const std::string fact = is_transposed ? tr("as printed") : "det " + number_text(glm::determinant(mirror), 0);
+    const std::string determinant = "det " + number_text(glm::determinant(mirror), plane.mirror_has_slip ? 2 : 0);
+    const std::string fact = is_transposed           ? tr("as printed")
+                             : plane.mirror_has_slip ? say("a slip, {fact}", "fact"_a = determinant)
+                                                     : determinant;
     show_overridable(
         {marked("Reflection"), "R", "mirror_from_world",
          marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
                 "winding around."),
-         Role::mirror, mirror, plane_before.mirrored_world_from_world, mirror_cells(by_rows), mirror_roles(),
-         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
+         Role::mirror, mirror, plane_before.mirrored_world_from_world,
+         mirror_cells(by_rows, session.params.slips.plus_2ab), mirror_roles(), mirror_matrix(plane.unit_plane),
+         is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), overrides.mirrored_world_from_world);
 }
 

@@ -160,6 +160,12 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
         projection.far = std::max(projection.far, projection.near * 1.001);
 
+    if (details("Aspect and radians")) {
+        control(params, "projection.aspect",
+                {.slider = true, .label = marked("aspect, 0: the view's"), .min = 0.0, .max = 4.0});
+        control(params, "slips.degrees_as_radians", {.label = marked("degrees given as radians")});
+    }
+
     const DepthPrecision precision = precision_of(params.depth.format);
     const std::string z = number_text(derived.facts.target_distance, 2),
                       step = number_text(derived.facts.resolvable_step_at_target, 2);

@@ -101,7 +101,8 @@ HandlePlaces handle_places(const Derived& derived) {
 HandlePlaces observer_handle_places(const Params& params, const Derived& derived) {
     HandlePlaces places = handle_places(derived);
     const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
-    const glm::dvec3 eye(derived.world_from_view[3]);
+    const glm::dmat4 world_from_view = placed_camera(params);
+    const glm::dvec3 eye(world_from_view[3]);
     const auto middles = [&corners](std::size_t first) {
         std::array<glm::dvec3, 5> found{};
         for (std::size_t edge = 0; edge < 4; ++edge)
@@ -110,7 +111,7 @@ HandlePlaces observer_handle_places(const Params& params, const Derived& derived
         return found;
     };
     constexpr double share = 0.14;  // of the observer's distance: about as long in any picture
-    const glm::dvec3 forward = -glm::dvec3(derived.world_from_view[2]);
+    const glm::dvec3 forward = -glm::dvec3(world_from_view[2]);
     places.camera = {eye, eye + forward * (share * params.observer.distance), middles(0), middles(4)};
     return places;
 }

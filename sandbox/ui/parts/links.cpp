@@ -36,7 +36,7 @@ MatrixCells shadow_cells() {
     return cells;
 }
 
-MatrixCells mirror_cells(bool printed_by_rows) {
+MatrixCells mirror_cells(bool printed_by_rows, bool plus_2ab) {
     const Links* p = link::plane;
     MatrixCells cells = cells_of({"1 - 2a^2", "-2ab", "-2ac", "-2ad",  //
                                   "-2ab", "1 - 2b^2", "-2bc", "-2bd",  //
@@ -46,6 +46,7 @@ MatrixCells mirror_cells(bool printed_by_rows) {
                                   p[0] | p[1], p[1], p[1] | p[2], p[1] | p[3],  //
                                   p[0] | p[2], p[1] | p[2], p[2], p[2] | p[3],  //
                                   0, 0, 0, 0});
+    if (plus_2ab) cells[4].symbol = "+2ab";
     for (std::size_t row = 0; printed_by_rows && row < 4; ++row)
         for (std::size_t column = 0; column < row; ++column)
             std::swap(cells[4 * row + column], cells[4 * column + row]);

@@ -35,8 +35,8 @@ using MatrixCells = std::array<widgets::MatrixCell, 16>;
 
 /// Symbols and links of each entry, row by row.
 MatrixCells shadow_cells();
-/// `printed_by_rows`: of the transpose, which GL gets from the slide's code.
-MatrixCells mirror_cells(bool printed_by_rows = false);
+/// `printed_by_rows`: of the transpose, which GL gets from the slide's code. `plus_2ab`: with the slip of that name.
+MatrixCells mirror_cells(bool printed_by_rows = false, bool plus_2ab = false);
 /// `swapped_order`: for the slip C = R T.
 MatrixCells view_cells(bool swapped_order);
 MatrixCells camera_cells(bool swapped_order);

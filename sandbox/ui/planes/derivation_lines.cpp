@@ -66,7 +66,8 @@ void introduce_w(Lines& lines) {
     heading(lines, marked("The common denominator becomes w"));
     note(lines,
          marked("No matrix can divide by what differs from point to point. So its last row makes the denominator, "
-                "as w, and the division is left to the end."));
+                "as w, and the division is left to the end. The slide writes 1 in its place, which is what it is after "
+                "that."));
 }
 
 /// The rows of the slide "Planar Shadow", for y = 0.

@@ -188,6 +188,10 @@ void mirror_form(const MirrorDerivation& found) {
     widgets::Matrix("R derived", found.mirrored_world_from_world,
                     {.cells = cells, .roles = mirror_roles(), .target = "matrix:R"}, width);
     widgets::MarkTarget("text:mirror_derivation.matrix", from, ImGui::GetItemRectMax());
+    widgets::Note(
+        "The slide divides n·q + d by |n| once. That makes k a distance, but the n behind it has to be of length 1, "
+        "too: "
+        "for a plane as it is typed, divide by |n|².");
     if (found.plane == MirrorPlane::general)
         widgets::Note("The buttons yz, xz and xy of the plane give the three that the slide shows.");
 }
@@ -234,6 +238,7 @@ void draw_mirror_derivation(Session& session, const Derived& derived, const Rect
     const std::vector<DerivationLine> lines = mirror_lines(found);
     const bool is_stepped = step_bar(session.params, lines, player);
     if (derived.chosen_plane().mirror_by_hand) widgets::Note("R is entered by hand; here it is as derived.");
+    if (derived.chosen_plane().mirror_has_slip) widgets::Note("A slip is in R; here it is as derived.");
     equation({"q", "= " + derivation_vector(found.point_world)});
     plane_line(found.unit_plane);
     tell_point(derived, "q");

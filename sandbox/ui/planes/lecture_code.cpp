@@ -202,15 +202,20 @@ void order_switch(Params& params, double d) {
 
 void mirror_function(const Params& params, const Derived& derived) {
     const bool printed = params.reflection.printed_by_rows;
+    const SlipParams& slips = params.slips;
+    const glm::dvec4& plane =
+        slips.normal_not_unit ? params.planes[derived.chosen.plane].equation : derived.chosen_plane().unit_plane;
     const Function function{"ReflectionMatrix",
                             "void ReflectionMatrix(GLfloat reflectionMat[16], GLfloat plane[4])",
                             "reflectionMat",
                             'R',
-                            mirror_code(derived.chosen_plane().unit_plane, printed),
-                            mirror_cells(printed),
+                            mirror_code(plane, printed, slips.plus_2ab),
+                            mirror_cells(printed, slips.plus_2ab),
                             mirror_roles()};
     title(function);
     widgets::Note(printed ? marked("Filled by rows.") : marked("Filled by columns."));
+    if (slips.normal_not_unit) widgets::Trouble("A slip: plane[] is as it is typed, not divided by |n|.");
+    if (slips.plus_2ab) widgets::Trouble("A slip: row 2, column 1 has lost its minus.");
     if (derived.chosen_plane().mirror_by_hand) widgets::Trouble("R is entered by hand and not what this code fills.");
     draw_lines(function, std::nullopt);
 }

@@ -157,6 +157,7 @@ void mirror_switches(Params& params) {
     static constexpr Row rows[] = {
         {"reflection.side_of_eye", marked("Side of the eye"), "reflection.shadows", marked("Shadows inside")},
         {"reflection.after_objects", marked("Mirror last"), "reflection.printed_by_rows", marked("R as printed")},
+        {"slips.normal_not_unit", marked("n not unit"), "slips.plus_2ab", marked("+2ab in R")},
     };
     for (const Row& row : rows) {
         control(params, row.left, {.label = row.left_label});

@@ -61,10 +61,9 @@ double distance_at(const Overlay& overlay, const Scene& scene, const Derived& de
 }
 
 /// World units that a pixel is wide at an eye distance.
-double world_per_px(const ProjectionParams& projection, double distance, float height_px) {
-    const double height = projection.type == ProjectionType::orthographic
-                              ? projection.height
-                              : 2.0 * distance * std::tan(glm::radians(0.5 * projection.fovy));
+double world_per_px(const Lens& lens, double distance, float height_px) {
+    const double height =
+        lens.orthographic ? lens.height : 2.0 * distance * std::tan(glm::radians(0.5 * lens.fovy_deg));
     return height / static_cast<double>(height_px);
 }
 
@@ -113,7 +112,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
     if (ImGui::IsItemActive() &&
         (ImGui::IsMouseDown(ImGuiMouseButton_Right) || ImGui::IsMouseDown(ImGuiMouseButton_Middle)))
         motion.pan += glm::dvec2(-io.MouseDelta.x, io.MouseDelta.y) *
-                      world_per_px(session.params.projection, state.pan_distance, overlay.rect().height());
+                      world_per_px(session.params.lens(), state.pan_distance, overlay.rect().height());
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) {
         if (state.looking && state.dragged_px <= px(3.0F)) {
             PolygonLinks& links = state.hidden.links;

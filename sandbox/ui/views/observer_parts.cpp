@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "frame/matrix_facts.h"
 #include "geometry/plane.h"
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
@@ -10,6 +11,16 @@ namespace viewing {
 namespace {
 
 constexpr std::size_t most_objects = 8, most_rays = 12;  ///< so that the rays can still be told apart
+
+/// The edges of near and far, and from the eye, or in an orthographic view from near, to far.
+void draw_pyramid(Overlay& overlay, const std::array<glm::dvec3, 8>& corners, const glm::dvec3& eye, bool perspective,
+                  ImU32 color) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        overlay.line(corners[corner], corners[(corner + 1) % 4], color, 1.0F);
+        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], color, 1.0F);
+        overlay.line(perspective ? eye : corners[corner], corners[corner + 4], color, 1.0F);
+    }
+}
 
 }  // namespace
 
@@ -49,8 +60,8 @@ void draw_patches(Overlay& overlay, const Derived& derived) {
     }
 }
 
-void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived) {
-    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
+void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view) {
+    const std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, world_from_view);
     for (std::size_t corner = 0; corner < 4; ++corner) {
         overlay.line(corners[corner], corners[(corner + 1) % 4], palette().camera);
         overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], palette().camera, 1.5F);
@@ -59,7 +70,7 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
     const ImU32 faint = with_alpha(palette().camera, 28);
     overlay.fill({corners[0], corners[1], corners[2], corners[3]}, faint);
     overlay.fill({corners[4], corners[5], corners[6], corners[7]}, faint);
-    const glm::dvec3 eye(derived.world_from_view[3]);
+    const glm::dvec3 eye(world_from_view[3]);
     if (params.projection.type == ProjectionType::perspective)
         for (std::size_t corner = 0; corner < 4; ++corner) overlay.line(eye, corners[corner], palette().camera);
     overlay.dot(eye, palette().camera, 5.0F);
@@ -68,22 +79,29 @@ void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived
     overlay.label((corners[4] + corners[5]) * 0.5, tr("far"), palette().camera);
 }
 
+void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived) {
+    const glm::dmat4 effective = effective_camera(derived);
+    if (largest_entry(effective - placed_camera(params)) < 1e-9) return;
+    const glm::dvec3 eye(effective[3]);
+    draw_pyramid(overlay, frustum_corners(params, derived, effective), eye,
+                 params.projection.type == ProjectionType::perspective, with_alpha(palette().trouble, 200));
+    overlay.ring(eye, palette().trouble, 7.0F);
+    overlay.dot(eye, palette().trouble, 4.0F);
+    overlay.label(eye, tr("V puts the eye here"), palette().trouble);
+}
+
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived) {
     // Of the plane itself: R may be broken by hand or by rows.
     const glm::dmat4 mirrored_world_from_world = mirror_matrix(derived.chosen_plane().unit_plane);
     const auto mirrored = [&](const glm::dvec3& point) {
         return glm::dvec3(mirrored_world_from_world * glm::dvec4(point, 1.0));
     };
-    std::array<glm::dvec3, 8> corners = frustum_corners(params, derived);
+    const glm::dmat4 effective = effective_camera(derived);
+    std::array<glm::dvec3, 8> corners = frustum_corners(params, derived, effective);
     std::transform(corners.begin(), corners.end(), corners.begin(), mirrored);
-    const glm::dvec3 eye = mirrored(glm::dvec3(derived.world_from_view[3]));
-    const bool perspective = params.projection.type == ProjectionType::perspective;
-    const ImU32 thin = with_alpha(palette().mirror, 170);
-    for (std::size_t corner = 0; corner < 4; ++corner) {
-        overlay.line(corners[corner], corners[(corner + 1) % 4], thin, 1.0F);
-        overlay.line(corners[corner + 4], corners[(corner + 1) % 4 + 4], thin, 1.0F);
-        overlay.line(perspective ? eye : corners[corner], corners[corner + 4], thin, 1.0F);
-    }
+    const glm::dvec3 eye = mirrored(glm::dvec3(effective[3]));
+    draw_pyramid(overlay, corners, eye, params.projection.type == ProjectionType::perspective,
+                 with_alpha(palette().mirror, 170));
     overlay.dot(eye, palette().mirror, 5.0F);
     overlay.label(eye, tr("mirrored eye"), palette().mirror);
 }

@@ -28,7 +28,10 @@ void draw_light_rays(Overlay& overlay, const std::vector<OutlineVertex>& rays, c
 void draw_patches(Overlay& overlay, const Derived& derived);
 
 /// The pyramid that a camera sees, with its eye; orthographic: a box.
-void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived);
+void draw_frustum(Overlay& overlay, const Params& params, const Derived& derived, const glm::dmat4& world_from_view);
+
+/// The same once more where V really puts the eye; nothing where that is where the camera stands.
+void draw_effective_eye(Overlay& overlay, const Params& params, const Derived& derived);
 
 /// eye′ = R eye, and the frustum through which it sees the same image in the mirror.
 void draw_mirrored_eye(Overlay& overlay, const Params& params, const Derived& derived);

@@ -67,7 +67,8 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Left)) state.grip = {};
 
     draw_patches(overlay, derived);
-    draw_frustum(overlay, session.params, derived);
+    draw_frustum(overlay, session.params, derived, placed_camera(session.params));
+    draw_effective_eye(overlay, session.params, derived);
     const ObserverParams& shows = session.params.observer;
     if (shows.light_rays) draw_light_rays(overlay, state.light_rays.of(session, derived), derived.chosen_light());
     if (shows.mirrored_eye) draw_mirrored_eye(overlay, session.params, derived);
@@ -86,7 +87,7 @@ void draw_moving_world_view(Session& session, ViewState& state, const Derived& d
     Overlay overlay(ImGui::GetWindowDrawList(), rect, view.clip_from_world);
     world_axes(overlay);
     draw_patches(overlay, derived);
-    draw_frustum(overlay, session.params, derived);
+    draw_frustum(overlay, session.params, derived, effective_camera(derived));
     const glm::dvec3 light = lamp_place(derived.chosen_light(), derived);
     overlay.dot(light, palette().light, 6.0F);
     overlay.label(light, "ℓ", palette().light);

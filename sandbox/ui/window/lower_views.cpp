@@ -63,7 +63,12 @@ void tree_legend(float right) {
     for (const char* legend : legends) {
         if (left + font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, tr(legend)).x > right) continue;
         header_note(legend, right);
-        return widgets::Tooltip("How the tree is read", legends[0]);
+        return widgets::Tooltip("How the tree is read",
+                                (std::string(tr(legends[0])) + "\n" +
+                                 tr("The tree does not depend on the eye, as the slide's \"according to the viewer "
+                                    "direction\" may sound: it "
+                                    "is built once, and only the walk through it goes by the eye."))
+                                    .c_str());
     }
 }
 

@@ -189,7 +189,7 @@ int seen_at(const glm::dvec2& place_px, const Params& params, const Scene& scene
             const std::vector<Polygon>& polygons) {
     const Derived derived = derive(params, scene, Viewport{view_px});
     const glm::dmat4 world_from_clip =
-        glm::inverse(clip_from_view(params.projection.lens(), derived.aspect) * derived.view_from_world);
+        glm::inverse(clip_from_view(params.lens(), derived.aspect) * derived.view_from_world);
     const auto unproject = [&](double z) {
         const glm::dvec2 ndc = place_px / glm::dvec2(view_px) * glm::dvec2(2.0, -2.0) + glm::dvec2(-1.0, 1.0);
         const glm::dvec4 point = world_from_clip * glm::dvec4(ndc, z, 1.0);

@@ -36,7 +36,7 @@ public:
         }
         polygons = polygons_of(instances).polygons;
         viewpoint = {view_from_world(world_from_view(params.camera.position, params.camera.angles())),
-                     clip_from_view(params.projection.lens(), static_cast<double>(width) / height)};
+                     clip_from_view(params.lens(), static_cast<double>(width) / height)};
         reference =
             cast_rays(RayScene(polygons), viewpoint.clip_from_world(), {.width = width, .height = height}).image;
     }
