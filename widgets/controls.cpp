@@ -377,6 +377,7 @@ bool SmallButton(const char* label, bool enabled, const char* why_disabled) {
 }
 
 bool Section(const char* label, bool open_by_default, const char* note, const char* trouble) {
+    if (IsListing()) return true;
     const Context& context = CurrentContext();
     const Palette& palette = context.palette;
     ImGuiStorage* storage = ImGui::GetStateStorage();

@@ -86,7 +86,9 @@ bool Light(const char* label, glm::dvec4& light, const glm::dvec4& default_value
     ImGui::BeginGroup();
     {
         const Group group(label);
-        const int clicked = inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
+        // They would tell w.
+        const bool is_covered = inner::CoveredBox("kind", 3, {ImGui::CalcItemWidth(), ImGui::GetFrameHeight()});
+        const int clicked = is_covered ? -1 : inner::SegmentBar(kinds, light.w == 1.0 ? 0 : light.w == 0.0 ? 1 : -1);
         if (clicked >= 0) edited.w = clicked == 0 ? 1.0 : 0.0;
     }
     {

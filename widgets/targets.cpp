@@ -95,6 +95,14 @@ bool IsSought(std::span<const char* const> names) {
     });
 }
 
+bool IsListed(std::string_view name) {
+    return !IsListing() || IsIn(Current().listed, name);
+}
+
+bool IsListing() {
+    return !Current().listed.empty();
+}
+
 void OpenNextSection() {
     Current().opens_next = true;
 }

@@ -15,6 +15,7 @@ namespace widgets {
 
 struct Targets {
     std::vector<std::string> covered;      ///< nothing of these is drawn, told or copied
+    std::vector<std::string> listed;       ///< where there are any, a panel shows controls of these names alone
     std::vector<std::string> highlighted;  ///< these are marked, brought into view and framed
 
     /// Where something highlighted is seen in this frame: of all its parts in one window together.
@@ -47,6 +48,11 @@ bool IsHighlighted(std::string_view name);
 bool IsSought(std::span<const char* const> names);
 /// Opens the next Section, whatever it was.
 void OpenNextSection();
+
+/// Whether a panel is to show the thing of this name; where nothing is listed, all.
+bool IsListed(std::string_view name);
+/// Whether only what is listed is shown: no headlines, nothing that has no name.
+bool IsListing();
 
 /// The last item, or a rectangle of the current window, bears this name.
 void MarkTarget(std::string_view name);

@@ -90,6 +90,7 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     shown_.problems = find_problems(shown_.params, shown_.derived, session.scene(), shown_.plan);
     if (shown_.hidden && !answer_.is_behind())
         if (const std::optional<Problem> wrong = painter_problem(*shown_.hidden)) shown_.problems.push_back(*wrong);
+    shown_.pinned = pinned_pixel(shown_.params, shown_.derived, shown_.plan, session.scene(), shown_.camera_px);
     shown_.inspected = plan(probed(shown_.params), shown_.derived, found);
     session.report(draw_views(layout, coarse ? *coarse : session.scene(), is_interactive));
     drawn_ = wanted;
@@ -118,6 +119,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
             return lesson->steps.at(std::min(card.step, lesson->steps.size() - 1)).start;
         }));
     const StatusLine told = status(surroundings.shows_time);
+    workbench.views.pinned = shown_.pinned;
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
@@ -185,7 +187,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
     const auto started = std::chrono::steady_clock::now();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
-    if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arrangement,
+    if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arranged(session),
                       workbench.widgets))
         settling_ = 3;
     session.update_scene();

@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/pinned_pixel.h"
 #include "report/pixel_as_json.h"
 
 namespace viewing {
@@ -15,18 +16,26 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const StateArguments state_arguments(options);
     std::optional<std::string> pixel_text, size_text, device_text;
     options.group("Pixel");
-    options.text("--pixel", "X,Y", pixel_text, "Which one; 0,0 is the top left; default: the state's view.pixel");
+    options.text("--pixel", "X,Y", pixel_text,
+                 "Which one; 0,0 is the top left; default: the state's view.pin or view.pixel");
     options.text("--size", "WxH", size_text, size_help);
     add_device_option(options, device_text);
     if (!options.parse(arguments)) return ExitStatus::done;
 
     const glm::ivec2 size_px = size_option(options, size_text);
     const LoadedState state = state_arguments.load();
-    if (const auto& pinned = state.params.view.pixel; pinned && !pixel_text)
-        pixel_text = std::to_string(pinned->x) + "," + std::to_string(pinned->y);
-    const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
     const Scene scene = scene_of(state);
-    refuse_beyond_budget(state.params, derive(state.params, scene, Viewport{size_px}), scene, size_px);
+    const Derived derived = derive(state.params, scene, Viewport{size_px});
+    if (!pixel_text) {
+        const PinnedPixel pinned = pinned_pixel(state.params, derived, plan(state.params, derived), scene, size_px);
+        if (!pinned.why_none.empty() && state.params.view.pin) throw Failure(ExitStatus::bad_input, pinned.why_none);
+        if (pinned.pixel)
+            pixel_text = std::to_string(pinned.pixel->x) + "," + std::to_string(pinned.pixel->y);
+        else if (const auto& pixel = state.params.view.pixel)
+            pixel_text = std::to_string(pixel->x) + "," + std::to_string(pixel->y);
+    }
+    const glm::ivec2 pixel = pixel_option(options, pixel_text, size_px);
+    refuse_beyond_budget(state.params, derived, scene, size_px);
     Headless headless(device_option(options, device_text));
     const Json json = headless.drawn(pixel_as_json(headless.renderer(), state.params, scene, pixel, size_px));
     print(print_document(json) + "\n");

@@ -55,8 +55,31 @@ constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", 
 /// What is said anywhere: red sentences, advice on z-near, formulas of tooltips, links between entries and controls.
 constexpr const char* alone[] = {"lamps", "sentences", "advice", "formulas", "links"};
 
-/// Fields that no control shows.
-constexpr const char* without_control[] = {"version", "overrides", "follow", "ui", "view.shows"};
+/// Fields that no control of the panel or of the camera view's headline shows.
+constexpr const char* without_control[] = {"version",
+                                           "overrides",
+                                           "follow",
+                                           "ui",
+                                           "scene",
+                                           "lights",
+                                           "planes",
+                                           "visibility.raster",
+                                           "visibility.pixel",
+                                           "view.depth_range",
+                                           "view.samples",
+                                           "view.plane",
+                                           "view.light",
+                                           "view.beside.share",
+                                           "view.pixel",
+                                           "view.pin",
+                                           "view.cells",
+                                           "view.call",
+                                           "view.triangle",
+                                           "view.pass",
+                                           "view.derivation_step",
+                                           "view.lower_left",
+                                           "view.lower_right",
+                                           "view.layout"};
 
 int component_count(const Field& field) {
     const std::string_view type = type_name(field);

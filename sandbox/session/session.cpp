@@ -159,14 +159,17 @@ bool Session::departs_from_preset() const {
     if (!preset_) return false;
     Params as_it_was = preset_->params;
     as_it_was.ui = params.ui;
+    as_it_was.view.layout = params.view.layout;
     return as_it_was != params;
 }
 
 void Session::return_to_preset() {
     if (!preset_) return;
     const UiParams ui = params.ui;
+    const LayoutParams layout = params.view.layout;
     params = preset_->params;
     params.ui = ui;
+    params.view.layout = layout;
     motion_ = {};
 }
 

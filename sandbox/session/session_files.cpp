@@ -114,9 +114,11 @@ void Session::end_reading(Result<Arrived> result) {
     }
     for (const std::filesystem::path& file : result->scene.read) allowed_.add(file);
     if (wanted.is_whole) {
-        // A state that says nothing of its looks keeps the ones that the person has chosen.
+        // A state that says nothing of its looks and layout keeps the ones that the person has chosen.
         UiParams& looks = result->state.params.ui;
+        LayoutParams& layout = result->state.params.view.layout;
         if (!wanted.argument.empty() && looks == UiParams{}) looks = params.ui;
+        if (!wanted.argument.empty() && layout == LayoutParams{}) layout = params.view.layout;
         params = result->state.params;
         preset_ = result->state.preset;
         base_ = result->state.base;

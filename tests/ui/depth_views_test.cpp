@@ -153,7 +153,8 @@ private:
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::Begin("views", nullptr, ImGuiWindowFlags_NoDecoration);
         if (shown == Shown::pixel)
-            draw_pixel_view(session, derived, data, rect);
+            draw_pixel_view(session, derived, data,
+                            pinned_pixel(params, derived, frame_plan, session.scene(), camera_px), rect);
         else
             draw_cell_view(session, data, frame_plan, rect, player);
         ImGui::End();

@@ -124,7 +124,7 @@ TEST_F(DerivationViews, HoldEverywhere) {
 TEST_F(DerivationViews, FillTheWindow) {
     for (const Topic topic : {Topic::shadow_derivation, Topic::mirror_derivation}) {
         show(topic);
-        desk.workbench.arrangement.maximised = ViewName::lower_right;
+        desk.params().view.layout.big = BigView::lower_right;
         desk.settle();
         const RecordedItem figure = ui.find("lower/figure");
         EXPECT_GT(figure.max.x - figure.min.x, 300.0F);

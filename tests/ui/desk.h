@@ -246,6 +246,7 @@ private:
         const Derived before = derive(session.before_latest_edit(), session.scene(), viewport);
         frame_plan = plan(session.params, derived);
         problems = find_problems(session.params, derived, session.scene(), frame_plan);
+        workbench.views.pinned = pinned_pixel(session.params, derived, frame_plan, session.scene(), viewport.size_px);
         input.dt_s = ImGui::GetIO().DeltaTime;
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};

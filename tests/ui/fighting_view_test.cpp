@@ -73,6 +73,30 @@ protected:
     }
 };
 
+TEST_F(FightingView, ACoveredColumnSaysNothingNorDoesWhatWouldTellIt) {
+    make_report();
+    rect = {{20, 20}, {980, 400}};
+    ui.frames(3);
+    ASSERT_TRUE(says("minimum gap") && says("all pairs"));
+    context.targets.covered = {"column:fighting.safe_gap", "column:fighting.counted"};
+    ui.frames(3);
+    EXPECT_FALSE(says("minimum gap"));
+    EXPECT_FALSE(says("all pairs"));
+    for (const RecordedItem& item : context.recorded) EXPECT_EQ(item.label.find(" %"), std::string::npos) << item.label;
+    EXPECT_TRUE(says(": ?"));
+}
+
+TEST_F(FightingView, EveryColumnIsFoundByItsName) {
+    make_report();
+    rect = {{20, 20}, {980, 400}};
+    std::vector<std::string>& names = context.targets.highlighted;
+    for (const char* name :
+         {"pair", "z", "gap", "step", "safe_gap", "predicted", "trembling", "counted", "wrong_pixels"})
+        names.push_back(std::string("column:fighting.") + name);
+    ui.frames(3);
+    EXPECT_EQ(widgets::MissingTargets(), std::vector<std::string>{});
+}
+
 TEST_F(FightingView, SaysThatItCountsBeforeThereIsAnything) {
     ui.frames(2);
     EXPECT_TRUE(says("Counting…"));

@@ -232,7 +232,7 @@ TEST_F(FilesTest, KeysRestWhileADialogIsOpen) {
     ui.release();  // takes the keyboard from the name's field
     for (const Key key : {Key::w, Key::n, Key::b, Key::m}) desk.press(key);
     EXPECT_EQ(params, before);
-    EXPECT_EQ(desk.workbench.arrangement.maximised, ViewName::none);
+    EXPECT_EQ(desk.params().view.layout.big, BigView::none);
     EXPECT_TRUE(desk.workbench.views.handles);
     desk.press(Key::escape);
     EXPECT_FALSE(ui.has("file/name"));

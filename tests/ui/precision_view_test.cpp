@@ -63,7 +63,7 @@ TEST_F(PrecisionView, RaisingNearIsOneClick) {
 }
 
 TEST_F(PrecisionView, MarksWhatIsInViewAndNearAndFar) {
-    desk.workbench.arrangement.maximised = ViewName::lower_right;  // where there is room for names
+    desk.params().view.layout.big = BigView::lower_right;  // where there is room for names
     show(Topic::precision);
     EXPECT_TRUE(std::ranges::any_of(desk.recorded(), [](const RecordedItem& item) {
         return item.label.starts_with("lower/precision/mark/") && item.label.find("quad at 4") != std::string::npos;

@@ -135,7 +135,8 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID lit_id = ImGui::GetID("lit");
     const int lit = storage.GetInt(lit_id, -1);
-    int selected = view.pixel ? cell_of(block, *view.pixel) : -1, hovered = -1;
+    const bool is_pinned = (view.pixel || view.pin) && data.pixel;
+    int selected = is_pinned ? cell_of(block, data.pixel->pixel) : -1, hovered = -1;
     bool changed = false;
     const auto grid = [&](const char* id, const std::vector<widgets::Cell>& cells, const Rect& rect) {
         int under = -1;
@@ -150,8 +151,9 @@ int draw_grids(ViewParams& view, const DepthData& data, const FramePlan& plan, c
     grid("colours", picture.colors, layout.colors);
     grid("depths", picture.depths, layout.depths);
     storage.SetInt(lit_id, hovered);
-    if (changed && selected >= 0) view.pixel = pixel_of(block, selected);
-    if (changed && selected < 0) view.pixel.reset();
+    if (!changed) return hovered;
+    view.pin.reset();
+    view.pixel = selected >= 0 ? std::optional(pixel_of(block, selected)) : std::nullopt;
     return hovered;
 }
 

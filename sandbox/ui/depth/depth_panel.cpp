@@ -25,7 +25,7 @@ void mapping_switches(Params& params) {
 
 void decal_controls(Params& params, const Scene& scene) {
     static constexpr const char* methods[] = {marked("Offset"), "GL_EQUAL", marked("Stencil")};
-    ImGui::TextUnformatted(tr("Decals by"));
+    if (widgets::IsListed(target_of("depth.decals"))) ImGui::TextUnformatted(tr("Decals by"));
     control(params, "depth.decals", {.segments = true, .names = methods, .label = "##decals", .scene = &scene});
     control(params, "depth.offset.factor", {.label = marked("decal factor"), .scene = &scene});
     control(params, "depth.offset.units", {.label = marked("decal units"), .scene = &scene});

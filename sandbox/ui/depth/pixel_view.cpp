@@ -16,6 +16,15 @@ namespace {
 
 constexpr const char* follows = marked("follows the pointer: click the picture to pin it");
 
+bool is_pinned(const ViewParams& view) {
+    return view.pixel || view.pin;
+}
+
+void release(ViewParams& view) {
+    view.pixel.reset();
+    view.pin.reset();
+}
+
 struct ViewFonts {
     ImFont *text, *number;
 };
@@ -48,11 +57,11 @@ void color_swatch(const Color& color) {
 
 /// At the right end of the headline, `room` pixels wide: a button that releases the pin, or that there is none.
 void pin_state(ViewParams& view, float right, float room) {
-    if (view.pixel) {
+    if (is_pinned(view)) {
         const float width = ImGui::CalcTextSize(tr("Release")).x + 2.0F * px(8.0F);
         ImGui::SameLine();
         ImGui::SetCursorScreenPos({right - width, ImGui::GetCursorScreenPos().y});
-        if (widgets::SmallButton("Release")) view.pixel.reset();
+        if (widgets::SmallButton("Release")) release(view);
         widgets::Tooltip("Release", "The pixel is pinned; released, the view follows the pointer again.");
         return;
     }
@@ -181,14 +190,15 @@ void draw_pixel(Session& session, const Derived& derived, const DepthData& data)
 
 }  // namespace
 
-void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const Rect& rect) {
+void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const PinnedPixel& pinned,
+                     const Rect& rect) {
     const ViewWindow view("pixel view", rect);
     const widgets::Group group("pixel");
     if (data.pixel) return draw_pixel(session, derived, data);
-    if (!session.params.view.pixel)
+    if (pinned.why_none.empty())
         offer("Point at the camera's picture to see what is stored in a pixel; a click pins it.");
-    else if (offer("The pinned pixel lies outside of the picture.", "Release"))
-        session.params.view.pixel.reset();
+    else if (offer(pinned.why_none.c_str(), "Release"))
+        release(session.params.view);
 }
 
 }  // namespace viewing

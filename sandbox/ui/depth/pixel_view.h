@@ -4,11 +4,14 @@
 
 #include "frame/depth/depth_data.h"
 #include "frame/derive.h"
+#include "frame/pinned_pixel.h"
 #include "session/session.h"
 #include "ui/parts/layout.h"
 
 namespace viewing {
 
-void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const Rect& rect);
+/// `pinned`: as the state says, to tell why there is nothing where something is pinned.
+void draw_pixel_view(Session& session, const Derived& derived, const DepthData& data, const PinnedPixel& pinned,
+                     const Rect& rect);
 
 }  // namespace viewing

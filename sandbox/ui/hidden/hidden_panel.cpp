@@ -131,6 +131,20 @@ void culling_counts(const HiddenResult& result, bool steps) {
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + 4.0F * ImGui::GetTextLineHeight()));
 }
 
+/// Only what is listed: the method's options, and its steps where the step is.
+void draw_listed(HiddenPanelState& state, Params& params, const HiddenStatus& hidden) {
+    options_of(params.visibility.method, params);
+    control(params, "visibility.numbers", {.label = marked("Numbers")});
+    control(params, "visibility.compare_with",
+            {.width = choice_width, .names = method_names, .label = marked("compare")});
+    const HiddenResult* result = hidden.answer ? hidden.answer->camera.get() : nullptr;
+    if (result && widgets::IsListed(target_of("visibility.step"))) {
+        widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
+        widgets::MarkTarget(target_of("visibility.step"));
+    }
+    state.left_step = params.visibility.step;
+}
+
 }  // namespace
 
 void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenStatus& hidden) {
@@ -138,6 +152,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
     const VisibilityMethod method = params.visibility.method;
     const bool is_open = !is_drawn_by_gl_alone(method) || params.view.shows == Shows::difference ||
                          params.visibility.step >= 0 || params.visibility.numbers;
+    if (widgets::IsListing()) return draw_listed(state, params, hidden);
     if (!is_open) {
         behind(widgets::SmallButtonWidth("Steps"));
         if (widgets::SmallButton("Steps")) params.visibility.step = 0;
@@ -160,6 +175,7 @@ void draw_hidden_panel(HiddenPanelState& state, Session& session, const HiddenSt
             {.width = choice_width, .names = method_names, .label = marked("compare")});
     if (!result) return;
     widgets::StepBar("steps", params.visibility.step, result->step_count, state.player, ImGui::GetIO().DeltaTime);
+    widgets::MarkTarget(target_of("visibility.step"));
     const int by_bar = params.visibility.step;
     draw_step_rows(params, *result);
     if (params.visibility.step != by_bar) state.player.playing = false;

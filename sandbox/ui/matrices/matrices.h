@@ -14,4 +14,7 @@ struct MatrixChoice {
 /// `before`: the same numbers before the latest edit; entries that differ are tinted.
 void draw_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
 
+/// Only those that the state lists (view.layout.matrices), in that order, below each other.
+void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice);
+
 }  // namespace viewing

@@ -36,6 +36,7 @@ void camera_lamps(const Session& session) {
     const Lamp lamps[] = {{marked("forward"), can.forward, now.forward}, {marked("strafe"), can.strafe, now.strafe},
                           {marked("up/down"), can.lift, now.lift},       {marked("yaw"), can.yaw, now.yaw},
                           {marked("pitch"), can.pitch, now.pitch},       {marked("roll"), can.roll, now.roll}};
+    if (!widgets::IsListed(target_of("camera.navigation")) && !widgets::IsHighlighted("lamps")) return;
     if (widgets::IsCovered("lamps")) {
         widgets::Plate("degrees of freedom", {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight()});
         return widgets::MarkTarget("lamps");
@@ -50,6 +51,7 @@ void camera_lamps(const Session& session) {
 
 /// Ways to a view that is known; each is a key, too.
 void known_views(Session& session, const Derived& derived) {
+    if (widgets::IsListing()) return;
     const float gap = px(4.0F);
     const auto next = [gap](const char* label) {
         const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -76,6 +78,7 @@ void known_views(Session& session, const Derived& derived) {
 
 /// Of flight and walk: it belongs to the person, not to the state.
 void speed_control(Session& session) {
+    if (widgets::IsListing()) return;
     double speed = session.speed();
     const widgets::NumberStyle style{.min = Session::least_speed,
                                      .max = Session::greatest_speed,
@@ -99,14 +102,15 @@ void slips(Params& params) {
     control(params, "slips.camera_as_view", {.label = marked("C sent as V")});
 }
 
-void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
-    if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
-    const widgets::Group group("camera");
-    Params& params = session.params;
-    static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
-    control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
-    control(params, "camera.position", {.links = link::position, .label = marked("position")});
-
+/// Three numbers in a row; where they are listed one by one, each by itself.
+void camera_angles(Params& params) {
+    if (widgets::IsListing()) {
+        static constexpr widgets::Links yaw[] = {link::yaw}, pitch[] = {link::pitch}, roll[] = {link::roll};
+        control(params, "camera.yaw", {.decimals = 1, .links = yaw});
+        control(params, "camera.pitch", {.decimals = 1, .links = pitch});
+        control(params, "camera.roll", {.decimals = 1, .links = roll});
+        return;
+    }
     double angles[] = {params.camera.yaw, params.camera.pitch, params.camera.roll};
     static constexpr widgets::Links links[] = {link::yaw, link::pitch, link::roll};
     static constexpr double defaults[] = {30.6, -16.4, 0.0};
@@ -118,8 +122,8 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
                                      .step = 0.2,
                                      .decimals = 1,
                                      .unit = "°"};
+    static constexpr const char* targets[] = {"control:camera.yaw", "control:camera.pitch", "control:camera.roll"};
     {
-        static constexpr const char* targets[] = {"control:camera.yaw", "control:camera.pitch", "control:camera.roll"};
         const widgets::TargetScope scope(targets);
         if (widgets::Numbers("yaw pitch roll", angles, style, defaults, links)) {
             params.camera.yaw = angles[0];
@@ -127,9 +131,21 @@ void camera_section(Session& session, const Derived& derived, const std::vector<
             params.camera.roll = angles[2];
         }
     }
+    if (std::any_of(std::begin(targets), std::end(targets), widgets::IsCovered)) return;
     widgets::Tooltip("Yaw, pitch, roll",
                      "Heading about y, then nodding about the camera's x, then tilting about its z.",
                      "C = T R_y R_x R_z");
+}
+
+void camera_section(Session& session, const Derived& derived, const std::vector<Problem>& problems) {
+    if (!widgets::Section("Camera", true, "", troubles(problems, {"camera", "follow"}).c_str())) return;
+    const widgets::Group group("camera");
+    Params& params = session.params;
+    static constexpr const char* modes[] = {marked("Fly (6 DOF)"), marked("Walk (2 DOF)"), marked("Orbit")};
+    control(params, "camera.navigation", {.segments = true, .names = modes, .label = "##navigation"});
+    control(params, "camera.position", {.links = link::position, .label = marked("position")});
+
+    camera_angles(params);
     camera_lamps(session);
     known_views(session, derived);
     control(params, "camera.target", {.label = marked("target")});
@@ -160,12 +176,14 @@ void projection_section(Session& session, const Derived& derived, const std::vec
     if (control(params, "projection.far", {.decimals = 1, .slider = true, .links = far, .min = 1.0, .max = 10000.0}))
         projection.far = std::max(projection.far, projection.near * 1.001);
 
-    if (details("Aspect and radians")) {
+    static constexpr const char* lens[] = {"control:projection.aspect", "control:slips.degrees_as_radians"};
+    if (details("Aspect and radians", lens)) {
         control(params, "projection.aspect",
                 {.slider = true, .label = marked("aspect, 0: the view's"), .min = 0.0, .max = 4.0});
         control(params, "slips.degrees_as_radians", {.label = marked("degrees given as radians")});
     }
 
+    if (widgets::IsListing() && !widgets::IsHighlighted("note:depth_step")) return;
     const DepthPrecision precision = precision_of(params.depth.format);
     const std::string z = number_text(derived.facts.target_distance, 2),
                       step = number_text(derived.facts.resolvable_step_at_target, 2);
@@ -203,10 +221,13 @@ void hidden_surfaces_section(Session& session, const std::vector<Problem>& probl
     control(params, "cull.enabled", {.label = marked("Cull face")});
     beside(second, px(choice));
     control(params, "cull.face", {.width = choice, .names = faces, .label = "##face"});
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(tr("Front face"));
-    beside(second, px(choice));
-    control(params, "cull.front_face", {.width = choice, .names = fronts, .label = "##front_face"});
+    if (!widgets::IsListing()) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(tr("Front face"));
+        beside(second, px(choice));
+    }
+    const char* const front_label = widgets::IsListing() ? marked("Front face") : "##front_face";
+    control(params, "cull.front_face", {.width = choice, .names = fronts, .label = front_label});
     if (control(params, "visibility.method", {.width = choice, .names = method_names, .label = marked("method")}))
         params.view.lower_right = Topic::automatic;  // what belongs to the method
     draw_hidden_panel(hidden_state, session, hidden);
@@ -234,7 +255,7 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                   {"control:camera", "lamps", "button:home", "button:frame all", "button:level", "control:slips",
                    "section:slips"},
                   [&] { camera_section(session, derived, problems); });
-    named_section("projection", {"control:projection", "note:depth_step"},
+    named_section("projection", {"control:projection", "control:slips.degrees_as_radians", "note:depth_step"},
                   [&] { projection_section(session, derived, problems); });
     named_section("visibility",
                   {"control:depth.test", "control:depth.func", "control:depth.write", "control:depth.clear",
@@ -251,6 +272,17 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                   [&] { draw_shadow_and_reflection_section(session, problems); });
     named_section("observer", {"control:observer"}, [&] { observer_section(session); });
     ImGui::PopItemWidth();
+}
+
+void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
+    std::vector<std::string>& listed = widgets::CurrentContext().targets.listed;
+    for (const std::string& path : session.params.view.layout.controls) listed.push_back(target_of(path));
+    ImGui::PushFont(widgets::CurrentContext().fonts.heading);
+    ImGui::TextUnformatted(tr("Controls"));
+    ImGui::PopFont();
+    draw_panel(session, derived, problems, hidden_state, hidden);
+    listed.clear();
 }
 
 }  // namespace viewing

@@ -11,4 +11,8 @@ namespace viewing {
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden);
 
+/// Only the controls that the state lists (view.layout.controls), under one headline.
+void draw_listed_controls(Session& session, const Derived& derived, const std::vector<Problem>& problems,
+                          HiddenPanelState& hidden_state, const HiddenStatus& hidden);
+
 }  // namespace viewing

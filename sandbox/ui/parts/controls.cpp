@@ -128,6 +128,7 @@ std::string target_of(std::string_view path) {
 }
 
 bool control(Params& params, std::string_view path, const ControlStyle& style) {
+    if (!widgets::IsListed(target_of(path))) return false;
     const Field& found = field(path);
     const char* label = style.label ? style.label : found.label.data();
     const bool is_toggle = type_name(found) == "bool";
@@ -141,7 +142,7 @@ bool control(Params& params, std::string_view path, const ControlStyle& style) {
     ImGui::EndDisabled();
     ImGui::PopID();
     widgets::MarkTarget(target_of(found.path));
-    explain(found, label, why_not);
+    if (!widgets::IsPartCovered(target_of(found.path))) explain(found, label, why_not);
     return changed;
 }
 

@@ -30,6 +30,28 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
+/// The area of the maximised view, from which the named small things are cut off.
+Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole, float scale) {
+    const Telling& telling = arrangement.telling;
+    const float gap = 10.0F * scale;
+    const bool is_big_matrices = arrangement.maximised == ViewName::matrices;
+    const bool has_matrices = telling.matrices && !is_big_matrices && !arrangement.matrices_folded;
+    const bool has_controls = telling.control_rows > 0 && !arrangement.panel_folded;
+    if (has_matrices || has_controls) {
+        constexpr float least_column = 360.0F, share = 0.34F;
+        const float width = std::min(std::max(least_column * scale, share * whole.width()), 0.5F * whole.width());
+        const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
+        const float wanted = (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
+        const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
+        const float split = column.max.y - (has_controls ? controls : 0.0F);
+        if (has_controls) layout.panel = rounded(column.min.x, split, column.max.x, column.max.y);
+        if (has_matrices)
+            layout.matrices = rounded(column.min.x, column.min.y, column.max.x, split - (has_controls ? gap : 0.0F));
+        whole.max.x = column.min.x - gap;
+    }
+    return whole;
+}
+
 }  // namespace
 
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement) {
@@ -63,7 +85,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
     if (arrangement.maximised != ViewName::none) {
         panel = false;
-        matrices = arrangement.beside_matrices;
+        matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
     }
     const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
     layout.matrices_fit = panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
@@ -81,7 +103,10 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
         right = window_px.x - matrices_width - gap;
     }
 
-    const Rect whole = rounded(left, top + layout.header_height, right, bottom);
+    Rect outer{{left, top}, {right, bottom}};
+    if (arrangement.telling.is_on() && arrangement.maximised != ViewName::none)
+        outer = cut_small_things(layout, arrangement, outer, scale);
+    const Rect whole = rounded(outer.min.x, outer.min.y + layout.header_height, outer.max.x, outer.max.y);
     switch (arrangement.maximised) {
         case ViewName::camera:
             layout.camera = whole;
@@ -95,7 +120,7 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             layout.lower_right = whole;
             return layout;
         case ViewName::matrices:
-            layout.matrices = rounded(left, top, right, bottom);
+            layout.matrices = rounded(outer.min.x, outer.min.y, outer.max.x, outer.max.y);
             return layout;
         case ViewName::none:
             break;

@@ -21,6 +21,15 @@ struct Rect {
 
 enum class ViewName { none, camera, lower_left, lower_right, matrices };
 
+/// The small things that the state lists beside a maximised view: a column of matrices above controls at the right.
+/// What is not listed is not there.
+struct Telling {
+    bool matrices = false;
+    int control_rows = 0;  ///< 0: no controls
+
+    bool is_on() const { return matrices || control_rows > 0; }
+};
+
 /// What a person has arranged; sizes in design pixels.
 struct Arrangement {
     bool panel_folded = false;
@@ -31,6 +40,7 @@ struct Arrangement {
     bool prefers_lower_right = false;  ///< where there is room for one of the lower views only
     bool halves = false;               ///< two pictures in the place of the camera's
     bool bare = false;                 ///< the maximised view and nothing else: no bars, no header
+    Telling telling;                   ///< what stands beside the maximised view for what is being told
     float panel_width = 298.0F;
     float matrices_width = 360.0F;
     float lower_height = 232.0F;

@@ -25,6 +25,7 @@ inline std::string troubles(const std::vector<Problem>& problems, std::initializ
 /// Places the cursor for a second control `width` pixels wide: in the same row, at a fixed column; below where the
 /// first one reaches into that column or the second has no room there.
 inline void beside(float design_x, float width) {
+    if (widgets::IsListing()) return;  // each has a row of its own
     const float left = ImGui::GetWindowPos().x + px(design_x);
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
     if (ImGui::GetItemRectMax().x < left && left + width <= right) ImGui::SameLine(px(design_x));
@@ -38,6 +39,7 @@ inline void behind(float width) {
 
 /// What is wanted less often stays folded, unless one of these names is sought in it. Returns whether it is open.
 inline bool details(const char* label, std::span<const char* const> targets = {}) {
+    if (widgets::IsListing()) return true;
     if (widgets::IsSought(targets)) ImGui::SetNextItemOpen(true);
     const bool open = ImGui::TreeNodeEx(widgets::BrokenLabelText(label, ImGui::GetTreeNodeToLabelSpacing()).c_str(),
                                         ImGuiTreeNodeFlags_SpanAvailWidth | ImGuiTreeNodeFlags_NoTreePushOnOpen);
@@ -60,6 +62,7 @@ inline bool named_note(const char* target, const std::string& text) {
 /// it is covered. `draw` draws it, headline and all.
 template <typename Draw>
 void named_section(const char* name, std::initializer_list<const char*> targets, const Draw& draw) {
+    if (widgets::IsListing()) return draw();
     const std::string target = std::string("section:") + name;
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;

@@ -33,6 +33,7 @@ void light_controls(Params& params, std::size_t index, const char* label) {
     std::span<const widgets::Links> links;
     if (index == params.chosen().light) links = link::light;
     const Field& position = field("light.position");
+    if (!widgets::IsListed(target_of(position.path))) return;
     if (index == 0 && is_covered(position, label)) return;
     const widgets::TargetScope scope(index == 0 ? target_of(position.path) : std::string());
     widgets::Light(label, params.lights[index].position, default_params().lights.front().position, links);
@@ -40,6 +41,7 @@ void light_controls(Params& params, std::size_t index, const char* label) {
 }
 
 void further_lights(Params& params) {
+    if (widgets::IsListing()) return;
     for (std::size_t index = 1; index < params.lights.size(); ++index) {
         const std::size_t number = index + 1;
         const std::string id = std::to_string(number);
@@ -75,11 +77,14 @@ void plane_controls(Params& params, std::size_t index) {
     // The names are those of the first plane's controls.
     const auto name = [index](const Field& of) { return index == 0 ? target_of(of.path) : std::string(); };
     const Field& equation = field("plane.equation");
-    if (index > 0 || !is_covered(equation, marked("equation"))) {
+    const auto is_drawn = [index](const Field& of, const char* label, float width = 0.0F) {
+        return index > 0 || (widgets::IsListed(target_of(of.path)) && !is_covered(of, label, width));
+    };
+    if (is_drawn(equation, marked("equation"))) {
         const widgets::TargetScope scope(name(equation));
         widgets::PlaneEquation("equation", plane.equation, defaults.equation, links);
         widgets::MarkTarget(name(equation));
-        explain(equation, marked("plane"));
+        if (!widgets::IsPartCovered(name(equation))) explain(equation, marked("plane"));
     }
     const Field& extent = field("plane.extent");
     const widgets::NumberStyle style{.min = extent.min,
@@ -89,13 +94,13 @@ void plane_controls(Params& params, std::size_t index) {
                                      .step = extent.step,
                                      .logarithmic = extent.logarithmic,
                                      .default_value = defaults.extent};
-    if (index > 0 || !is_covered(extent, marked("extent"))) {
+    if (is_drawn(extent, marked("extent"))) {
         const widgets::TargetScope scope(name(extent));
         widgets::Slider("extent", plane.extent, style);
         explain(extent, marked("extent"));
     }
     const auto toggle = [&](const char* path, const char* label, bool& value, bool default_value) {
-        if (index == 0 && is_covered(field(path), label, widgets::ToggleWidth(""))) return;
+        if (!is_drawn(field(path), label, widgets::ToggleWidth(""))) return;
         const std::string_view why_not = why_without_effect(params, nullptr, path);
         ImGui::BeginDisabled(!why_not.empty());
         widgets::Toggle(label, value, default_value);
@@ -111,6 +116,7 @@ void plane_controls(Params& params, std::size_t index) {
 }
 
 void further_planes(Params& params) {
+    if (widgets::IsListing()) return;
     for (std::size_t index = 1; index < params.planes.size(); ++index) {
         const std::size_t number = index + 1;
         const std::string id = std::to_string(number);
@@ -176,7 +182,9 @@ void draw_light_section(Session& session, const std::vector<Problem>& problems) 
     const widgets::Group group("light");
     Params& params = session.params;
     light_controls(params, 0, marked("position"));
-    explain(field("light.position"), marked("light"));
+    const std::string position = target_of("light.position");
+    if (widgets::IsListed(position) && !widgets::IsPartCovered(position))
+        explain(field("light.position"), marked("light"));
     control(params, "animation.light_orbit", {.label = marked("Orbit")});
     beside(74.0F, widgets::LabelledWidth("speed", px(123.0F)));
     control(params, "animation.light_speed", {.decimals = 0, .width = 123.0F, .label = marked("speed")});
@@ -191,7 +199,7 @@ void draw_plane_section(Session& session, const Derived& derived, const std::vec
     const std::string note =
         say("unit normal: ({x}, {y}, {z}, {w})", "x"_a = number_text(unit.x, 3), "y"_a = number_text(unit.y, 3),
             "z"_a = number_text(unit.z, 3), "w"_a = number_text(unit.w, 3));
-    named_note("text:unit normal", note);
+    if (!widgets::IsListing() || widgets::IsHighlighted("text:unit normal")) named_note("text:unit normal", note);
     further_planes(session.params);
 }
 
@@ -235,11 +243,15 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
     static constexpr const char* clips[] = {marked("no clipping"), marked("clip distance"),
                                             marked("oblique near plane")};
     control(params, "reflection.clip", {.width = 150.0F, .names = clips, .label = marked("clip at the plane")});
-    static constexpr const char* drawn[] = {
-        "control:reflection.mirrored",        "control:reflection.side_of_eye",
-        "control:reflection.shadows",         "control:reflection.after_objects",
-        "control:reflection.printed_by_rows", "control:reflection.mask_writes_depth",
-        "control:reflection.same_projection"};
+    static constexpr const char* drawn[] = {"control:reflection.mirrored",
+                                            "control:reflection.side_of_eye",
+                                            "control:reflection.shadows",
+                                            "control:reflection.after_objects",
+                                            "control:reflection.printed_by_rows",
+                                            "control:reflection.mask_writes_depth",
+                                            "control:reflection.same_projection",
+                                            "control:slips.normal_not_unit",
+                                            "control:slips.plus_2ab"};
     if (details(marked("Mirror: how it is drawn"), drawn)) mirror_switches(params);
 }
 

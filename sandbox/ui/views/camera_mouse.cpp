@@ -124,7 +124,7 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
                 choose_pixel(session.params.visibility, *hidden.answer->camera, *state.method_pixel);
             else if (state.hovered_pixel &&
                      (is_shown(session.params, Topic::pixel) || is_shown(session.params, Topic::cells)))
-                pin(session.params, *state.hovered_pixel);
+                pin(session.params, state.pinned, *state.hovered_pixel);
             else
                 session.params.follow = vertex_at(overlay, session.scene(), io.MousePos);
         }

@@ -35,9 +35,11 @@ void view_choices(Params& params, const Rect& rect) {
         marked("The w that S gives each point of the objects: it is positive between the light and the plane, and "
                "behind it.")};
     int index = static_cast<int>(params.view.shows);
+    const ImVec2 from = ImGui::GetCursorScreenPos();
     const float second = px(130.0F);  // room for the choice that follows
     if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
         params.view.shows = static_cast<Shows>(index);
+    widgets::MarkTarget("control:view.shows", from, ImGui::GetItemRectMax());
     if (params.view.shows == Shows::depth) {
         ImGui::SameLine(0.0F, px(16.0F));
         depth_choices(params, rect.max.x);
@@ -168,8 +170,9 @@ void draw_pin(const Overlay& overlay, glm::ivec2 pixel) {
 
 }  // namespace
 
-void pin(Params& params, glm::ivec2 pixel) {
-    if (params.view.pixel == pixel)
+void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel) {
+    params.view.pin.reset();
+    if (pinned.pixel == pixel)
         params.view.pixel.reset();
     else
         params.view.pixel = pixel;
@@ -203,7 +206,7 @@ void draw_beside_view(ViewState& state, Session& session, const Derived& derived
         if (state.hovered_pixel) state.told_pixel = state.hovered_pixel;
     }
     camera_mouse(state, session, derived, overlay, Handle::none, pictures.hidden, input, motion);
-    if (session.params.view.pixel) draw_pin(overlay, *session.params.view.pixel);
+    if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
     draw_beside_legend(session, derived, rect);
 }
 
@@ -249,7 +252,7 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     PolygonLinks& links = state.hidden.links;
     if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
-    if (params.view.pixel) draw_pin(overlay, *params.view.pixel);
+    if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
     if (!has_handles) return;
     draw_handles(overlay, places, derived, hovered);

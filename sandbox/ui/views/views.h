@@ -7,6 +7,7 @@
 #include <string>
 
 #include "frame/depth/depth_data.h"
+#include "frame/pinned_pixel.h"
 #include "frame/problems.h"
 #include "session/session.h"
 #include "ui/depth/cell_view.h"
@@ -65,6 +66,7 @@ struct ViewState {
     glm::ivec2 cells{0};                    ///< columns and rows that the cell view had room for
     LightRays light_rays;                   ///< of the observer
     std::optional<Stage::Target> target;    ///< a place that is marked
+    PinnedPixel pinned;                     ///< of the camera's picture, as the state says
 };
 
 /// Whether something goes on by itself, step by step.
@@ -85,8 +87,8 @@ void camera_mouse(ViewState& state, Session& session, const Derived& derived, Ov
 void draw_beside_view(ViewState& state, Session& session, const Derived& derived, const Layout& layout,
                       const Pictures& pictures, const FrameInput& input, MotionInput& motion);
 
-/// Pins a pixel of the camera's picture; a click on the pinned one lets it go.
-void pin(Params& params, glm::ivec2 pixel);
+/// Pins a pixel of the camera's picture, whatever was pinned before; a click on the pinned one lets it go.
+void pin(Params& params, const PinnedPixel& pinned, glm::ivec2 pixel);
 
 /// The camera's pixel that shows what another picture of the same camera shows under the pointer, the last item;
 /// nothing where the camera's picture ends before.

@@ -8,6 +8,7 @@
 #include "ui/parts/controls.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
+#include "ui/window/telling.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {
@@ -133,9 +134,9 @@ void Workbench::draw_look_menu(Session& session, Requests& requests) {
     if (widgets::Toggle("Multisampling 4×", multisampled, true)) params.view.samples = multisampled ? 4 : 0;
     explain(field("view.samples"));
     ImGui::Separator();
-    bool panel = !arrangement.panel_folded, matrices = !arrangement.matrices_folded;
-    if (widgets::Toggle("Controls (F2)", panel, true)) arrangement.panel_folded = !panel;
-    if (widgets::Toggle("Matrices (F3)", matrices, true)) arrangement.matrices_folded = !matrices;
+    bool panel = !is_folded(params, "panel"), matrices = !is_folded(params, "matrices");
+    if (widgets::Toggle("Controls (F2)", panel, true)) fold(params, "panel", !panel);
+    if (widgets::Toggle("Matrices (F3)", matrices, true)) fold(params, "matrices", !matrices);
     widgets::Toggle("Handles and labels (H)", views.handles, true);
     if (widgets::Button("Full screen (F11)")) requests.toggle_full_screen = true;
     ImGui::EndPopup();

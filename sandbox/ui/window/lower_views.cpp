@@ -92,7 +92,7 @@ void point_at_camera(ViewState& state, Params& params, const Rect& rect) {
     if (!state.hovered_pixel) return;
     state.told_pixel = state.hovered_pixel;
     const bool pins = is_shown(params, Topic::pixel) || is_shown(params, Topic::cells);
-    if (pins && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, *state.hovered_pixel);
+    if (pins && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) pin(params, state.pinned, *state.hovered_pixel);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::codes:
             return draw_codes_view(session, derived, rect);
         case Topic::pixel:
-            return draw_pixel_view(session, derived, pictures.depth, rect);
+            return draw_pixel_view(session, derived, pictures.depth, state.pinned, rect);
         case Topic::cells:
             if (const float width = px(84.0F); ImGui::GetCursorScreenPos().x + width <= rect.max.x)
                 choose_cells(session.params.view.cells, width);

@@ -10,6 +10,7 @@
 #include "ui/panel/panel.h"
 #include "ui/parts/look.h"
 #include "ui/window/areas.h"
+#include "ui/window/telling.h"
 
 namespace viewing {
 namespace {
@@ -32,16 +33,22 @@ MotionInput motion_of(const FrameInput& input) {
 
 Workbench::Workbench() : presets_(presets()), scenes_(scenes()) {}
 
-Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
+Arrangement Workbench::arranged(const Session& session) const {
     const BesideParams& beside = session.params.view.beside;
     Arrangement now = arrangement;
     now.halves = beside.shows != Beside::nothing && beside.layout == BesideLayout::halves;
     now.prefers_lower_right = lower_shown(views, session.params) == Slot::right;
+    if (!arrangement.bare) arrange(now, session.params);
     const auto shows_code = [&](ViewName view, Slot slot) {
-        return arrangement.maximised == view && topic_of(session.params, slot) == Topic::lecture_code;
+        return now.maximised == view && topic_of(session.params, slot) == Topic::lecture_code;
     };
     now.beside_matrices = !arrangement.bare && (shows_code(ViewName::lower_left, Slot::left) ||
                                                 shows_code(ViewName::lower_right, Slot::right));
+    return now;
+}
+
+Layout Workbench::layout(ImVec2 window_px, const Session& session) const {
+    Arrangement now = arranged(session);
     if (guide.is_shown()) now.strip_px = strip_height(*guide.run(), window_px.x, widgets, arrangement.presents);
     const Layout bare = lay_out(window_px, widgets.scale, now);
     const NamedFile* preset = open_preset(session);
@@ -114,8 +121,8 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         const bool turns_page = key == Key::page_down || key == Key::page_up;
         if (!in_dialog && (!is_answering || turns_page) && take_lesson_key(press, session)) continue;
         if (key == Key::f1) help_open_ = !help_open_;
-        if (key == Key::f2) arrangement.panel_folded = !arrangement.panel_folded;
-        if (key == Key::f3) arrangement.matrices_folded = !arrangement.matrices_folded;
+        if (key == Key::f2) fold(session.params, "panel", !is_folded(session.params, "panel"));
+        if (key == Key::f3) fold(session.params, "matrices", !is_folded(session.params, "matrices"));
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
         // A text field or a dialog has the keyboard; with nothing typed there is nothing else to be undone.
@@ -124,9 +131,8 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (press.ctrl) handle_shortcut(press, session, requests);
         if (press.ctrl || in_list) continue;
         if (key == Key::m)
-            arrangement.maximised = arrangement.maximised != ViewName::none ? ViewName::none
-                                    : views.hovered != ViewName::none       ? views.hovered
-                                                                            : ViewName::camera;
+            session.params.view.layout.big =
+                session.params.view.layout.big == BigView::none ? big_view(views.hovered) : BigView::none;
         if (key == Key::n)
             session.params.camera.navigation =
                 static_cast<Navigation>((static_cast<int>(session.params.camera.navigation) + 1) % 3);
@@ -142,8 +148,8 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
             if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
                 session.open(preset->name);
         if (key == Key::escape) {
-            if (arrangement.maximised != ViewName::none)
-                arrangement.maximised = ViewName::none;
+            if (session.params.view.layout.big != BigView::none)
+                session.params.view.layout.big = BigView::none;
             else
                 session.params.follow.reset();
         }
@@ -157,13 +163,19 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
     if (!layout.panel.empty()) {
         begin_area("panel", layout.panel, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::none;
-        draw_panel(session, derived, problems, views.hidden.panel, hidden);
+        if (session.params.view.layout.controls.empty())
+            draw_panel(session, derived, problems, views.hidden.panel, hidden);
+        else
+            draw_listed_controls(session, derived, problems, views.hidden.panel, hidden);
         ImGui::End();
     }
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
-        draw_matrices(session, derived, before, matrix_choice_);
+        if (session.params.view.layout.matrices.empty())
+            draw_matrices(session, derived, before, matrix_choice_);
+        else
+            draw_listed_matrices(session, derived, before, matrix_choice_);
         ImGui::End();
     }
     ImGui::PopStyleVar();
@@ -172,10 +184,8 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
 void Workbench::draw_views(Session& session, const Derived& derived, const FramePlan& plan,
                            const std::vector<Problem>& problems, const Pictures& pictures, const Layout& layout,
                            const FrameInput& input, MotionInput& motion) {
-    const Rect between{
-        {layout.panel.max.x, layout.top_bar.max.y},
-        {layout.matrices.empty() ? layout.top_bar.max.x : layout.matrices.min.x,
-         layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y}};
+    const Arrangement arranged_now = arranged(session);
+    const Rect between = views_area(layout, arranged_now);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     begin_area("views", between, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
@@ -185,10 +195,10 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (const NamedFile* preset = open_preset(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
-    const bool is_alone = !layout.lower_fit && arrangement.maximised == ViewName::none;
+    const bool is_alone = !layout.lower_fit;
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
-    if (arrangement.maximised == ViewName::none) draw_splitters(layout, between);
+    if (arranged_now.maximised == ViewName::none) draw_splitters(layout, between);
     ImGui::End();
 }
 

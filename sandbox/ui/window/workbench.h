@@ -57,6 +57,8 @@ public:
 
     /// Where everything is for this session, in the fonts that the widgets have now.
     Layout layout(ImVec2 window_px, const Session& session) const;
+    /// What the person has arranged together with what the state says of it (view.layout).
+    Arrangement arranged(const Session& session) const;
 
     /// Pictures of lessons and steps that are wanted in Pictures.
     std::vector<CardPicture> wanted_cards();
