@@ -24,6 +24,7 @@ void lead(Studio& studio, const LessonPicture& wanted) {
         guide.next(studio.session);  // at once
     }
     if (wanted.presents) studio.workbench.presenter.begin();
+    studio.workbench.arrangement.has_strip = wanted.has_strip;
     studio.session.finish_loading();
 }
 

@@ -20,6 +20,7 @@ struct LessonPicture {
     std::size_t step = 0;  ///< from 0 on
     bool revealed = false;
     bool presents = false;  ///< as a room sees it
+    bool has_strip = true;  ///< with its texts
 };
 
 enum class PictureView { window, camera, depth, stencil, observer };

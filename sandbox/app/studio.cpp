@@ -179,6 +179,7 @@ double Studio::next_redraw_in_s() const {
     const auto widgets_in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
     const double message_in_s = Workbench::message_ends_in_s(session.message);
     if (workbench.presenter.has_running_clock()) return 0.5;
+    if (workbench.presenter.is_on() && widgets_in_s < 0.0 && message_in_s < 0.0) return 60.0;
     if (widgets_in_s < 0.0 || message_in_s < 0.0) return std::max(widgets_in_s, message_in_s);
     return std::min(widgets_in_s, message_in_s);
 }

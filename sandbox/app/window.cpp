@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "app/events.h"
+#include "app/lecture_notes.h"
 #include "app/lost_display.h"
 #include "app/picture.h"
 #include "app/studio.h"
@@ -184,7 +185,8 @@ void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
     glfwSwapBuffers(window);
 }
 
-void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory) {
+void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
+              LectureNotes notes) {
     FullScreen full_screen;
     int frames_due = 0;
     while (!glfwWindowShouldClose(window)) {
@@ -228,6 +230,8 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         if (requests.toggle_full_screen) full_screen.toggle(window);
         if (requests.full_screen) full_screen.set(window, *requests.full_screen);
         present(window, studio, size_px);
+        studio.session.report(
+            notes.follow(studio.workbench.guide.run(), studio.session, studio.workbench.presenter.presented_s()));
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
@@ -269,7 +273,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
     glfwShowWindow(window);
     if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
-    run_loop(window, *renderer, studio, events, memory);
+    run_loop(window, *renderer, studio, events, memory, LectureNotes(start.notes));
     if (gl_errors) *gl_errors = log->errors();
     ImGui_ImplGlfw_Shutdown();
     return std::monostate{};

@@ -16,6 +16,7 @@ namespace viewing {
 struct WindowStart {
     std::optional<LessonPicture> lesson;  ///< and leads through this one from there
     bool shows_lessons = false;           ///< the page of all lessons
+    std::string notes;                    ///< where the lecturer's notes go, as LectureNotes takes it
 };
 
 /// Opens the window on a session and returns when it is closed. The error says why there is none (no display, no

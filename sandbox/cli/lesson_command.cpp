@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
+#include "cli/lesson_handout.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/values.h"
@@ -20,8 +21,8 @@ namespace {
 /// The options as they were typed.
 struct Typed {
     std::vector<std::string> lessons;
-    std::optional<std::string> device, step;
-    bool check = false, names = false, list = false, presents = false;
+    std::optional<std::string> device, step, notes, handout;
+    bool check = false, names = false, list = false, presents = false, answers = false;
 };
 
 std::string list_of_lessons() {
@@ -85,6 +86,17 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     return findings.empty() ? ExitStatus::done : ExitStatus::different;
 }
 
+ExitStatus write_handout(const Options& options, const Typed& typed) {
+    if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
+    check_output(*typed.handout);
+    const Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
+    Headless headless(device_option(options, typed.device));
+    Outputs outputs;
+    outputs.add(*typed.handout, handout(headless, lesson, typed.answers));
+    outputs.write();
+    return ExitStatus::done;
+}
+
 /// The window in the lesson; without one named, with the page of all.
 ExitStatus show_lesson(const Options& options, const Typed& typed) {
     if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
@@ -92,7 +104,7 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
     WindowStart start;
     LoadedState state = value_or_end(load_state(""));
     if (typed.lessons.empty()) {
-        if (typed.presents || typed.step) options.refuse("--present and --step need a lesson");
+        if (typed.presents || typed.step || typed.notes) options.refuse("--present, --step and --notes need a lesson");
         start.shows_lessons = true;
     } else {
         Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
@@ -103,7 +115,8 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
         if (typed.step) step = static_cast<std::size_t>(whole_option(options, "--step", *typed.step, 1, count) - 1);
         step = std::min(step, lesson.steps.size() - 1);
         state = lesson.steps[step].start;
-        start.lesson = LessonPicture{std::move(lesson), step, false, typed.presents};
+        start.lesson = LessonPicture{std::move(lesson), step, false, typed.presents, true};
+        start.notes = typed.notes.value_or("");
     }
     memory.dress(state.params);
     constexpr double patience_s = 0.5;
@@ -118,7 +131,14 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                         "A lesson's name (--list), or a file of one's own; --check takes several");
     options.text("--step", "N", typed.step, "Begins there, counted from 1; else where one was the last time");
     options.flag("--present", typed.presents, "In front of a room: full screen, in large type, by a clicker's keys");
+    options.text(
+        "--notes", "terminal|FILE", typed.notes,
+        "The lecturer's notes while the room sees the step: in this terminal, or written to a file whenever they "
+        "change");
     options.group("Without a window");
+    options.text("--handout", "OUT.html", typed.handout,
+                 "The lesson on paper: a page for each step; - for standard output");
+    options.flag("--answers", typed.answers, "With the answers");
     options.flag(
         "--check", typed.check,
         "Tests lessons, all of the program's where none is named: claims, model answers, wrong answers, and that "
@@ -138,23 +158,26 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         return ExitStatus::done;
     }
     if (typed.check) return check(typed, device_option(options, typed.device));
+    if (typed.answers && !typed.handout) options.refuse("--answers needs --handout");
+    if (typed.handout) return write_handout(options, typed);
     return show_lesson(options, typed);
 }
 
 }  // namespace
 
-constinit const Command lesson_command{"lesson",
-                                       "[ID|FILE] [--step N] [--present] [--check] [--names] [--list]",
-                                       "the window in a guided lesson: each step asks before it shows",
-                                       "A lesson is a JSON file of steps, each with its whole state, a question, the "
-                                       "answers that people give, and what is "
-                                       "shown then.",
-                                       "lesson view-is-the-inverse\n"
-                                       "lesson depth-fighting --present\n"
-                                       "lesson --list\n"
-                                       "lesson --check mine.json\n"
-                                       "lesson --names",
-                                       "012349",
-                                       run};
+constinit const Command lesson_command{
+    "lesson",
+    "[ID|FILE] [--step N] [--present] [--notes terminal|FILE] [--handout OUT.html] [--check] [--names] [--list]",
+    "the window in a guided lesson: each step asks before it shows",
+    "A lesson is a JSON file of steps, each with its whole state, a question, the "
+    "answers that people give, and what is "
+    "shown then.",
+    "lesson view-is-the-inverse\n"
+    "lesson depth-fighting --present\n"
+    "lesson --list\n"
+    "lesson --check mine.json\n"
+    "lesson --names",
+    "012349",
+    run};
 
 }  // namespace viewing

@@ -96,7 +96,7 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
 
 /// The state of the step, and for a picture of the window the lesson itself.
 LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
-    LessonPicture picture{value_or_end(load_lesson(*typed.lesson)), 0, typed.revealed, typed.presents};
+    LessonPicture picture{value_or_end(load_lesson(*typed.lesson)), 0, typed.revealed, typed.presents, true};
     const int count = static_cast<int>(picture.lesson.steps.size());
     const int number = typed.step ? whole_option(options, "--step", *typed.step, 1, count) : 1;
     picture.step = static_cast<std::size_t>(number - 1);

@@ -285,6 +285,13 @@ struct Close {
     void operator()(lua_State* lua) const { lua_close(lua); }
 };
 
+Status check_length(const std::string& expression) {
+    if (expression.find_first_not_of(" \t") == std::string::npos) return Error{"is empty"};
+    if (expression.size() > longest_expression)
+        return Error{"longer than " + std::to_string(longest_expression) + " bytes"};
+    return std::monostate{};
+}
+
 Status protectedly(Evaluation& evaluation, lua_CFunction function) {
     evaluation.instructions_left = evaluation.limits.instructions;
     const std::unique_ptr<lua_State, Close> lua(lua_newstate(allocate, &evaluation));
@@ -300,8 +307,7 @@ Status protectedly(Evaluation& evaluation, lua_CFunction function) {
 }  // namespace
 
 Status check_expression(const std::string& expression) {
-    if (expression.size() > longest_expression)
-        return Error{"longer than " + std::to_string(longest_expression) + " bytes"};
+    if (Status fine = check_length(expression); !fine) return fine;
     const Surroundings nothing;
     Evaluation evaluation{nothing, expression, {}, 0, 0, {}};
     if (Status read = protectedly(evaluation, load_only); !read) return read;
@@ -309,8 +315,7 @@ Status check_expression(const std::string& expression) {
 }
 
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {
-    if (expression.size() > longest_expression)
-        return Error{"longer than " + std::to_string(longest_expression) + " bytes"};
+    if (const Status fine = check_length(expression); !fine) return Error{fine.error()};
     Evaluation evaluation{surroundings, expression, limits, 0, 0, {}};
     if (Status done = protectedly(evaluation, run); !done) return Error{done.error()};
     return *std::move(evaluation.value);

@@ -47,6 +47,7 @@ struct Arrangement {
     float lower_split = 0.5F;  ///< share of the left one's width
     float caption_px = 0.0F;   ///< what the caption needs below the camera's picture, in pixels
     float strip_px = 0.0F;     ///< what the lesson's strip needs below everything, in pixels
+    bool has_strip = true;     ///< of a lesson: false for pictures without its texts
     bool presents = false;     ///< a lesson in front of a room: no bars, and type to be read from the back row
 };
 

@@ -1,0 +1,29 @@
+#include "app/lecture_notes.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "lesson/notes.h"
+#include "platform/file.h"
+#include "report/lesson_numbers.h"
+
+namespace viewing {
+
+Status LectureNotes::follow(const LessonRun* run, const Session& session, double presented_s) {
+    if (target_.empty() || !run) return std::monostate{};
+    const Params& start = run->step().start.params;
+    LessonNumbers numbers(start, start, session.scene(), nullptr);
+    const std::string page = notes_page(*run, numbers.surroundings(), presented_s);
+    if (page == last_) return std::monostate{};
+    last_ = page;
+    if (target_ != "terminal")
+        return write_file(target_, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()});
+    // A screen of its own for each page; piped, one page follows another.
+    const bool is_screen = isatty(STDOUT_FILENO) == 1;
+    std::fputs(((is_screen ? "\033[H\033[2J" : "") + page + (is_screen ? "" : "\n")).c_str(), stdout);
+    std::fflush(stdout);
+    return std::monostate{};
+}
+
+}  // namespace viewing

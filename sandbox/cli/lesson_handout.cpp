@@ -1,0 +1,109 @@
+#include "cli/lesson_handout.h"
+
+#include <algorithm>
+
+#include "app/picture.h"
+#include "cli/state_arguments.h"
+#include "image/png.h"
+#include "lesson/notes.h"
+#include "report/lesson_numbers.h"
+
+namespace viewing {
+namespace {
+
+constexpr glm::ivec2 picture_px{1600, 800};
+
+constexpr const char* style = R"(
+@page { size: A4; margin: 18mm }
+body { font: 12pt/1.4 Inter, "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
+section { break-after: page }
+section:last-child { break-after: auto }
+h1 { font-size: 12pt; font-weight: 600; color: #5a6470; margin: 0 0 4mm }
+img { width: 100%; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
+p { margin: 4mm 0 0 }
+.question { font-weight: 600 }
+ol { list-style: upper-alpha; margin: 2mm 0 0; padding-left: 8mm }
+ol.items { list-style: disc }
+.blank { margin-top: 6mm; border-bottom: 0.3mm solid #8a94a0; height: 9mm }
+.answer { margin-top: 6mm; padding: 3mm 4mm; background: #eef2f6; border-left: 1mm solid #2f7de1 }
+)";
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '<')
+            result += "&lt;";
+        else if (c == '>')
+            result += "&gt;";
+        else if (c == '&')
+            result += "&amp;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        std::uint32_t group = 0;
+        for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18U - 6U * k) & 63U] : '=';
+    }
+    return text;
+}
+
+std::string paragraph(const char* name, const std::string& text) {
+    return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + escaped(text) + "</p>\n";
+}
+
+/// What there is to choose from, or a line to write on.
+std::string answers(const Ask& ask) {
+    std::string list;
+    for (const LessonChoice& choice : ask.choices) list += "<li>" + escaped(choice.say.in_english()) + "</li>\n";
+    for (const LessonText& item : ask.items) list += "<li>" + escaped(item.in_english()) + "</li>\n";
+    if (list.empty()) return "<div class=\"blank\"></div>\n";
+    return std::string(ask.items.empty() ? "<ol>\n" : "<ol class=\"items\">\n") + list + "</ol>\n";
+}
+
+std::string answer_of(const LessonStep& step) {
+    const Scene scene = scene_of(step.start);
+    LessonNumbers numbers(step.start.params, step.start.params, scene, nullptr);
+    return "<div class=\"answer\"><strong>" + escaped(answer_in_words(step.ask, numbers.surroundings())) +
+           "</strong><br>" + escaped(step.reveal.say.in_english()) + "</div>\n";
+}
+
+std::string picture_of(Headless& headless, const Lesson& lesson, std::size_t index) {
+    LoadedState state = lesson.steps[index].start;
+    state.params.ui.theme = Theme::light;  // paper
+    PictureRequest request;
+    request.size_px = picture_px;
+    request.lesson = std::make_shared<const LessonPicture>(LessonPicture{lesson, index, false, true, false});
+    const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
+    return "<img alt=\"\" src=\"data:image/png;base64," + base64(encode_png(image)) + "\">\n";
+}
+
+}  // namespace
+
+std::string handout(Headless& headless, const Lesson& lesson, bool with_answers) {
+    const std::string title = escaped(lesson.title.in_english());
+    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + title +
+                       "</title>\n<style>" + style + "</style>\n";
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const LessonStep& step = lesson.steps[i];
+        page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
+                std::to_string(lesson.steps.size()) + "</h1>\n";
+        page += picture_of(headless, lesson, i);
+        page += paragraph("say", step.say.in_english()) + paragraph("question", step.ask.question.in_english()) +
+                answers(step.ask);
+        if (with_answers) page += answer_of(step);
+        page += "</section>\n";
+    }
+    return page + "</html>\n";
+}
+
+}  // namespace viewing

@@ -1,0 +1,18 @@
+// What the lecturer reads while the room sees the step: its note, the right answer, what comes next, the time.
+#pragma once
+
+#include <string>
+
+#include "lesson/judge.h"
+#include "lesson/run.h"
+
+namespace viewing {
+
+/// The right answer in words: "B: the farthest", "−10", "1 3 2", of a goal the settings that reach it. What cannot be
+/// computed stands as its expression.
+std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
+
+/// A page of plain text, lines up to 78 characters, ended by a newline. `presented_s`: since the lesson began.
+std::string notes_page(const LessonRun& run, const Surroundings& surroundings, double presented_s);
+
+}  // namespace viewing
