@@ -10,11 +10,15 @@
 
 namespace viewing {
 
-Status LectureNotes::follow(const LessonRun* run, const Session& session, double presented_s) {
+Status LectureNotes::follow(const Guide& guide, const Session& session, double presented_s) {
+    const LessonRun* const run = guide.run();
     if (target_.empty() || !run) return std::monostate{};
+    const StepPhase phase = !run->is_revealed()    ? StepPhase::asks
+                            : guide.is_revealing() ? StepPhase::shows
+                                                   : StepPhase::answered;
     const Params& start = run->step().start.params;
     LessonNumbers numbers(start, start, session.scene(), nullptr);
-    const std::string page = notes_page(*run, numbers.surroundings(), presented_s);
+    const std::string page = notes_page(*run, phase, numbers.surroundings(), presented_s);
     if (page == last_) return std::monostate{};
     last_ = page;
     if (target_ != "terminal")

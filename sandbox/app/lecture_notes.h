@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "lesson/run.h"
-#include "session/session.h"
+#include "session/guide.h"
 
 namespace viewing {
 
@@ -14,7 +13,7 @@ public:
     explicit LectureNotes(std::string target) : target_(std::move(target)) {}
 
     /// Writes the page when it has changed. A file is replaced whole. The error says why it cannot be.
-    Status follow(const LessonRun* run, const Session& session, double presented_s);
+    Status follow(const Guide& guide, const Session& session, double presented_s);
 
 private:
     std::string target_, last_;

@@ -231,7 +231,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         if (requests.full_screen) full_screen.set(window, *requests.full_screen);
         present(window, studio, size_px);
         studio.session.report(
-            notes.follow(studio.workbench.guide.run(), studio.session, studio.workbench.presenter.presented_s()));
+            notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);

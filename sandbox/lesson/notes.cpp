@@ -63,11 +63,12 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
     return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : ", ");
 }
 
-std::string notes_page(const LessonRun& run, const Surroundings& surroundings, double presented_s) {
+std::string notes_page(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
+    static constexpr const char* phases[] = {"asks", "shows", "answered"};
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
     std::string page = lesson.title.in_english() + "\n" + std::to_string(run.index() + 1) + " / " +
-                       std::to_string(lesson.steps.size()) + (run.is_revealed() ? " · answered" : " · asks") + " · " +
+                       std::to_string(lesson.steps.size()) + " · " + phases[static_cast<std::size_t>(phase)] + " · " +
                        time_text(lesson, presented_s) + "\n\n";
     page += paragraph("Says", step.say.in_english());
     page += paragraph("Asks", step.ask.question.in_english());

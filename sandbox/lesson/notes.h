@@ -12,7 +12,10 @@ namespace viewing {
 /// computed stands as its expression.
 std::string answer_in_words(const Ask& ask, const Surroundings& surroundings);
 
+/// Where a step is: what the second line of the notes says.
+enum class StepPhase { asks, shows, answered };
+
 /// A page of plain text, lines up to 78 characters, ended by a newline. `presented_s`: since the lesson began.
-std::string notes_page(const LessonRun& run, const Surroundings& surroundings, double presented_s);
+std::string notes_page(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s);
 
 }  // namespace viewing
