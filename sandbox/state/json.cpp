@@ -58,6 +58,8 @@ Result<Params> parse_state(std::string_view json, std::string_view source) {
             root.key("objects").refuse("no such field; this is a scene: use --set scene=" +
                                        one_line(source.ends_with(".json") ? source : "FILE.json"));
         }
+        if (document.is_object() && document.contains("lesson") && document.contains("steps"))
+            root.refuse("this is a lesson: open it with viewing-sandbox lesson " + one_line(source));
         Params params;
         read_group(params, document, root);
         check_together(params, root.prefix);

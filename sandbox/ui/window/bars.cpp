@@ -101,9 +101,10 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
         widgets::Record(label);
         return chosen;
     };
-    bool open = false, save = false;
+    bool open = false, save = false, save_step = false;
     open = item(marked("Open…"), "Ctrl+O");
     save = item(marked("Save…"), "Ctrl+S");
+    save_step = item(marked("Save as step…"), "");
     if (item(marked("Copy state"), "Ctrl+C")) copy(session);
     if (item(marked("Paste state"), "Ctrl+V")) paste(session);
     ImGui::Separator();
@@ -112,6 +113,7 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
     if (save) file_dialog_.show(FileDialog::Purpose::save);
+    if (save_step) file_dialog_.show(FileDialog::Purpose::save_step);
 }
 
 void Workbench::draw_look_menu(Session& session, Requests& requests) {

@@ -8,6 +8,9 @@
 
 #include <algorithm>
 
+#include "lesson/append.h"
+#include "platform/file.h"
+#include "platform/text_file.h"
 #include "text/words.h"
 #include "widgets/widgets.h"
 
@@ -48,7 +51,7 @@ void FileDialog::show(Purpose purpose) {
     to_replace_.clear();
     std::error_code ignored;
     if (folder_.empty()) folder_ = std::filesystem::current_path(ignored);
-    name_ = purpose == Purpose::save ? "state.json" : "";
+    name_ = purpose == Purpose::save ? "state.json" : purpose == Purpose::save_step ? "lesson.json" : "";
     list_folder();
 }
 
@@ -87,6 +90,28 @@ void FileDialog::take_listing() {
     if (!(*listing)->error.empty()) error_ = (*listing)->error;
 }
 
+namespace {
+
+/// Reads the lesson, if there is one, and writes it with one step more, beside the window.
+void append_step(Session& session, const std::filesystem::path& file) {
+    const std::string preset = session.preset() ? session.preset()->name : "";
+    const auto work = [file, params = session.params, preset]() -> Status {
+        std::error_code unknown;
+        std::string existing;
+        if (std::filesystem::exists(file, unknown)) {
+            Result<std::string> read = read_text_file(file);
+            if (!read) return Error{read.error()};
+            existing = *std::move(read);
+        }
+        const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset);
+        if (!lesson) return Error{lesson.error()};
+        return write_file(file, {reinterpret_cast<const std::uint8_t*>(lesson->data()), lesson->size()});
+    };
+    session.write(work, say("the state is the last step of {file}: its texts are to be filled in", "file"_a = file.string()));
+}
+
+}  // namespace
+
 bool FileDialog::confirm(Session& session) {
     if (name_.empty()) return false;
     const std::filesystem::path file = folder_ / name_;
@@ -105,9 +130,11 @@ bool FileDialog::confirm(Session& session) {
     error_.clear();
     if (purpose_ == Purpose::open)
         session.open(file.string());
-    else
+    else if (purpose_ == Purpose::save)
         session.save(file);
-    waits_ = purpose_ == Purpose::save || !is_obj_file(file);
+    else
+        append_step(session, file);
+    waits_ = purpose_ != Purpose::open || !is_obj_file(file);
     return !waits_;
 }
 
@@ -131,7 +158,9 @@ void FileDialog::draw(Session& session) {
     take_listing();
     bool is_done = ends_with_outcome(session);
 
-    title(purpose_ == Purpose::open ? marked("Open a state (.json) or a mesh (.obj)") : marked("Save the state"));
+    static constexpr const char* titles[] = {marked("Open a state (.json) or a mesh (.obj)"), marked("Save the state"),
+                                             marked("Save the state as the last step of a lesson")};
+    title(titles[static_cast<std::size_t>(purpose_)]);
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);
     ImGui::BeginChild("entries", {0.0F, -below}, true);

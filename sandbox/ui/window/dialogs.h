@@ -13,7 +13,7 @@ namespace viewing {
 /// A file to open or a name to save under; nothing is read or written before Enter or the button.
 class FileDialog {
 public:
-    enum class Purpose { open, save };
+    enum class Purpose { open, save, save_step };
     void show(Purpose purpose);
     /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
     void draw(Session& session);
