@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gl/dialect.h"
+#include "lesson/allowed.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
 #include "text/catalogue.h"
@@ -160,7 +161,16 @@ void Studio::judge_answer(bool wants_check) {
     if (is_goal && session.params == start) return run->forget_verdict();
     const Params& judged = is_goal ? session.params : start;
     LessonNumbers numbers(judged, start, session.scene(), &renderer_);
-    const Result<Verdict> verdict = judge(step.ask, run->answer(), numbers.surroundings());
+    Result<Verdict> verdict = judge(step.ask, run->answer(), numbers.surroundings());
+    if (verdict && verdict->right && is_goal) {
+        const std::vector<std::string> others = changed_without_leave(start, session.params, step.ask.allow);
+        if (!others.empty())
+            verdict = Verdict{false,
+                              {say("Reached, but not with what may be changed here: {field} is not as it was.",
+                                   "field"_a = others.front()),
+                               ""},
+                              ""};
+    }
     workbench.lesson_trouble = verdict ? "" : verdict.error();
     settling_ = std::max(settling_, 2);
     if (!verdict) return;

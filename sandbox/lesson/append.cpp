@@ -2,24 +2,12 @@
 
 #include <filesystem>
 
+#include "lesson/allowed.h"
 #include "state/presets.h"
 #include "state/reader.h"
 
 namespace viewing {
 namespace {
-
-/// The fields that differ, by their paths; groups are gone into.
-void add_differences(const Json& now, const Json& before, const std::string& path, Json& settings) {
-    for (const auto& [key, value] : now.items()) {
-        const std::string inside = path.empty() ? key : path + "." + key;
-        const Json& other = before.contains(key) ? before[key] : Json();
-        if (value == other || inside == "ui") continue;
-        if (value.is_object() && other.is_object() && is_group(inside))
-            add_differences(value, other, inside, settings);
-        else
-            settings[inside] = value;
-    }
-}
 
 Json new_lesson(const std::string& source) {
     return {{"lesson", 1},
@@ -30,7 +18,9 @@ Json new_lesson(const std::string& source) {
 
 Json step_of(const Params& params, const LoadedState& preset, const std::string& name, std::size_t number) {
     Json settings = Json::object();
-    add_differences(params_as_document(params), params_as_document(preset.params), "", settings);
+    Params now = params;
+    now.ui = preset.params.ui;  // the person's
+    for (const std::string& path : changed_fields(preset.params, now)) settings[path] = field_as_json(field(path), now);
     return {{"id", "step-" + std::to_string(number)},
             {"state", {{"preset", name}, {"set", std::move(settings)}}},
             {"say", "What is to be seen."},
@@ -48,7 +38,8 @@ Result<std::string> with_step(std::string_view existing, const std::string& sour
     return guarded([&] {
         const Where root{source + ": ", ""};
         Json lesson = existing.empty() ? new_lesson(source) : parse_document(existing, root.prefix);
-        if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") || !lesson["steps"].is_array())
+        if (!lesson.is_object() || !lesson.contains("lesson") || !lesson.contains("steps") ||
+            !lesson["steps"].is_array())
             root.refuse("is no lesson: it must have \"lesson\" and a list of \"steps\"");
         const std::string name = preset.empty() ? "opening" : preset;
         const Result<LoadedState> known = load_state(name);

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "lesson/allowed.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
 #include "state/json.h"
-#include "state/reader.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -16,14 +16,6 @@ std::string shortly(const Json& value) {
     constexpr std::size_t longest = 120;
     std::string text = value.dump();
     return text.size() > longest ? text.substr(0, longest) + "…" : text;
-}
-
-/// The paths whose values differ, down to the fields.
-void differences(const Json& a, const Json& b, const std::string& path, std::vector<std::string>& paths) {
-    if (a == b) return;
-    if (!a.is_object() || !b.is_object()) return paths.push_back(path);
-    for (const auto& [key, value] : a.items())
-        differences(value, b.contains(key) ? b[key] : Json(), path.empty() ? key : path + "." + key, paths);
 }
 
 class StepCheck {
@@ -160,16 +152,8 @@ private:
     }
 
     void check_allowed(const Params& start, const Params& model) {
-        if (step_.ask.allow.empty()) return;
-        std::vector<std::string> changed;
-        differences(params_as_document(start), params_as_document(model), "", changed);
-        for (const std::string& path : changed) {
-            const auto covers = [&](const std::string& allowed) {
-                return path == allowed || path.starts_with(allowed + ".");
-            };
-            if (std::none_of(step_.ask.allow.begin(), step_.ask.allow.end(), covers))
-                find("ask.model changes " + path + ", which ask.allow does not have");
-        }
+        for (const std::string& path : changed_without_leave(start, model, step_.ask.allow))
+            find("ask.model changes " + path + ", which ask.allow does not have");
     }
 
     const Lesson& lesson_;

@@ -107,7 +107,8 @@ void append_step(Session& session, const std::filesystem::path& file) {
         if (!lesson) return Error{lesson.error()};
         return write_file(file, {reinterpret_cast<const std::uint8_t*>(lesson->data()), lesson->size()});
     };
-    session.write(work, say("the state is the last step of {file}: its texts are to be filled in", "file"_a = file.string()));
+    session.write(work,
+                  say("the state is the last step of {file}: its texts are to be filled in", "file"_a = file.string()));
 }
 
 }  // namespace

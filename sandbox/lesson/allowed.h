@@ -1,0 +1,19 @@
+// Which fields differ between two states, and whether a goal's step lets them be changed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "state/params.h"
+
+namespace viewing {
+
+/// The paths of fields that differ.
+std::vector<std::string> changed_fields(const Params& before, const Params& after);
+
+/// Of the changed fields those that `allow` has not, by themselves or by their group. How things are looked at (view,
+/// observer, ui, animation) may always be changed, and everything where `allow` is empty.
+std::vector<std::string> changed_without_leave(const Params& before, const Params& after,
+                                               const std::vector<std::string>& allow);
+
+}  // namespace viewing
