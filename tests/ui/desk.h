@@ -85,7 +85,8 @@ public:
         const UiParams& looks = session.params.ui;
         widgets::Context& context = workbench.widgets;
         context.palette = palette_of(looks.theme);
-        context.scale = static_cast<float>(looks.scale) * context.palette.type_scale;
+        const float scale = static_cast<float>(looks.scale) * context.palette.type_scale;
+        context.scale = scale * enlargement(ImGui::GetIO().DisplaySize, scale, workbench.arrangement);
         context.fonts = load_fonts(context.scale);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;

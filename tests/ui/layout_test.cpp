@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "desk.h"
-#include "letters.h"
+#include "readable.h"
 #include "state/presets.h"
 #include "text/catalogue.h"
 #include "ui/parts/topics.h"
@@ -57,43 +57,6 @@ void expect_inside_its_area(const Desk& desk) {
             EXPECT_LE(item.max.y, area.rect.max.y + 0.5F) << text_of(item);
         }
     }
-}
-
-/// A child window's name has its parent's before it; what has a bar to scroll with may go on below.
-bool scrolls(const std::string& window) {
-    return window != "top" && window != "status" && window != "views" && window != "message";
-}
-
-bool overlap(const Line& a, const Line& b) {
-    constexpr float touch = 1.5F;
-    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // reach into the line above
-    return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && a.min.y + accents < b.max.y &&
-           b.min.y + accents < a.max.y;
-}
-
-/// A halo is the same text, a little beside itself; what stands close to it may be read as one with it.
-bool is_halo(const Line& a, const Line& b) {
-    const bool same_line = std::abs(a.min.y - b.min.y) <= 0.2F * a.line_height;
-    const bool is_part = a.text.find(b.text) != std::string::npos || b.text.find(a.text) != std::string::npos;
-    return a.text == b.text || (same_line && is_part);
-}
-
-/// Where letters are cut, and where they stand over each other.
-std::vector<std::string> unreadable(const Desk& desk) {
-    const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
-    const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number};
-    std::vector<std::string> found;
-    const ImDrawData* data = ImGui::GetDrawData();
-    for (int i = 0; i < data->CmdListsCount; ++i) {
-        const std::string window = data->CmdLists[i]->_OwnerName;
-        const std::vector<Line> lines = lines_of(page.letters(*data->CmdLists[i]));
-        for (const std::string& text : cut_lines(lines, scrolls(window))) found.push_back(window + ": cut: " + text);
-        for (std::size_t a = 0; a < lines.size(); ++a)
-            for (std::size_t b = a + 1; b < lines.size(); ++b)
-                if (overlap(lines[a], lines[b]) && !is_halo(lines[a], lines[b]))
-                    found.push_back(window + ": over each other: " + lines[a].text + " | " + lines[b].text);
-    }
-    return found;
 }
 
 /// The wordiest states: long tables, further controls, sentences of trouble.

@@ -1,0 +1,245 @@
+// Lessons as the window shows them, and as a room sees them: every step can be read at the sizes of projectors, the
+// keys of a clicker do what the README says, and what is covered is nowhere.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "desk.h"
+#include "readable.h"
+
+namespace viewing::test {
+namespace {
+
+Lesson lesson_of(const std::string& id) {
+    Result<Lesson> lesson = load_lesson(id);
+    if (!lesson) throw std::runtime_error(lesson.error());
+    return *std::move(lesson);
+}
+
+void begin(Desk& desk, const Lesson& lesson, std::size_t step, bool presents) {
+    desk.workbench.guide.begin(lesson, step, desk.session);
+    if (presents) desk.workbench.presenter.begin();
+    desk.settle();
+    desk.apply_looks();
+    desk.ui.move_to({-1, -1});
+    desk.ui.frames(3);
+}
+
+void show_answer(Desk& desk) {
+    desk.workbench.guide.reveal(desk.session);
+    desk.workbench.guide.next(desk.session);  // at once
+    desk.settle();
+}
+
+struct Room {
+    ImVec2 size;
+    Theme theme;
+};
+std::ostream& operator<<(std::ostream& out, const Room& room) {
+    return out << room.size.x << "x" << room.size.y << " " << name_of(room.theme);
+}
+const Room rooms[] = {{{1280, 720}, Theme::dark},       {{1920, 1080}, Theme::dark},
+                      {{1024, 768}, Theme::dark},       {{1280, 720}, Theme::projector},
+                      {{1920, 1080}, Theme::projector}, {{1024, 768}, Theme::projector}};
+
+class StageSlowTest : public ::testing::TestWithParam<Room> {
+protected:
+    /// Every so-manieth step of the lecture from `first` on, before and after its answer.
+    static void expect_readable(std::size_t first, std::size_t stride, bool presents) {
+        Desk desk(GetParam().size);
+        desk.params().ui.theme = GetParam().theme;
+        desk.apply_looks();
+        std::map<std::string, std::string> wrong;
+        std::size_t count = 0;
+        for (const LessonFile& file : lessons()) {
+            const Lesson lesson = lesson_of(file.path.string());
+            for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+                if (count++ % stride != first) continue;
+                begin(desk, lesson, step, presents);
+                const std::string name = lesson.id + ", step " + std::to_string(step + 1);
+                for (const std::string& text : unreadable(desk)) wrong.emplace(text, name);
+                show_answer(desk);
+                for (const std::string& text : unreadable(desk)) wrong.emplace(text, name + ", answered");
+            }
+        }
+        for (const auto& [text, step] : wrong) ADD_FAILURE() << step << ", " << text;
+    }
+    static std::size_t place() {
+        return static_cast<std::size_t>(std::find_if(std::begin(rooms), std::end(rooms),
+                                                     [](const Room& room) {
+                                                         return room.size.x == GetParam().size.x &&
+                                                                room.theme == GetParam().theme;
+                                                     }) -
+                                        std::begin(rooms));
+    }
+};
+
+/// Over the three sizes each step in each theme.
+TEST_P(StageSlowTest, WhatTheRoomSeesCanBeRead) {
+    expect_readable(place() % 3, 3, true);
+}
+
+TEST_P(StageSlowTest, WhatOneSeesAloneCanBeRead) {
+    expect_readable(place(), std::size(rooms), false);
+}
+
+/// A long run, by hand: --gtest_also_run_disabled_tests.
+TEST_P(StageSlowTest, DISABLED_EveryStepCanBeRead) {
+    expect_readable(0, 1, true);
+    expect_readable(0, 1, false);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, StageSlowTest, ::testing::ValuesIn(rooms));
+
+TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
+    for (const Room& room : rooms) {
+        Desk desk(room.size);
+        desk.params().ui.theme = room.theme;
+        begin(desk, lesson_of("depth-fighting"), 0, true);
+        const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
+        EXPECT_GE(fonts.caption->FontSize, std::floor(room.size.y / 36.0F)) << room;
+        EXPECT_GE(fonts.number->FontSize, std::floor(room.size.y / 48.0F)) << room;
+    }
+}
+
+TEST(OnStage, AClickerLeadsThroughALessonAndNeverSkipsAnAnswer) {
+    Desk desk({1280, 720});
+    const Lesson lesson = lesson_of("view-is-the-inverse");
+    begin(desk, lesson, 0, true);
+    Guide& guide = desk.workbench.guide;
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+        EXPECT_EQ(guide.run()->index(), step);
+        EXPECT_FALSE(guide.run()->is_revealed());
+        EXPECT_EQ(desk.params(), lesson.steps[step].start.params) << step;
+        desk.press(Key::page_down);
+        EXPECT_TRUE(guide.run()->is_revealed());
+        desk.press(Key::page_down);  // a double press shows at once what was to come slowly
+        desk.settle();
+        if (guide.run()->index() == step) {
+            EXPECT_EQ(desk.params(), lesson.steps[step].revealed) << step;
+            desk.press(Key::page_down);
+        }
+        desk.settle();
+    }
+    EXPECT_TRUE(guide.run()->is_last());
+    EXPECT_TRUE(guide.run()->is_revealed());
+    desk.press(Key::page_up);
+    desk.settle();
+    EXPECT_FALSE(guide.run()->is_revealed()) << "back to the question first";
+    desk.press(Key::page_up);
+    desk.settle();
+    EXPECT_EQ(guide.run()->index(), lesson.steps.size() - 2);
+}
+
+TEST(OnStage, MistakenKeysDoNothing) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("lens"), 1, true);
+    const Params before = desk.params();
+    for (const Key key : {Key::f5, Key::escape, Key::escape, Key::f1, Key::f5}) desk.press(key);
+    EXPECT_TRUE(desk.workbench.presenter.is_on());
+    EXPECT_EQ(desk.workbench.guide.run()->index(), 1U);
+    EXPECT_FALSE(desk.workbench.guide.run()->is_revealed());
+    EXPECT_EQ(desk.params(), before);
+    desk.press_with(Key::shift, Key::escape);
+    EXPECT_FALSE(desk.workbench.presenter.is_on());
+    EXPECT_TRUE(desk.workbench.guide.is_shown()) << "the lesson goes on in the window";
+}
+
+TEST(OnStage, WakingABlackScreenDoesNothingElse) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("lens"), 0, true);
+    for (const Key key : {Key::period, Key::b, Key::comma}) {
+        desk.press(key);
+        EXPECT_TRUE(desk.workbench.presenter.takes_mouse());
+        desk.press(Key::page_down);
+        EXPECT_FALSE(desk.workbench.presenter.takes_mouse());
+        EXPECT_FALSE(desk.workbench.guide.run()->is_revealed());
+    }
+}
+
+TEST(OnStage, HomeBringsTheStepBackAsOneStepOfUndo) {
+    Desk desk({1280, 720});
+    const Lesson lesson = lesson_of("lens");
+    begin(desk, lesson, 0, true);
+    desk.params().camera.yaw += 20.0;
+    desk.ui.frames(3);
+    const Params improvised = desk.params();
+    EXPECT_TRUE(desk.workbench.guide.departs(desk.session));
+    desk.press(Key::home);
+    desk.settle();
+    EXPECT_EQ(desk.params(), lesson.steps[0].start.params);
+    EXPECT_FALSE(desk.workbench.guide.departs(desk.session));
+    desk.session.undo();
+    EXPECT_EQ(desk.params(), improvised);
+}
+
+TEST(OnStage, TheStateBeforeTheAnswerIsThereWhileXIsHeld) {
+    Desk desk({1280, 720});
+    const Lesson lesson = lesson_of("view-is-the-inverse");
+    begin(desk, lesson, 0, true);
+    show_answer(desk);
+    ASSERT_EQ(desk.params(), lesson.steps[0].revealed);
+    desk.hold(Key::x);
+    desk.ui.frames(2);
+    EXPECT_EQ(desk.params(), lesson.steps[0].start.params);
+    desk.let_go(Key::x);
+    EXPECT_EQ(desk.params(), lesson.steps[0].revealed);
+}
+
+TEST(OnStage, TheOverviewJumpsAndBackspaceGoesBack) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("depth-fighting"), 1, true);
+    desk.press(Key::o);
+    EXPECT_TRUE(desk.workbench.presenter.shows_overview());
+    desk.press(Key::six);
+    desk.press(Key::enter);
+    desk.settle();
+    EXPECT_EQ(desk.workbench.guide.run()->index(), 5U);
+    desk.press(Key::backspace);
+    desk.settle();
+    EXPECT_EQ(desk.workbench.guide.run()->index(), 1U);
+    desk.press(Key::o);
+    desk.press(Key::escape);
+    EXPECT_FALSE(desk.workbench.presenter.shows_overview());
+}
+
+TEST(OnStage, HandsAreCountedByDigits) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("view-is-the-inverse"), 0, true);
+    const std::vector<int>& votes = desk.workbench.guide.run()->votes();
+    desk.press(Key::two);
+    desk.press(Key::two);
+    desk.press(Key::one);
+    desk.press(Key::nine);  // no such choice
+    EXPECT_EQ(votes, (std::vector{1, 2, 0, 0}));
+    desk.press_with(Key::shift, Key::two);
+    EXPECT_EQ(votes, (std::vector{1, 1, 0, 0}));
+}
+
+TEST(LessonStrip, AWrongChoiceIsToldWhyAndARightOneAsksToBeJudged) {
+    Desk desk({1600, 900});
+    const Lesson lesson = lesson_of("view-is-the-inverse");
+    begin(desk, lesson, 0, false);
+    const auto& choices = lesson.steps[0].ask.choices;
+    const auto wrong = std::find_if(choices.begin(), choices.end(), [](const LessonChoice& one) { return !one.right; });
+    const auto index = wrong - choices.begin();
+    desk.click("lesson strip/answers/choice " + std::to_string(index + 1));
+    EXPECT_EQ(desk.workbench.guide.run()->answer().items, std::vector{static_cast<int>(index)});
+}
+
+TEST(LessonStrip, OneLeavesAndComesBackToTheStep) {
+    Desk desk({1600, 900});
+    const Lesson lesson = lesson_of("lens");
+    begin(desk, lesson, 2, false);
+    desk.click("lesson strip/Explore freely");
+    EXPECT_FALSE(desk.workbench.guide.is_shown());
+    desk.params().camera.yaw += 33.0;
+    desk.ui.frames(3);
+    desk.click("top/Back to the lesson###Lesson");
+    desk.settle();
+    EXPECT_TRUE(desk.workbench.guide.is_shown());
+    EXPECT_EQ(desk.params(), lesson.steps[2].start.params);
+}
+
+}  // namespace
+}  // namespace viewing::test

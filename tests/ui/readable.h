@@ -1,0 +1,51 @@
+// Whether what a frame has drawn can be read: letters that are cut, and letters over each other, found in what ImGui
+// was told to draw.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "desk.h"
+#include "letters.h"
+
+namespace viewing::test {
+
+/// A child window's name has its parent's before it; what has a bar to scroll with may go on below.
+inline bool scrolls(const std::string& window) {
+    return window != "top" && window != "status" && window != "views" && window != "message" && window != "lesson";
+}
+
+inline bool overlap(const Line& a, const Line& b) {
+    constexpr float touch = 1.5F;
+    const float accents = 0.3F * std::min(a.line_height, b.line_height);  // reach into the line above
+    return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && a.min.y + accents < b.max.y &&
+           b.min.y + accents < a.max.y;
+}
+
+/// A halo is the same text, a little beside itself; what stands close to it may be read as one with it.
+inline bool is_halo(const Line& a, const Line& b) {
+    const bool same_line = std::abs(a.min.y - b.min.y) <= 0.2F * a.line_height;
+    const bool is_part = a.text.find(b.text) != std::string::npos || b.text.find(a.text) != std::string::npos;
+    return a.text == b.text || (same_line && is_part);
+}
+
+/// Where letters are cut, and where they stand over each other.
+inline std::vector<std::string> unreadable(const Desk& desk) {
+    const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
+    const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};
+    std::vector<std::string> found;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        const std::string window = data->CmdLists[i]->_OwnerName;
+        const std::vector<Line> lines = lines_of(page.letters(*data->CmdLists[i]));
+        for (const std::string& text : cut_lines(lines, scrolls(window))) found.push_back(window + ": cut: " + text);
+        for (std::size_t a = 0; a < lines.size(); ++a)
+            for (std::size_t b = a + 1; b < lines.size(); ++b)
+                if (overlap(lines[a], lines[b]) && !is_halo(lines[a], lines[b]))
+                    found.push_back(window + ": over each other: " + lines[a].text + " | " + lines[b].text);
+    }
+    return found;
+}
+
+}  // namespace viewing::test
