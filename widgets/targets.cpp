@@ -183,11 +183,11 @@ TargetScope::~TargetScope() {
     Current().scopes.pop_back();
 }
 
-void DrawHighlights() {
+void DrawHighlights(float bottom) {
     const Targets& targets = Current();
     if (targets.found.empty()) return;
     const Palette& palette = CurrentContext().palette;
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const ImVec2 screen(ImGui::GetIO().DisplaySize.x, std::min(bottom, ImGui::GetIO().DisplaySize.y));
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(screen);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
@@ -204,7 +204,7 @@ void DrawHighlights() {
                     std::ceil(std::min(found.max.y + margin, screen.y)))});
     }
     draw->PushClipRectFullScreen();
-    constexpr float dimmed = 0.45F;
+    constexpr float dimmed = 0.3F;
     DrawDimmed(draw, screen, holes, inner::WithAlpha(palette.ground, dimmed));
     for (const Box& hole : holes) {
         draw->AddRect(hole.min, hole.max, palette.accent, Px(3), 0, std::max(width, 2.0F));

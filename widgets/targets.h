@@ -79,7 +79,7 @@ struct TargetScope {
 };
 
 /// Frames what was found and dims everything else a little, over all windows that lie below: call it last in a frame.
-/// The pointer goes through.
-void DrawHighlights();
+/// The pointer goes through. What lies below `bottom`, in pixels, stays as it is.
+void DrawHighlights(float bottom);
 
 }  // namespace widgets

@@ -19,12 +19,13 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
     presenter.update(input, guide, session);
     arrangement.presents = presenter.is_on();
-    stage = {};
     LessonRun* const run = guide.run();
-    if (!run) {
-        led_.clear();
+    if (!run || !guide.is_shown()) {
+        if (stage.has_lesson) stage = {};
+        if (!run) led_.clear();
         return;
     }
+    stage = {};
     const Lesson& lesson = run->lesson();
     LessonProgress& known = progress[lesson.id];
     if (led_ != lesson.id) {
@@ -36,7 +37,6 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     known.done.clear();
     for (std::size_t step = 0; step < lesson.steps.size(); ++step)
         if (run->is_done(step)) known.done.push_back(step);
-    if (!guide.is_shown()) return;
     const LessonStep& step = run->step();
     stage.has_lesson = true;
     stage.asks = !run->is_revealed();

@@ -282,7 +282,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     requests.cancel_hidden = std::exchange(views.hidden.panel.cancel_method, false);
     requests.restart_hidden = std::exchange(views.hidden.panel.restart_method, false);
     requests.view_picture = std::exchange(views.hidden.growth.wanted_picture, std::nullopt);
-    widgets::DrawHighlights();
+    widgets::DrawHighlights(now.strip.empty() ? ImGui::GetIO().DisplaySize.y : now.strip.min.y);
     draw_lesson(session, now, pictures, requests);
     draw_loading(session, now);
     draw_message(session, now);
