@@ -25,8 +25,8 @@ struct Remembered {
     std::optional<Theme> theme;
     std::optional<double> scale;
     std::optional<WindowPlace> window;
-    LessonsProgress lessons;
-    std::vector<std::string> recent;  ///< files that were opened, the latest first
+    LessonsProgress lessons = {};
+    std::vector<std::string> recent = {};  ///< files that were opened, the latest first
     bool operator==(const Remembered&) const = default;
 };
 

@@ -184,8 +184,9 @@ public:
         ui.frames(2);
     }
     void fold_out_all() {
-        for (const char* label : {"camera/Famous slips", "Depth buffer", "shadow/Shadow: style and offset",
-                                  "shadow/Shadow: clip at light, sign, stencil", "reflection/Mirror: how it is drawn"})
+        for (const char* label :
+             {"camera/Famous slips", "projection/Aspect and radians", "Depth buffer", "shadow/Shadow: style and offset",
+              "shadow/Shadow: clip at light, sign, stencil", "reflection/Mirror: how it is drawn"})
             if (!is_folded_out(label)) click(label);
         if (ui.text_of("Observer") == "folded") click("Observer");
     }
@@ -224,6 +225,8 @@ private:
             std::string_view details, item;
         };
         static constexpr Inside all[] = {{"camera/Famous slips", "camera/C sent as V"},
+                                         {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
+                                         {"projection/Aspect and radians", "projection/aspect, 0: the view's"},
                                          {"Depth buffer", "buffer/depth format"},
                                          {"shadow/Shadow: style and offset", "shadow/style/Blend"},
                                          {"shadow/Shadow: clip at light, sign, stencil", "shadow/Own stencil"},

@@ -122,11 +122,11 @@ TEST_F(KeysTest, NGoesThroughTheNavigationModes) {
     }
 }
 
-TEST_F(KeysTest, BHidesHandlesAndLabels) {
+TEST_F(KeysTest, HHidesHandlesAndLabels) {
     ASSERT_TRUE(ui.has("view/n"));
-    desk.press(Key::b);
+    desk.press(Key::h);
     EXPECT_FALSE(ui.has("view/n"));
-    desk.press(Key::b);
+    desk.press(Key::h);
     EXPECT_TRUE(ui.has("view/n"));
 }
 

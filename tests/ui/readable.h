@@ -16,11 +16,14 @@ inline bool scrolls(const std::string& window) {
     return window != "top" && window != "status" && window != "views" && window != "message" && window != "lesson";
 }
 
+/// Of what is left of them where a window scrolls.
 inline bool overlap(const Line& a, const Line& b) {
     constexpr float touch = 1.5F;
     const float accents = 0.3F * std::min(a.line_height, b.line_height);  // reach into the line above
-    return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && a.min.y + accents < b.max.y &&
-           b.min.y + accents < a.max.y;
+    const auto top = [](const Line& line) { return std::max(line.min.y, line.clip.y); };
+    const auto bottom = [](const Line& line) { return std::min(line.max.y, line.clip.w); };
+    return a.min.x + touch < b.max.x && b.min.x + touch < a.max.x && top(a) + accents < bottom(b) &&
+           top(b) + accents < bottom(a);
 }
 
 /// A halo is the same text, a little beside itself; what stands close to it may be read as one with it.

@@ -121,7 +121,7 @@ TEST_F(ViewsTest, AFlippedPlaneKeepsItsSignWhenTilted) {
 }
 
 TEST_F(ViewsTest, WithoutHandlesTheMouseLooks) {
-    desk.press(Key::b);
+    desk.press(Key::h);
     ASSERT_FALSE(desk.workbench.views.handles);
     const Params before = params;
     desk.drag_from(desk.in_camera_view(light()), 60.0F, 0.0F);

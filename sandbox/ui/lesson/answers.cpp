@@ -29,18 +29,18 @@ float choice_width(float width, float scale) {
     return std::floor((width - gap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns));
 }
 
-Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context) {
+Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context, bool presents) {
     const float scale = context.scale;
-    return paragraph(shown_text(say), context.fonts.text,
+    return paragraph(shown_text(say), presents ? context.fonts.caption : context.fonts.text,
                      choice_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
 }
 
 /// Of the rows of choices: each as high as its highest one.
-std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context) {
+std::vector<float> row_heights(const Ask& ask, float width, const widgets::Context& context, bool presents) {
     const auto columns = static_cast<std::size_t>(columns_of_choices(width, context.scale));
     std::vector<float> rows((ask.choices.size() + columns - 1) / columns, 0.0F);
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
-        const float height = choice_text(ask.choices[i].say, width, context).height;
+        const float height = choice_text(ask.choices[i].say, width, context, presents).height;
         rows[i / columns] = std::max(rows[i / columns], std::ceil(height + 2.0F * padding_y * context.scale));
     }
     return rows;
@@ -122,7 +122,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const float scale = context.scale, one = choice_width(width, scale);
     const int columns = columns_of_choices(width, scale);
-    const std::vector<float> rows = row_heights(ask, width, context);
+    const std::vector<float> rows = row_heights(ask, width, context, style.presents);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     Answer& answer = run.answer();
     const int most_votes = run.votes().empty() ? 0 : *std::max_element(run.votes().begin(), run.votes().end());
@@ -141,14 +141,13 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
         const bool is_told = is_chosen && run.verdict() && !run.verdict()->right;
         const TileLook look{is_chosen, style.shows_right && ask.choices[i].right, is_told};
         draw_ground(min, max, look, style.is_open && ImGui::IsItemHovered());
-        if (style.shows_votes) draw_votes(min, max, run.votes()[i], most_votes);
+        if (style.presents) draw_votes(min, max, run.votes()[i], most_votes);
         const char letter[] = {static_cast<char>('A' + i), '\0'};
-        const Paragraph text = choice_text(ask.choices[i].say, width, context);
+        const Paragraph text = choice_text(ask.choices[i].say, width, context, style.presents);
         ImDrawList* draw = ImGui::GetWindowDrawList();
         const float text_y = std::floor((min.y + max.y - text.height) * 0.5F);
         const ImU32 ink = style.shows_right && !ask.choices[i].right ? palette().quiet : palette().text;
-        draw->AddText(context.fonts.heading, context.fonts.heading->FontSize, {min.x + padding_x * scale, text_y},
-                      palette().accent, letter);
+        draw->AddText(text.font, text.font->FontSize, {min.x + padding_x * scale, text_y}, palette().accent, letter);
         draw->AddText(text.font, text.font->FontSize, {min.x + (padding_x + letter_room) * scale, text_y}, ink,
                       text.lines.c_str());
         if (pressed && style.is_open) {
@@ -286,11 +285,11 @@ bool needs_check(AskKind kind) {
     return kind != AskKind::choice && kind != AskKind::goal;
 }
 
-float answers_height(const Ask& ask, float width, const widgets::Context& context) {
+float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents) {
     const float scale = context.scale;
     float height = 0.0F;
     if (ask.kind == AskKind::choice) {
-        for (const float row : row_heights(ask, width, context)) height += row + gap * scale;
+        for (const float row : row_heights(ask, width, context, presents)) height += row + gap * scale;
     } else if (is_typed(ask.kind)) {
         const bool has_rows = ask.kind == AskKind::matrix;
         height = (has_rows ? static_cast<float>(ask.rows) : 1.0F) * (frame_height(context) + gap * scale);

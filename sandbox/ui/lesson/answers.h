@@ -6,13 +6,13 @@
 
 namespace viewing {
 
-/// Pixels below each other that draw_answers() takes; also outside a frame.
-float answers_height(const Ask& ask, float width, const widgets::Context& context);
+/// Pixels below each other that draw_answers() takes; also outside a frame. `presents`: choices are larger.
+float answers_height(const Ask& ask, float width, const widgets::Context& context, bool presents);
 
 struct AnswerStyle {
     bool is_open = true;       ///< it can be answered still
     bool shows_right = false;  ///< the right answer is marked
-    bool shows_votes = false;  ///< in front of a room: bars of raised hands in place of a click
+    bool presents = false;     ///< in front of a room: larger, with bars of raised hands in place of a click
 };
 
 /// Edits the run's answer. True when it was given with this: a choice that was clicked. What is typed or put in order

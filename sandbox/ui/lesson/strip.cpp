@@ -12,6 +12,7 @@ namespace viewing {
 namespace {
 
 constexpr float margin = 14.0F, between = 26.0F, line_gap = 6.0F;  ///< design pixels
+constexpr float button_gap = 8.0F;
 constexpr float least_two_columns = 760.0F;
 constexpr float left_share = 0.36F;
 
@@ -44,6 +45,45 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
     return height;
 }
 
+/// The words on the buttons of a step, in their order; `departs`: with the one that brings the step back.
+std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
+    std::vector<const char*> labels{"◂###back"};
+    labels.push_back(run.is_revealed() ? marked("Next ▸") : marked("Show the answer"));
+    const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
+    if (!run.is_revealed() && has_more_hints) labels.push_back(marked("Hint"));
+    if (departs) labels.push_back(marked("As it was"));
+    labels.push_back(marked("All steps"));
+    labels.push_back(marked("Explore freely"));
+    return labels;
+}
+
+float button_width(const char* label, const widgets::Context& context) {
+    const std::string_view shown = std::string_view(label).substr(0, std::string_view(label).find("##"));
+    const std::string text(tr_part(shown));
+    return context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x +
+           2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+/// Whether each button begins a new line: where there is no room for it in the one before.
+std::vector<bool> line_breaks(const std::vector<const char*>& labels, float width, const widgets::Context& context) {
+    std::vector<bool> breaks;
+    const float space = button_gap * context.scale;
+    float x = 0.0F;
+    for (const char* const label : labels) {
+        const float one = button_width(label, context);
+        breaks.push_back(x > 0.0F && x + one > width);
+        x = (breaks.back() ? 0.0F : x) + one + space;
+    }
+    return breaks;
+}
+
+/// Of the buttons, with the one that may still come.
+float buttons_height(const LessonRun& run, float width, const widgets::Context& context) {
+    const std::vector<bool> breaks = line_breaks(button_labels(run, true), width, context);
+    const auto rows = static_cast<float>(1 + std::count(breaks.begin(), breaks.end(), true));
+    return rows * (button_height(context) + line_gap * context.scale);
+}
+
 float left_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
@@ -52,14 +92,14 @@ float left_height(const LessonRun& run, float width, const widgets::Context& con
     for (int i = 0; i < run.hints_shown(); ++i)
         height +=
             paragraph(shown_text(step.ask.hints[static_cast<std::size_t>(i)]), context.fonts.text, width).height + gap;
-    return presents ? height : height + button_height(context) + gap;
+    return presents ? height : height + buttons_height(run, width, context);
 }
 
 float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
     float height = paragraph(shown_text(step.ask.question), context.fonts.caption, width).height + gap;
-    height += answers_height(step.ask, width, context);
+    height += answers_height(step.ask, width, context, presents);
     if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
     return height + feedback_height(step, width, context, presents);
 }
@@ -100,44 +140,28 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     ImGui::PopFont();
 }
 
-/// One after the other, in a new line where there is no room.
-class ButtonRow {
-public:
-    explicit ButtonRow(float right) : right_(right) {}
-    bool button(const char* label, bool enabled, const char* why, const char* tip) {
-        const float width = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-        if (!is_first_ && ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width <= right_)
-            ImGui::SameLine();
-        is_first_ = false;
-        const bool pressed = widgets::Button(label, enabled, why);
-        widgets::Tooltip(label, tip);
-        return pressed;
-    }
-
-private:
-    float right_;
-    bool is_first_ = true;
-};
-
 void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
-    ButtonRow row(ImGui::GetCursorScreenPos().x + width);
     const bool is_revealed = run.is_revealed();
-    wishes.previous = row.button("◂###back", !run.is_first() || is_revealed, marked("this is where the lesson begins"),
-                                 marked("Back: the question again, then the step before."));
-    if (!is_revealed)
-        wishes.next = row.button("Show the answer", true, "",
-                                 marked("What one would see, and why. Answering first teaches more."));
-    else
-        wishes.next = row.button("Next ▸", !run.is_last(), marked("this was the last step"), marked("The next step."));
-    const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
-    if (!is_revealed && has_more_hints && row.button("Hint", true, "", marked("A step towards the answer.")))
+    const std::vector<const char*> labels = button_labels(run, look.departs);
+    const std::vector<bool> breaks = line_breaks(labels, width, widgets::CurrentContext());
+    std::size_t place = 0;
+    const auto button = [&](bool enabled, const char* why, const char* tip) {
+        if (place > 0 && !breaks[place]) ImGui::SameLine(0.0F, px(button_gap));
+        const bool pressed = widgets::Button(labels[place], enabled, why);
+        widgets::Tooltip(labels[place], tip);
+        ++place;
+        return pressed;
+    };
+    wishes.previous = button(!run.is_first() || is_revealed, marked("this is where the lesson begins"),
+                             marked("Back: the question again, then the step before."));
+    wishes.next = is_revealed ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
+                              : button(true, "", marked("What one would see, and why. Answering first teaches more."));
+    if (place + 2 + (look.departs ? 1U : 0U) < labels.size() && button(true, "", marked("A step towards the answer.")))
         run.show_hint();
-    if (look.departs)
-        wishes.again = row.button("As it was", true, "", marked("The step's state again. Ctrl+Z takes that back."));
-    wishes.overview = row.button("All steps", true, "", marked("The steps of this lesson as pictures."));
-    wishes.leave =
-        row.button("Explore freely", true, "",
-                   marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
+    if (look.departs) wishes.again = button(true, "", marked("The step's state again. Ctrl+Z takes that back."));
+    wishes.overview = button(true, "", marked("The steps of this lesson as pictures."));
+    wishes.leave = button(
+        true, "", marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
 }
 
 void draw_left(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {

@@ -166,15 +166,19 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const bool narrow = layout.top_bar.width() < px(1000.0F);
+    const bool narrow = layout.top_bar.width() < px(1100.0F);
     const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
     const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
-    for (const char* label : {lesson, "Undo", "Redo", "File", "Look", "?"}) buttons += button_room(label);
+    for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
     // In a narrow bar long buttons take their room from the lists.
     const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
-    const float room = layout.top_bar.width() - px(20.0F) - buttons, lists = scene_width + px(6.0F) + preset_width;
+    const float lists = scene_width + px(6.0F) + preset_width, undo = button_room("Undo") + button_room("Redo");
+    // Where the lists would be too short to be read, there are Ctrl+Z and Ctrl+Shift+Z.
+    const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;
+    if (has_undo) buttons += undo;
+    const float room = layout.top_bar.width() - px(20.0F) - buttons;
     const bool has_steps = !narrow || lists + step_buttons_room() <= room;  // else there are Page up and Page down
     const float share =
         narrow ? std::clamp((room - (has_steps ? step_buttons_room() : 0.0F)) / lists, 0.1F, 1.0F) : 1.0F;
@@ -207,10 +211,12 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     }
     draw_lesson_button(session);
     ImGui::SameLine();
-    if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();
-    ImGui::SameLine();
-    if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();
-    ImGui::SameLine();
+    if (has_undo) {
+        if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();
+        ImGui::SameLine();
+        if (widgets::Button("Redo", session.can_redo(), "nothing to redo")) session.redo();
+        ImGui::SameLine();
+    }
     draw_file_menu(session, requests);
     ImGui::SameLine();
     draw_look_menu(session, requests);

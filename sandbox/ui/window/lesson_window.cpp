@@ -1,5 +1,6 @@
 // How a lesson takes part in the window: its strip, its keys, what it covers and points out, its pages.
 #include <algorithm>
+#include <utility>
 
 #include "text/catalogue.h"
 #include "ui/lesson/lesson_text.h"
@@ -21,11 +22,12 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     arrangement.presents = presenter.is_on();
     LessonRun* const run = guide.run();
     if (!run || !guide.is_shown()) {
-        if (stage.has_lesson) stage = {};
+        if (std::exchange(leads_, false)) stage = {};
         if (!run) led_.clear();
         return;
     }
     stage = {};
+    leads_ = true;
     const Lesson& lesson = run->lesson();
     LessonProgress& known = progress[lesson.id];
     if (led_ != lesson.id) {
@@ -80,6 +82,25 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
     start_page.draw(guide, session, progress, recent, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
     if (guide.run()) presenter.draw(guide.run()->index());
+}
+
+void Workbench::remember_opened(const Session& session) {
+    const auto remember = [this](const std::string& file) {
+        constexpr std::size_t most = 10;
+        if (!recent.empty() && recent.front() == file) return;
+        std::erase(recent, file);
+        recent.insert(recent.begin(), file);
+        recent.resize(std::min(recent.size(), most));
+    };
+    if (!session.opening().empty()) {
+        opening_ = session.opening();
+    } else if (!opening_.empty()) {
+        // A preset's name is no file.
+        if (!session.message.is_error && opening_.find('/') != std::string::npos) remember(opening_);
+        opening_.clear();
+    }
+    const auto* const scene = std::get_if<std::string>(&session.params.scene);
+    if (scene && scene->starts_with('/') && scene->ends_with(".obj") && !session.loading_fraction()) remember(*scene);
 }
 
 void Workbench::draw_lesson_button(Session& session) {

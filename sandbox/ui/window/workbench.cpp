@@ -260,6 +260,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
                          const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
                          const FrameInput& input) {
     follow_lesson(session, input);
+    remember_opened(session);
     set_stage();
     widgets::NewFrame(widgets);
     Requests requests;

@@ -106,7 +106,11 @@ private:
     std::optional<double> pending_scale_;
     bool help_open_ = false;
     MatrixChoice matrix_choice_;
-    std::string led_;  ///< the lesson whose progress was taken over
+    void remember_opened(const Session& session);
+
+    std::string opening_;  ///< a file that is being read
+    bool leads_ = false;   ///< what is on the stage is the lesson's
+    std::string led_;      ///< the lesson whose progress was taken over
 };
 
 }  // namespace viewing
