@@ -80,10 +80,14 @@ ExitStatus check(const Typed& typed, const std::string& device) {
         }
         steps += lesson.steps.size();
     }
-    print(findings.empty() ? std::to_string(read.size()) + " lessons, " + std::to_string(steps) +
-                                 " steps: claims hold, answers are judged right, all are drawn\n"
-                           : findings);
-    return findings.empty() ? ExitStatus::done : ExitStatus::different;
+    if (findings.empty()) {
+        print(std::to_string(read.size()) + " lessons, " + std::to_string(steps) +
+              " steps: claims hold, answers are judged right, all are drawn\n");
+        return ExitStatus::done;
+    }
+    print(findings);
+    const auto count = std::count(findings.begin(), findings.end(), '\n');
+    throw Failure(ExitStatus::different, "lesson --check: " + std::to_string(count) + " things fail");
 }
 
 ExitStatus write_handout(const Options& options, const Typed& typed) {
@@ -165,19 +169,18 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
 }  // namespace
 
-constinit const Command lesson_command{
-    "lesson",
-    "[ID|FILE] [--step N] [--present] [--notes terminal|FILE] [--handout OUT.html] [--check] [--names] [--list]",
-    "the window in a guided lesson: each step asks before it shows",
-    "A lesson is a JSON file of steps, each with its whole state, a question, the "
-    "answers that people give, and what is "
-    "shown then.",
-    "lesson view-is-the-inverse\n"
-    "lesson depth-fighting --present\n"
-    "lesson --list\n"
-    "lesson --check mine.json\n"
-    "lesson --names",
-    "012349",
-    run};
+constinit const Command lesson_command{"lesson",
+                                       "[ID|FILE] [--step N] [--present] [--notes terminal|FILE] [OPTIONS]",
+                                       "the window in a guided lesson: each step asks before it shows",
+                                       "A lesson is a JSON file of steps, each with its whole state, a question, the "
+                                       "answers that people give, and what is "
+                                       "shown then.",
+                                       "lesson view-is-the-inverse\n"
+                                       "lesson depth-fighting --present\n"
+                                       "lesson --list\n"
+                                       "lesson --check mine.json\n"
+                                       "lesson --names",
+                                       "012349",
+                                       run};
 
 }  // namespace viewing

@@ -186,8 +186,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 constinit const Command measure_command{
     "measure",
     "[STATE] [--set PATH=VALUE]… --what visibility|growth|fighting|mirror|order [--size WxH] [OPTIONS]",
-    "what hidden-surface methods do and cost, where depth fights, how mirror images differ, who hides whom: JSON or "
-    "CSV",
+    "hidden-surface methods, depth fighting, mirror images, who hides whom: JSON or CSV",
     "visibility runs every hidden-surface method on the scene from the camera, with the sort key, splitter, epsilon "
     "and culling of the state: counters, times in milliseconds, and wrong_pixels, which show what ray casting with "
     "triangles sees nowhere within a pixel. A number that a method does not have is null; problem is a sentence when "

@@ -70,6 +70,7 @@ void Guide::next(Session& session) {
     if (!run_->is_revealed()) return reveal(session);
     if (run_->is_last()) return;
     run_->go_to(run_->index() + 1);
+    run_->cover();
     return_to_step(session);
 }
 
@@ -86,6 +87,7 @@ void Guide::go_to(std::size_t step, Session& session) {
     if (!run_) return;
     before_jump_ = run_->index();
     run_->go_to(step);
+    run_->cover();
     return_to_step(session);
 }
 

@@ -34,10 +34,11 @@ public:
     /// Ends the lesson; nothing waits any more.
     void close();
 
-    /// The next thing: the question's answer, then the next step. Nothing after the last one.
+    /// The next thing: the question's answer, then the next step's question. Nothing after the last one.
     void next(Session& session);
     /// The previous thing: the question again, then the step before, whole.
     void previous(Session& session);
+    /// The question of that step, answered before or not.
     void go_to(std::size_t step, Session& session);
     /// The one that was shown before the last go_to().
     void go_back(Session& session);

@@ -11,8 +11,8 @@ namespace {
 
 class Usage : public Program {};
 
-const std::vector<std::string> command_names{"open",    "snapshot", "compare", "matrices", "inspect",
-                                             "measure", "state",    "params",  "presets",  "doctor"};
+const std::vector<std::string> command_names{"open",  "snapshot", "compare", "matrices", "inspect", "measure",
+                                             "state", "params",   "presets", "doctor",   "lesson"};
 
 bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

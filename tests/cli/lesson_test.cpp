@@ -1,0 +1,89 @@
+// Lessons by the command line: their list, their own tests, a step as a picture, paper.
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+class LessonCommand : public Program {};
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// A lesson of one step; `claim` must hold after its answer.
+std::string lesson_with(const std::string& claim, const std::string& wrong_try = "10") {
+    return R"({"lesson": 1, "id": "mine", "title": "Mine", "tags": {"T": "ten"}, "steps": [{"id": "one", "say": "Look.",
+        "ask": {"kind": "number", "question": "How far is z-far?", "expect": "projection.far", "tol": 0.1,
+                "wrong": [{"when": "answer == 10", "try": )" +
+           wrong_try + R"(, "tag": "T", "say": "That is ten."}]},
+        "reveal": {"set": {"projection.near": 2}, "say": "Forty."}, "claims": [")" +
+           claim + R"("]}]})";
+}
+
+TEST_F(LessonCommand, ListsTheLecture) {
+    const std::string list = expect(0, {"lesson", "--list"}).out;
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 16);
+    EXPECT_TRUE(has(list, "depth-fighting — "));
+    EXPECT_TRUE(has(expect(0, {"lesson", "--names"}).out, "apply(M, p)"));
+}
+
+TEST_F(LessonCommand, ACheckThatFailsNamesLessonStepAndValues) {
+    write("mine.json", lesson_with("projection.near == 2"));
+    EXPECT_TRUE(has(expect(0, {"lesson", "--check", "mine.json"}).out, "1 lessons, 1 steps"));
+    write("mine.json", lesson_with("projection.near == 3"));
+    const std::string found = expect(1, {"lesson", "--check", "mine.json"}).out;
+    EXPECT_TRUE(has(found, "mine, step one: claims[0]: projection.near == 3 does not hold; it is 2.0 and 3.0"))
+        << found;
+    write("mine.json", lesson_with("true", "11"));
+    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is not recognised"));
+    write("mine.json", lesson_with("true", "40"));
+    EXPECT_TRUE(has(expect(1, {"lesson", "--check", "mine.json"}).out, "ask.wrong[0] is taken for right"));
+}
+
+TEST_F(LessonCommand, ABrokenFileIsOneSentence) {
+    write("mine.json", lesson_with("projection.naer == 2 and"));
+    EXPECT_TRUE(has(expect(2, {"lesson", "--check", "mine.json"}).err, "mine.json: step one: claims[0]: "));
+    expect(2, {"lesson", "--check", "nowhere.json"});
+    EXPECT_TRUE(has(expect(2, {"lesson", "depht-fighting", "--check"}).err, "did you mean depth-fighting?"));
+    expect(2, {"lesson", "--present"});
+    expect(2, {"lesson", "--answers", "lens"});
+    expect(2, {"lesson", "--check", "--list"});
+}
+
+TEST_F(LessonCommand, AStepIsAPictureBeforeAndAfterItsAnswer) {
+    write("mine.json", lesson_with("true"));
+    const auto draw = [&](const std::string& file, std::vector<std::string> more) {
+        std::vector<std::string> all{"snapshot", "--lesson", "mine.json", "--size", "480x360", "-o", file};
+        all.insert(all.end(), more.begin(), more.end());
+        expect(0, all);
+    };
+    draw("asks.png", {});
+    draw("again.png", {"--step", "1"});
+    draw("answered.png", {"--revealed"});
+    draw("stage.png", {"--present"});
+    expect(0, {"compare", "asks.png", "again.png", "--worst", "0", "--share", "0"});
+    EXPECT_EQ(run({"compare", "asks.png", "answered.png"}).status, 1);
+    EXPECT_EQ(run({"compare", "asks.png", "stage.png"}).status, 1);
+    expect(2, {"snapshot", "--lesson", "mine.json", "--step", "2", "-o", "x.png"});
+    expect(2, {"snapshot", "--step", "1", "-o", "x.png"});
+    expect(2, {"snapshot", "room", "--lesson", "mine.json", "-o", "x.png"});
+}
+
+TEST_F(LessonCommand, PaperHasAPageForEachStepAndAnswersOnRequest) {
+    write("mine.json", lesson_with("true"));
+    const std::string page = expect(0, {"lesson", "mine.json", "--handout", "-"}).out;
+    EXPECT_TRUE(has(page, "How far is z-far?"));
+    EXPECT_TRUE(has(page, "data:image/png;base64,iVBORw0KGgo"));
+    EXPECT_FALSE(has(page, "Forty."));
+    EXPECT_TRUE(has(expect(0, {"lesson", "mine.json", "--handout", "-", "--answers"}).out, "Forty."));
+}
+
+TEST_F(LessonCommand, AStateThatIsALessonSaysSo) {
+    write("mine.json", lesson_with("true"));
+    EXPECT_TRUE(has(expect(2, {"state", "mine.json"}).err, "viewing-sandbox lesson mine.json"));
+}
+
+}  // namespace
+}  // namespace cli_tests
