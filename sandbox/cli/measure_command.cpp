@@ -117,16 +117,6 @@ Json growth_as_json(const LoadedState& state, const GrowthRequest& request, cons
     return json;
 }
 
-/// Without what a clock has said, at any depth.
-Json without_times(Json json) {
-    if (json.is_object())
-        for (const char* const key : {"time_ms", "time_least_ms", "time_most_ms", "runs", "painting_ms", "build_ms"})
-            json.erase(key);
-    if (json.is_structured())
-        for (Json& part : json) part = without_times(std::move(part));
-    return json;
-}
-
 std::string document(Json json, bool with_times) {
     return print_document(with_times ? std::move(json) : without_times(std::move(json))) + "\n";
 }

@@ -36,6 +36,15 @@ Json as_json(const std::vector<Problem>& problems) {
     return sentences;
 }
 
+Json without_times(Json json) {
+    if (json.is_object())
+        for (const char* const key : {"time_ms", "time_least_ms", "time_most_ms", "runs", "painting_ms", "build_ms"})
+            json.erase(key);
+    if (json.is_structured())
+        for (Json& part : json) part = without_times(std::move(part));
+    return json;
+}
+
 std::string scene_name(const Params& params) {
     const auto* name = std::get_if<std::string>(&params.scene);
     return name != nullptr ? *name : "inline";

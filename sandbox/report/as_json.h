@@ -22,6 +22,9 @@ std::string as_text(const Color& color);
 /// The sentences of the problems.
 Json as_json(const std::vector<Problem>& problems);
 
+/// Without what a clock has said, at any depth.
+Json without_times(Json json);
+
 /// The name of a state's scene, "inline" for one that is written out in it.
 std::string scene_name(const Params& params);
 

@@ -6,6 +6,7 @@
 #include "frame/hidden/hidden_budget.h"
 #include "frame/plan.h"
 #include "frame/problems.h"
+#include "report/as_json.h"
 #include "report/fighting_report.h"
 #include "report/matrices_report.h"
 #include "report/mirror_report.h"
@@ -26,15 +27,6 @@ constexpr Letter letters[] = {{"V", "view_from_world"},  {"C", "world_from_view"
 
 Error wants_arguments(const std::string& form) {
     return Error{"must be called as " + form};
-}
-
-/// Without what a clock has said.
-Json without_times(Json json) {
-    if (json.is_object())
-        for (const char* const key : {"time_ms", "painting_ms", "build_ms"}) json.erase(key);
-    if (json.is_structured())
-        for (Json& part : json) part = without_times(std::move(part));
-    return json;
 }
 
 }  // namespace
