@@ -25,7 +25,7 @@ PinnedPixel at_place(const glm::dvec2& place_px, glm::ivec2 size_px) {
 }
 
 /// Of the pixels of a grid over the part of the box that is in the picture, those nearest to the middle first.
-std::vector<glm::ivec2> candidates(const PixelBox& box, glm::ivec2 size_px) {
+std::vector<glm::ivec2> candidates(const ScreenBox& box, glm::ivec2 size_px) {
     constexpr int most_on_a_side = 33;
     const glm::dvec2 middle = 0.5 * (box.min_px + box.max_px);
     const glm::dvec2 from = glm::max(box.min_px, glm::dvec2(0.0));
@@ -56,11 +56,11 @@ bool is_seen_at(const FragmentFinder& finder, const FramePlan& plan, glm::ivec2 
 
 }  // namespace
 
-std::optional<PixelBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world,
+std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world,
                                       glm::ivec2 size_px) {
     const Bounds bounds = bounds_of(*object.mesh);
     const glm::dvec2 size(size_px);
-    PixelBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};
+    ScreenBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};
     constexpr double least_w = 1e-6;
     int behind = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -77,7 +77,7 @@ std::optional<PixelBox> projected_box(const SceneObject& object, const glm::dmat
         box.max_px = glm::max(box.max_px, place);
     }
     if (behind == 8) return std::nullopt;
-    if (behind > 0) return PixelBox{glm::dvec2(0.0), size};
+    if (behind > 0) return ScreenBox{glm::dvec2(0.0), size};
     if (box.max_px.x < 0.0 || box.max_px.y < 0.0 || box.min_px.x >= size.x || box.min_px.y >= size.y)
         return std::nullopt;
     return box;
@@ -95,7 +95,7 @@ PinnedPixel pinned_pixel(const Params& params, const Derived& derived, const Fra
     }
     const SceneObject* object = scene.find(pin.object);
     if (!object) return {std::nullopt, say("The scene has no object {name} to pin.", "name"_a = pin.object)};
-    const std::optional<PixelBox> box = projected_box(*object, derived.clip_from_world, size_px);
+    const std::optional<ScreenBox> box = projected_box(*object, derived.clip_from_world, size_px);
     if (box && pin.at) return at_place(box->min_px + *pin.at * (box->max_px - box->min_px), size_px);
     if (box) {
         const FragmentFinder finder(scene);

@@ -11,10 +11,10 @@ namespace viewing {
 
 /// Where an object's bounding box is in the picture; the whole picture where a part of the box lies behind the eye.
 /// None where it is not in the picture.
-struct PixelBox {
+struct ScreenBox {
     glm::dvec2 min_px, max_px;  ///< not rounded, may lie outside of the picture
 };
-std::optional<PixelBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world, glm::ivec2 size_px);
+std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world, glm::ivec2 size_px);
 
 struct PinnedPixel {
     std::optional<glm::ivec2> pixel;  ///< inside the picture; none: nothing is pinned, or `why_none`
