@@ -57,7 +57,7 @@ bool is_seen_at(const FragmentFinder& finder, const FramePlan& plan, glm::ivec2 
 }  // namespace
 
 std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world,
-                                      glm::ivec2 size_px) {
+                                       glm::ivec2 size_px) {
     const Bounds bounds = bounds_of(*object.mesh);
     const glm::dvec2 size(size_px);
     ScreenBox box{glm::dvec2(1e300), glm::dvec2(-1e300)};

@@ -14,7 +14,8 @@ namespace viewing {
 struct ScreenBox {
     glm::dvec2 min_px, max_px;  ///< not rounded, may lie outside of the picture
 };
-std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world, glm::ivec2 size_px);
+std::optional<ScreenBox> projected_box(const SceneObject& object, const glm::dmat4& clip_from_world,
+                                       glm::ivec2 size_px);
 
 struct PinnedPixel {
     std::optional<glm::ivec2> pixel;  ///< inside the picture; none: nothing is pinned, or `why_none`
