@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "lesson/notes.h"
 #include "platform/file.h"
 #include "report/lesson_numbers.h"
 
@@ -16,13 +15,14 @@ Status LectureNotes::follow(const Guide& guide, const Session& session, double p
     const StepPhase phase = !run->is_revealed()    ? StepPhase::asks
                             : guide.is_revealing() ? StepPhase::shows
                                                    : StepPhase::answered;
+    const Shown now{run->shared_lesson(), run->index(), phase, static_cast<int>(presented_s / 60.0),
+                    session.scene_version()};
+    if (shown_ == now) return std::monostate{};
+    shown_ = now;
     const Params& start = run->step().start.params;
     LessonNumbers numbers(start, start, session.scene(), nullptr);
     const std::string page = notes_page(*run, phase, numbers.surroundings(), presented_s);
-    if (page == last_) return std::monostate{};
-    last_ = page;
-    if (target_ != "terminal")
-        return write_file(target_, {reinterpret_cast<const std::uint8_t*>(page.data()), page.size()});
+    if (target_ != "terminal") return write_file(target_, page);
     // A screen of its own for each page; piped, one page follows another.
     const bool is_screen = isatty(STDOUT_FILENO) == 1;
     std::fputs(((is_screen ? "\033[H\033[2J" : "") + page + (is_screen ? "" : "\n")).c_str(), stdout);

@@ -1,8 +1,11 @@
 // The lecturer's notes beside the window: in the terminal that started it, or in a file that another program shows.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
 
+#include "lesson/notes.h"
 #include "session/guide.h"
 
 namespace viewing {
@@ -16,7 +19,17 @@ public:
     Status follow(const Guide& guide, const Session& session, double presented_s);
 
 private:
-    std::string target_, last_;
+    /// What the page depends on; its minutes, since it tells no seconds.
+    struct Shown {
+        std::shared_ptr<const Lesson> lesson;
+        std::size_t step = 0;
+        StepPhase phase = StepPhase::asks;
+        int minutes = 0;
+        int scene_version = -1;  ///< answers are computed in it
+        bool operator==(const Shown&) const = default;
+    };
+    std::string target_;
+    std::optional<Shown> shown_;
 };
 
 }  // namespace viewing

@@ -114,11 +114,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     pictures.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
     pictures.preset = preset_pictures_.of(workbench.wanted_preset_picture());
     for (const CardPicture& card : workbench.wanted_cards())
-        pictures.cards.push_back(preset_pictures_.of(card.key, [card]() -> Result<LoadedState> {
-            const Result<Lesson> lesson = load_lesson(card.lesson);
-            if (!lesson) return Error{lesson.error()};
-            return lesson->steps.at(std::min(card.step, lesson->steps.size() - 1)).start;
-        }));
+        pictures.cards.push_back(preset_pictures_.of(card.key, card.load));
     const StatusLine told = status(surroundings.shows_time);
     workbench.views.pinned = shown_.pinned;
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);

@@ -29,16 +29,7 @@ bool is_option(const std::string& word) {
 }  // namespace
 
 std::string wrapped(const std::string& text, std::size_t indent) {
-    std::istringstream words(text);
-    std::string result, line;
-    for (std::string word; words >> word;) {
-        if (!line.empty() && indent + character_count(line) + 1 + character_count(word) > help_width) {
-            result += std::string(indent, ' ') + line + "\n";
-            line.clear();
-        }
-        line += (line.empty() ? "" : " ") + word;
-    }
-    return result + std::string(indent, ' ') + line + "\n";
+    return in_lines(text, help_width, std::string(indent, ' '), indent);
 }
 
 std::string exit_status_table(const std::string& digits) {

@@ -14,10 +14,6 @@ void add_differences(const Json& a, const Json& b, const std::string& path, std:
         add_differences(value, b.contains(key) ? b[key] : Json(), path.empty() ? key : path + "." + key, paths);
 }
 
-bool is_in(const std::string& path, const std::string& group) {
-    return path == group || path.starts_with(group + ".");
-}
-
 }  // namespace
 
 std::vector<std::string> changed_fields(const Params& before, const Params& after) {

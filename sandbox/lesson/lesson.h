@@ -122,7 +122,4 @@ Result<Lesson> load_lesson(const std::string& argument);
 /// The same of a text; `source` opens every message ("mine.json"), `folder` is what its scenes' files are relative to.
 Result<Lesson> parse_lesson(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// The steps' own numbers count from 1 on. None where there is no such step.
-const LessonStep* find_step(const Lesson& lesson, int number);
-
 }  // namespace viewing

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <lua.hpp>
+#include <vector>
 
 #include "geometry/plane.h"
 

@@ -1,8 +1,5 @@
 #include "lesson/notes.h"
 
-#include <cmath>
-#include <sstream>
-
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -14,19 +11,7 @@ constexpr std::size_t line_width = 78, label_width = 8;
 /// "Asks    …", with what goes on in further lines below its beginning.
 std::string paragraph(const std::string& label, const std::string& text) {
     if (text.empty()) return "";
-    std::istringstream words(text);
-    std::string page, line = label + std::string(label_width - label.size(), ' ');
-    bool is_empty = true;
-    for (std::string word; words >> word;) {
-        if (!is_empty && character_count(line) + 1 + character_count(word) > line_width) {
-            page += line + "\n";
-            line = std::string(label_width, ' ');
-            is_empty = true;
-        }
-        line += (is_empty ? "" : " ") + word;
-        is_empty = false;
-    }
-    return page + line + "\n";
+    return in_lines(text, line_width, label + std::string(label_width - label.size(), ' '), label_width);
 }
 
 std::string joined_texts(const std::vector<std::string>& texts, const char* between) {

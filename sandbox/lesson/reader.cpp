@@ -485,10 +485,4 @@ Result<Lesson> load_lesson(const std::string& argument) {
     return lesson;
 }
 
-const LessonStep* find_step(const Lesson& lesson, int number) {
-    return number >= 1 && number <= static_cast<int>(lesson.steps.size())
-               ? &lesson.steps[static_cast<std::size_t>(number - 1)]
-               : nullptr;
-}
-
 }  // namespace viewing

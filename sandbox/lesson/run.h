@@ -16,6 +16,7 @@ public:
     explicit LessonRun(Lesson lesson, std::size_t step = 0);
 
     const Lesson& lesson() const { return *lesson_; }
+    const std::shared_ptr<const Lesson>& shared_lesson() const { return lesson_; }
     std::size_t index() const { return index_; }
     const LessonStep& step() const { return lesson_->steps[index_]; }
     bool is_first() const { return index_ == 0; }

@@ -123,9 +123,8 @@ std::vector<std::string> target_names() {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
     };
     for (const std::string& path : known_paths()) {
-        const bool is_shown = std::none_of(
-            std::begin(without_control), std::end(without_control),
-            [&path](const std::string_view out) { return path == out || path.starts_with(std::string(out) + "."); });
+        const bool is_shown = std::none_of(std::begin(without_control), std::end(without_control),
+                                           [&path](const char* out) { return is_in(path, out); });
         if (is_shown) add("control:" + path);
     }
     add("view:camera");

@@ -117,6 +117,10 @@ Error cannot_write(const fs::path& path, int code) {
 
 }  // namespace
 
+Status write_file(const fs::path& path, std::string_view text) {
+    return write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
 Status write_files(std::span<const FileBytes> files) {
     std::deque<Prepared> prepared;
     for (const FileBytes& file : files) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string_view>
 
 #include "text/result.h"
 
@@ -15,6 +16,9 @@ namespace viewing {
 /// followed, to a file that is not there yet as well; a device or pipe (/dev/null) is written into, never replaced. The
 /// sentence of a failure names the path and the system's reason.
 Status write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+
+/// The same of a text.
+Status write_file(const std::filesystem::path& path, std::string_view text);
 
 struct FileBytes {
     std::filesystem::path path;

@@ -256,11 +256,7 @@ void Session::write(std::function<Status()> work, std::string told) {
 }
 
 void Session::save(const std::filesystem::path& file) {
-    write(
-        [file, whole = text()] {
-            return write_file(file, {reinterpret_cast<const std::uint8_t*>(whole.data()), whole.size()});
-        },
-        say("saved {file}", "file"_a = file.string()));
+    write([file, whole = text()] { return write_file(file, whole); }, say("saved {file}", "file"_a = file.string()));
 }
 
 }  // namespace viewing

@@ -1024,6 +1024,10 @@ std::string_view group_of(std::string_view path) {
     return dot == std::string_view::npos ? "" : path.substr(0, dot);
 }
 
+bool is_in(std::string_view path, std::string_view group) {
+    return path.starts_with(group) && (path.size() == group.size() || path[group.size()] == '.');
+}
+
 std::vector<const Field*> fields_of(std::string_view group) {
     std::vector<const Field*> found;
     for (const Field& field : all_fields) {

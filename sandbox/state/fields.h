@@ -76,6 +76,9 @@ const Field* find_field(std::string_view path);
 /// The field at a path that is known to exist; a missing one is a programmer's mistake and asserts.
 const Field& field(std::string_view path);
 
+/// Whether a path is that of the group, or field, itself or of something in it.
+bool is_in(std::string_view path, std::string_view group);
+
 /// The fields of a group, which may be that of a list's elements.
 std::vector<const Field*> fields_of(std::string_view group);
 

@@ -300,7 +300,7 @@ void check_plane(const glm::dvec4& equation, const Where& where) {
 
 bool is_group(std::string_view path) {
     return std::any_of(fields().begin(), fields().end(), [path](const Field& field) {
-        return field.path.size() > path.size() && field.path.starts_with(path) && field.path[path.size()] == '.';
+        return field.path.size() > path.size() && is_in(field.path, path);
     });
 }
 

@@ -135,7 +135,7 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
     std::error_code failed;
     fs::create_directories(file.parent_path(), failed);
     if (failed) return Error{file.parent_path().string() + ": " + failed.message()};
-    return write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return write_file(file, text);
 }
 
 bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -79,6 +80,20 @@ std::string one_line(std::string_view text) {
         --length;
     }
     return printable(text.substr(0, length)) + (length < text.size() ? "…" : "");
+}
+
+std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent) {
+    std::istringstream words(text);
+    std::string result, begin = first, line;
+    for (std::string word; words >> word;) {
+        if (!line.empty() && character_count(begin) + character_count(line) + 1 + character_count(word) > width) {
+            result += begin + line + "\n";
+            begin.assign(indent, ' ');
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    return result + begin + line + "\n";
 }
 
 std::string joined(std::span<const char* const> names) {

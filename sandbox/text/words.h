@@ -29,6 +29,10 @@ std::string one_line(std::string_view text);
 /// A word of a file, fit for a message: printable, and not more than 20 characters of it.
 std::string excerpt(std::string_view text);
 
+/// A text in lines of at most `width` characters where its words let it, each ended: the first begins with `first`, the
+/// others with `indent` blanks. Words are separated by single blanks.
+std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
+
 /// "never, less, equal".
 std::string joined(std::span<const char* const> names);
 

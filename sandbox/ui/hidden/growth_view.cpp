@@ -80,11 +80,8 @@ std::filesystem::path free_file(const std::string& extension) {
 
 void save_csv(const GrowthViewState& state, Session& session) {
     const std::filesystem::path file = free_file(".csv");
-    session.write(
-        [file, text = growth_csv(shown_rows(state))] {
-            return write_file(file, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
-        },
-        say("costs written to {file}", "file"_a = file.string()));
+    session.write([file, text = growth_csv(shown_rows(state))] { return write_file(file, text); },
+                  say("costs written to {file}", "file"_a = file.string()));
 }
 
 /// What to measure, and the way to begin or end it.

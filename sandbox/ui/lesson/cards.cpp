@@ -53,15 +53,16 @@ void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID t
 
 }  // namespace
 
-int card_columns(float width, float scale) {
-    return std::max(1, static_cast<int>((width + gap * scale) / ((least_card + gap) * scale)));
+int card_columns() {
+    const float width = ImGui::GetIO().DisplaySize.x - px(2.0F * page_margin) - ImGui::GetStyle().ScrollbarSize;
+    return std::max(1, static_cast<int>((width + px(gap)) / px(least_card + gap)));
 }
 
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
                int chosen) {
     const widgets::Context& context = widgets::CurrentContext();
     const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
-    const int columns = card_columns(width, context.scale);
+    const int columns = card_columns();
     CardSize size;
     size.width = std::floor((width - px(gap) * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     size.picture = std::floor(size.width * 9.0F / 16.0F);

@@ -22,7 +22,10 @@ struct Card {
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
                int chosen);
 
-/// How many stand beside each other in so many pixels.
-int card_columns(float width, float scale);
+/// From one edge of the window to the cards of a page, design pixels.
+inline constexpr float page_margin = 30.0F;
+
+/// How many stand beside each other on a page over the whole window, as wide as it is now.
+int card_columns();
 
 }  // namespace viewing

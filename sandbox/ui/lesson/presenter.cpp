@@ -50,7 +50,7 @@ std::string PresenterMode::clock() const {
 
 bool PresenterMode::take_in_overview(const KeyPress& press, Guide& guide, Session& session) {
     const int last = static_cast<int>(guide.run()->lesson().steps.size()) - 1;
-    const int row = card_columns(ImGui::GetIO().DisplaySize.x - px(60.0F), widgets::CurrentContext().scale);
+    const int row = card_columns();
     const auto move = [&](int by) { choice_ = std::clamp(choice_ + by, 0, last); };
     switch (press.key) {
         case Key::left:

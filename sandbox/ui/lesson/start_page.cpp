@@ -26,7 +26,7 @@ struct Page {
         ImGui::SetNextWindowPos({0.0F, 0.0F});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::SetNextWindowFocus();
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(30.0F), px(22.0F)});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(page_margin), px(22.0F)});
         ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().ground);
         ImGui::Begin(name, nullptr,
                      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
@@ -71,7 +71,12 @@ const std::vector<LessonFile>& StartPage::lessons() {
 std::vector<CardPicture> StartPage::wanted_pictures() {
     std::vector<CardPicture> wanted;
     if (is_open_)
-        for (const LessonFile& file : lessons()) wanted.push_back({key_of(file.id, 0), file.path.string(), 0});
+        for (const LessonFile& file : lessons())
+            wanted.push_back({key_of(file.id, 0), [path = file.path.string()]() -> Result<LoadedState> {
+                                  const Result<Lesson> lesson = load_lesson(path);
+                                  if (!lesson) return Error{lesson.error()};
+                                  return lesson->steps.front().start;
+                              }});
     return wanted;
 }
 
@@ -121,9 +126,10 @@ void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
 std::vector<CardPicture> overview_pictures(const Guide& guide) {
     std::vector<CardPicture> wanted;
     if (!guide.run()) return wanted;
-    const Lesson& lesson = guide.run()->lesson();
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
-        wanted.push_back({key_of(lesson.id, i), lesson.file.string(), i});
+    const std::shared_ptr<const Lesson> lesson = guide.run()->shared_lesson();
+    for (std::size_t i = 0; i < lesson->steps.size(); ++i)
+        wanted.push_back(
+            {key_of(lesson->id, i), [lesson, i]() -> Result<LoadedState> { return lesson->steps[i].start; }});
     return wanted;
 }
 

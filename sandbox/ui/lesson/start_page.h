@@ -2,6 +2,7 @@
 // way past them. Also the page of a lesson's steps.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,11 +15,10 @@
 
 namespace viewing {
 
-/// A picture of a lesson's step before its answer: its name, and of which lesson's file it is.
+/// A picture of a lesson's step before its answer: its name, and how its state is had, beside the window.
 struct CardPicture {
     std::string key;
-    std::string lesson;
-    std::size_t step = 0;
+    std::function<Result<LoadedState>()> load;
 };
 
 class StartPage {

@@ -13,7 +13,6 @@ namespace viewing {
 struct StripLook {
     bool presents = false;  ///< to a room: larger than what is around it, and without buttons
     bool departs = false;   ///< the state is no longer the step's: a dot says so
-    bool is_live = false;   ///< a goal is being watched
     std::string clock;      ///< of the timer; empty: none
     std::string trouble;    ///< why an answer could not be judged; empty: it could
 };

@@ -105,7 +105,7 @@ void append_step(Session& session, const std::filesystem::path& file) {
         }
         const Result<std::string> lesson = with_step(existing, file.filename().string(), params, preset);
         if (!lesson) return Error{lesson.error()};
-        return write_file(file, {reinterpret_cast<const std::uint8_t*>(lesson->data()), lesson->size()});
+        return write_file(file, *lesson);
     };
     session.write(work,
                   say("the state is the last step of {file}: its texts are to be filled in", "file"_a = file.string()));

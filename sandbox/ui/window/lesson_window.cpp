@@ -67,7 +67,7 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
         begin_area("lesson", layout.strip);
         ImGui::PopStyleVar();
-        const StripLook look{presenter.is_on(), guide.departs(session), false, presenter.clock(), lesson_trouble};
+        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), lesson_trouble};
         const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);
         ImGui::End();
         if (wishes.check) lesson_trouble.clear();

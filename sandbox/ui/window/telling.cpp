@@ -19,7 +19,7 @@ int rows_of(const std::vector<std::string>& controls) {
     int rows = 0;
     for (const Field& field : fields())
         for (const std::string& path : controls)
-            if (field.path == path || field.path.starts_with(path + ".")) {
+            if (is_in(field.path, path)) {
                 rows += rows_of(field);
                 if (field.path == "camera.navigation") rows += 2;  // with the lamps
                 break;
