@@ -2,21 +2,31 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
+#include "state/language.h"
+#include "text/catalogue.h"
 #include "ui/window/fonts.h"
 #include "ui/window/theme.h"
 
 namespace viewing {
 
 bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
-                   widgets::Context& context) {
+                   Syllables& korean, widgets::Context& context) {
     const widgets::Palette& palette = palette_of(ui.theme);
     const float usual_scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
     const float scale = usual_scale * enlargement(window_px, usual_scale, arrangement);
-    if (scale == scale_ && ui.theme == theme_) return false;
+    const bool speaks_anew = ui.language != language_;
+    if (speaks_anew) {
+        const Status spoken = speak(ui.language);
+        trouble_ = spoken ? "" : spoken.error();
+        language_ = ui.language;
+        korean.want(spoken_texts());
+    }
+    const bool wants_fonts = scale != scale_ || korean.has_new();
+    if (!wants_fonts && !speaks_anew && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;
-    if (scale != scale_) {
-        context.fonts = load_fonts(scale);
+    if (wants_fonts) {
+        context.fonts = load_fonts(scale, korean);
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }

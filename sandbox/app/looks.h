@@ -1,21 +1,29 @@
-// Theme, scale and fonts of the user interface, followed when the state or the monitor changes.
+// Theme, scale, language and fonts of the user interface, followed when the state or the monitor changes.
 #pragma once
+
+#include <string>
 
 #include "state/params.h"
 #include "ui/parts/layout.h"
+#include "ui/window/syllables.h"
 #include "widgets/widgets.h"
 
 namespace viewing {
 
 class Looks {
 public:
+    /// Why the language that is wanted is not spoken; "" where it is.
+    const std::string& trouble() const { return trouble_; }
+
     /// Needs ImGui's GL backend. `device_scale`: of the monitor. True when something has changed.
     bool follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
-                widgets::Context& context);
+                Syllables& korean, widgets::Context& context);
 
 private:
     Theme theme_ = Theme::dark;
     float scale_ = 0.0F;
+    Language language_ = Language::en;
+    std::string trouble_;
 };
 
 }  // namespace viewing

@@ -177,7 +177,7 @@ void Studio::judge_answer(bool wants_check) {
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading();
-    const bool busy = leads || session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
+    const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
                       is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy();
@@ -195,8 +195,10 @@ Requests Studio::frame(const Surroundings& surroundings) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(surroundings.size_px.x), static_cast<float>(surroundings.size_px.y)};
     if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arranged(session),
-                      workbench.widgets))
+                      workbench.korean, workbench.widgets)) {
         settling_ = 3;
+        if (!looks_.trouble().empty()) session.message = {looks_.trouble(), true};
+    }
     session.update_scene();
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 

@@ -223,6 +223,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         }
         Remembered looks = memory.remembered();
         if (requests.chosen_theme) looks.theme = requests.chosen_theme;
+        if (requests.chosen_language) looks.language = requests.chosen_language;
         if (requests.chosen_scale) looks.scale = requests.chosen_scale;
         looks.lessons = studio.workbench.progress;
         looks.recent = studio.workbench.recent;

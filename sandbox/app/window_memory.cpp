@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "state/language.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -23,6 +24,7 @@ WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(st
 
 void WindowMemory::dress(Params& params) const {
     if (params.ui != UiParams{}) return;
+    params.ui.language = remembered_.language.value_or(system_language());
     params.ui.theme = remembered_.theme.value_or(params.ui.theme);
     params.ui.scale = remembered_.scale.value_or(params.ui.scale);
 }

@@ -1,4 +1,4 @@
-// Theme, scale and the window's place as they come back the next time. Read state/remembered.h for the file.
+// Theme, scale, language and the window's place as they come back the next time. Read state/remembered.h for the file.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ public:
     /// Nothing was there to be remembered: the first time.
     bool is_first_time() const { return is_first_time_; }
 
-    /// A state that says nothing of its looks has the remembered ones.
+    /// A state that says nothing of its looks has the remembered ones; the first time it speaks the system's language.
     void dress(Params& params) const;
 
     /// Writes what has changed; the error is one sentence.

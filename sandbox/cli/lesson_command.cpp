@@ -21,7 +21,7 @@ namespace {
 /// The options as they were typed.
 struct Typed {
     std::vector<std::string> lessons;
-    std::optional<std::string> device, step, notes, handout;
+    std::optional<std::string> device, step, notes, handout, language;
     bool check = false, names = false, list = false, presents = false, answers = false;
 };
 
@@ -90,11 +90,17 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     throw Failure(ExitStatus::different, "lesson --check: " + std::to_string(count) + " things fail");
 }
 
+std::optional<Language> language_option(const Options& options, const Typed& typed) {
+    if (!typed.language) return std::nullopt;
+    return static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()));
+}
+
 ExitStatus write_handout(const Options& options, const Typed& typed) {
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
     check_output(*typed.handout);
     const Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
     Headless headless(device_option(options, typed.device));
+    value_or_end(speak(language_option(options, typed).value_or(Language::en)));
     Outputs outputs;
     outputs.add(*typed.handout, handout(headless, lesson, typed.answers));
     outputs.write();
@@ -123,6 +129,7 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
         start.notes = typed.notes.value_or("");
     }
     memory.dress(state.params);
+    if (const auto language = language_option(options, typed)) state.params.ui.language = *language;
     constexpr double patience_s = 0.5;
     return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
 }
@@ -139,6 +146,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         "--notes", "terminal|FILE", typed.notes,
         "The lecturer's notes while the room sees the step: in this terminal, or written to a file whenever they "
         "change");
+    options.text("--language", "en|ko", typed.language,
+                 "Of the window or the handout; left out: the one chosen the last time, and English on paper");
     options.group("Without a window");
     options.text("--handout", "OUT.html", typed.handout,
                  "The lesson on paper: a page for each step; - for standard output");

@@ -15,7 +15,7 @@ constexpr glm::ivec2 picture_px{1600, 800};
 
 constexpr const char* style = R"(
 @page { size: A4; margin: 18mm }
-body { font: 12pt/1.4 Inter, "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
+body { font: 12pt/1.4 Inter, "NanumSquare", "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
 section { break-after: page }
 section:last-child { break-after: auto }
 h1 { font-size: 12pt; font-weight: 600; color: #5a6470; margin: 0 0 4mm }
@@ -64,8 +64,8 @@ std::string paragraph(const char* name, const std::string& text) {
 /// What there is to choose from, or a line to write on.
 std::string answers(const Ask& ask) {
     std::string list;
-    for (const LessonChoice& choice : ask.choices) list += "<li>" + escaped(choice.say.in_english()) + "</li>\n";
-    for (const LessonText& item : ask.items) list += "<li>" + escaped(item.in_english()) + "</li>\n";
+    for (const LessonChoice& choice : ask.choices) list += "<li>" + escaped(choice.say.shown()) + "</li>\n";
+    for (const LessonText& item : ask.items) list += "<li>" + escaped(item.shown()) + "</li>\n";
     if (list.empty()) return "<div class=\"blank\"></div>\n";
     return std::string(ask.items.empty() ? "<ol>\n" : "<ol class=\"items\">\n") + list + "</ol>\n";
 }
@@ -74,12 +74,12 @@ std::string answer_of(const LessonStep& step) {
     const Scene scene = scene_of(step.start);
     LessonNumbers numbers(step.start.params, step.start.params, scene, nullptr);
     return "<div class=\"answer\"><strong>" + escaped(answer_in_words(step.ask, numbers.surroundings())) +
-           "</strong><br>" + escaped(step.reveal.say.in_english()) + "</div>\n";
+           "</strong><br>" + escaped(step.reveal.say.shown()) + "</div>\n";
 }
 
 std::string picture_of(Headless& headless, const Lesson& lesson, std::size_t index) {
     LoadedState state = lesson.steps[index].start;
-    state.params.ui.theme = Theme::light;  // paper
+    state.params.ui = {.theme = Theme::light, .language = spoken_language()};  // paper
     PictureRequest request;
     request.size_px = picture_px;
     request.lesson = std::make_shared<const LessonPicture>(LessonPicture{lesson, index, false, true, false});
@@ -90,15 +90,15 @@ std::string picture_of(Headless& headless, const Lesson& lesson, std::size_t ind
 }  // namespace
 
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers) {
-    const std::string title = escaped(lesson.title.in_english());
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + title +
-                       "</title>\n<style>" + style + "</style>\n";
+    const std::string title = escaped(lesson.title.shown());
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + std::string(name_of(spoken_language())) +
+                       "\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" + style + "</style>\n";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
                 std::to_string(lesson.steps.size()) + "</h1>\n";
         page += picture_of(headless, lesson, i);
-        page += paragraph("say", step.say.in_english()) + paragraph("question", step.ask.question.in_english()) +
+        page += paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) +
                 answers(step.ask);
         if (with_answers) page += answer_of(step);
         page += "</section>\n";

@@ -210,9 +210,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
     LoadedState state = state_arguments.load();
     if (typed.lesson) {
-        if (state_arguments.are_given())
-            options.refuse("--lesson: a step has its own state, so no STATE, --mesh or --set");
+        if (!state_arguments.say_only_looks())
+            options.refuse("--lesson: a step has its own state, so no STATE, no --mesh, and --set of ui.… alone");
+        const UiParams looks = state.params.ui;
         state = take_step(options, typed, wish);
+        state.params.ui = looks;
     }
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});

@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "state/fields.h"
 #include "state/json.h"
 #include "text/words.h"
 
@@ -85,6 +86,12 @@ LoadedState StateArguments::load() const {
     for (const std::string& file : files_named_by(loaded.params.scene))
         if (!named_by_state.contains(file)) loaded.reach.add(loaded.base / file);
     return loaded;
+}
+
+bool StateArguments::say_only_looks() const {
+    return state_.empty() && !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
+               return is_in(setting.substr(0, setting.find('=')), "ui");
+           });
 }
 
 Scene scene_of(const LoadedState& state) {

@@ -25,6 +25,8 @@ public:
     LoadedState load() const;
     /// Whether any of them was typed.
     bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_; }
+    /// Whether what was typed says no more than how the window looks: theme, scale, language.
+    bool say_only_looks() const;
 
 private:
     const Options& options_;

@@ -3,20 +3,29 @@
 // way through.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "state/language.h"
 #include "state/presets.h"
 
 namespace viewing {
 
-/// English, and Korean where the file has it.
+/// English, and the other languages that the file has.
 struct LessonText {
-    std::string en, ko;
-    bool empty() const { return en.empty(); }
-    const std::string& in_english() const { return en; }
+    std::array<std::string, language_count> by_language;
+    bool empty() const { return in_english().empty(); }
+    const std::string& in_english() const { return by_language.front(); }
+    /// English where the file has none in that language.
+    const std::string& in(Language language) const {
+        const std::string& text = by_language[static_cast<std::size_t>(language)];
+        return text.empty() ? in_english() : text;
+    }
+    /// In the language that is spoken now.
+    const std::string& shown() const { return in(spoken_language()); }
     bool operator==(const LessonText&) const = default;
 };
 

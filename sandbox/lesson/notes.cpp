@@ -39,11 +39,11 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
     if (!model) return ask.expect;
     if (ask.kind == AskKind::choice) {
         const auto index = static_cast<std::size_t>(model->items.front());
-        return std::string(1, static_cast<char>('A' + index)) + ": " + ask.choices[index].say.in_english();
+        return std::string(1, static_cast<char>('A' + index)) + ": " + ask.choices[index].say.shown();
     }
     std::vector<std::string> parts;
     for (const double number : model->numbers) parts.push_back(number_text(number, 3));
-    for (const int item : model->items) parts.push_back(ask.items[static_cast<std::size_t>(item)].in_english());
+    for (const int item : model->items) parts.push_back(ask.items[static_cast<std::size_t>(item)].shown());
     const bool is_one_after_another = ask.kind == AskKind::order || ask.kind == AskKind::sequence;
     return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : ", ");
 }
@@ -52,16 +52,16 @@ std::string notes_page(const LessonRun& run, StepPhase phase, const Surroundings
     static constexpr const char* phases[] = {"asks", "shows", "answered"};
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
-    std::string page = lesson.title.in_english() + "\n" + std::to_string(run.index() + 1) + " / " +
+    std::string page = lesson.title.shown() + "\n" + std::to_string(run.index() + 1) + " / " +
                        std::to_string(lesson.steps.size()) + " · " + phases[static_cast<std::size_t>(phase)] + " · " +
                        time_text(lesson, presented_s) + "\n\n";
-    page += paragraph("Says", step.say.in_english());
-    page += paragraph("Asks", step.ask.question.in_english());
+    page += paragraph("Says", step.say.shown());
+    page += paragraph("Asks", step.ask.question.shown());
     page += paragraph("Right", answer_in_words(step.ask, surroundings));
-    page += paragraph("Shows", step.reveal.say.in_english());
-    page += paragraph("Note", step.note.in_english());
+    page += paragraph("Shows", step.reveal.say.shown());
+    page += paragraph("Note", step.note.shown());
     page += run.is_last() ? paragraph("Then", "the lesson ends.")
-                          : paragraph("Then", lesson.steps[run.index() + 1].ask.question.in_english());
+                          : paragraph("Then", lesson.steps[run.index() + 1].ask.question.shown());
     return page;
 }
 

@@ -43,12 +43,19 @@ std::string read_plain_text(const Json& value, const Where& where) {
 }
 
 LessonText read_text_of(const Json& value, const Where& where) {
-    if (value.is_string()) return {read_plain_text(value, where), ""};
+    LessonText text;
+    if (value.is_string()) {
+        text.by_language.front() = read_plain_text(value, where);
+        return text;
+    }
     if (!value.is_object()) refuse_value(value, where, "a text or {\"en\": …, \"ko\": …}");
-    require_keys(value, where, {"en", "ko"});
+    const std::span<const char* const> languages = names_of<Language>();
+    require_keys(value, where, {languages.begin(), languages.end()});
     if (!has(value, "en")) where.key("en").refuse("is missing");
-    return {read_plain_text(value["en"], where.key("en")),
-            has(value, "ko") ? read_plain_text(value["ko"], where.key("ko")) : ""};
+    for (std::size_t i = 0; i < languages.size(); ++i)
+        if (has(value, languages[i]))
+            text.by_language[i] = read_plain_text(value[languages[i]], where.key(languages[i]));
+    return text;
 }
 
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed) {

@@ -123,7 +123,14 @@ void Session::look_along(int axis) {
     clamp_to_ranges(params);
 }
 
+Session::Step Session::now() const {
+    Step step{params, preset_, base_};
+    step.params.ui.language = UiParams{}.language;
+    return step;
+}
+
 void Session::rest() {
+    at_rest_.ui.language = params.ui.language;
     if (awaits_scene() || !history_.rest(now())) return;
     before_ = at_rest_;
     at_rest_ = params;
@@ -149,7 +156,9 @@ void Session::redo() {
 
 void Session::take_over(const Step& step) {
     before_ = params;
+    const Language language = params.ui.language;
     params = at_rest_ = step.params;
+    params.ui.language = at_rest_.ui.language = language;
     preset_ = step.preset;
     base_ = step.base;
     motion_ = {};

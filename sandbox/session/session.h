@@ -163,7 +163,8 @@ private:
     void start_reading(Wanted wanted);
     void end_reading(Result<Arrived> result);
     void take_written();
-    Step now() const { return {params, preset_, base_}; }
+    /// Without the language, which is not undone.
+    Step now() const;
 
     std::filesystem::path base_;
     Scene scene_;

@@ -118,6 +118,7 @@ void Session::end_reading(Result<Arrived> result) {
         UiParams& looks = result->state.params.ui;
         LayoutParams& layout = result->state.params.view.layout;
         if (!wanted.argument.empty() && looks == UiParams{}) looks = params.ui;
+        looks.language = params.ui.language;
         if (!wanted.argument.empty() && layout == LayoutParams{}) layout = params.view.layout;
         params = result->state.params;
         preset_ = result->state.preset;

@@ -34,6 +34,7 @@ template <> std::span<const char* const> names_of<BesideLayout>() { static const
 template <> std::span<const char* const> names_of<Topic>() { static constexpr const char* names[] = {"automatic", "observer", "depth", "histogram", "precision", "codes", "pixel", "cells", "fighting", "moving_world", "passes", "tree", "order", "growth", "shadow_derivation", "mirror_derivation", "lecture_code", "mirror_ways", "from_light", "display_code"}; return names; }
 template <> std::span<const char* const> names_of<BigView>() { static constexpr const char* names[] = {"none", "camera", "lower_left", "lower_right", "matrices"}; return names; }
 template <> std::span<const char* const> names_of<Theme>() { static constexpr const char* names[] = {"dark", "light", "projector"}; return names; }
+template <> std::span<const char* const> names_of<Language>() { static constexpr const char* names[] = {"en", "ko"}; return names; }
 template <> std::span<const char* const> names_of<ShapeKind>() { static constexpr const char* names[] = {"box", "sphere", "torus", "cylinder", "cone", "quad", "triangle", "teapot", "mesh"}; return names; }
 // clang-format on
 
@@ -1009,6 +1010,10 @@ const Field all_fields[] = {
      .max = 4,
      .step = 0.05,
      .help = "The size of type and controls, on top of what the screen asks for."},
+    {.path = "ui.language",
+     .place = IN(ui.language),
+     .label = "language",
+     .help = "The language of the window and of the lessons. States, matrices and calls of GL are the same in each."},
 };
 
 #undef IN

@@ -24,6 +24,7 @@ namespace viewing {
 
 enum class ProjectionType { perspective, orthographic };
 enum class Theme { dark, light, projector };
+enum class Language { en, ko };
 
 struct CameraParams {
     glm::dvec3 position{3.9, 3.0, 6.6};
@@ -96,6 +97,7 @@ struct AnimationParams {
 struct UiParams {
     Theme theme = Theme::dark;
     double scale = 1.0;
+    Language language = Language::en;  ///< the person's: neither undone nor changed by what is opened
     bool operator==(const UiParams&) const = default;
 };
 

@@ -65,17 +65,21 @@ Json lessons_as_json(const LessonsProgress& lessons) {
     return object;
 }
 
+template <typename Enum>
+std::optional<Enum> name_in(const Json& object, const char* key, const Where& where) {
+    if (!object.contains(key)) return std::nullopt;
+    const std::span<const char* const> names = names_of<Enum>();
+    const auto at = std::find_if(names.begin(), names.end(), [&](const char* name) { return object[key] == name; });
+    if (at == names.end())
+        where.key(key).refuse("must be one of " + joined(names) + ", got " + describe(object[key]));
+    return static_cast<Enum>(at - names.begin());
+}
+
 Remembered remembered_in(const Json& document, const Where& where) {
     if (!document.is_object()) where.refuse("must be an object, got " + describe(document));
     Remembered remembered;
-    if (document.contains("theme")) {
-        const Json& value = document["theme"];
-        const std::span<const char* const> names = names_of<Theme>();
-        const auto at = std::find_if(names.begin(), names.end(), [&](const char* name) { return value == name; });
-        if (at == names.end())
-            where.key("theme").refuse("must be one of " + joined(names) + ", got " + describe(value));
-        remembered.theme = static_cast<Theme>(at - names.begin());
-    }
+    remembered.theme = name_in<Theme>(document, "theme", where);
+    remembered.language = name_in<Language>(document, "language", where);
     if (document.contains("scale")) {
         const Range range = component_range(field("ui.scale"), 0);
         remembered.scale = number_in(document["scale"], range.min, range.max);
@@ -123,8 +127,9 @@ Result<Remembered> read_remembered(const fs::path& file) {
 Status write_remembered(const fs::path& file, const Remembered& remembered) {
     if (file.empty()) return std::monostate{};
     Json document = Json::object();
-    if (remembered.theme) document["theme"] = names_of<Theme>()[static_cast<std::size_t>(*remembered.theme)];
+    if (remembered.theme) document["theme"] = name_of(*remembered.theme);
     if (remembered.scale) document["scale"] = *remembered.scale;
+    if (remembered.language) document["language"] = name_of(*remembered.language);
     if (const auto& window = remembered.window)
         document["window"] = {{"position", {window->position.x, window->position.y}},
                               {"size", {window->size.x, window->size.y}},

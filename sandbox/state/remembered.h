@@ -1,6 +1,5 @@
-// What the window remembers of a person from one time to the next: theme, scale, size and place, how far one is in the
-// lessons, files that were opened; never the state. Read
-// and written by the window alone: a headless command touches no file that was not named.
+// What the window remembers of a person from one time to the next: theme, scale, language, size and place, how far one
+// is in the lessons, files that were opened; never the state. Read and written by the window alone: a headless command touches no file that was not named.
 #pragma once
 
 #include <filesystem>
@@ -27,6 +26,7 @@ struct Remembered {
     std::optional<WindowPlace> window;
     LessonsProgress lessons = {};
     std::vector<std::string> recent = {};  ///< files that were opened, the latest first
+    std::optional<Language> language = {};
     bool operator==(const Remembered&) const = default;
 };
 

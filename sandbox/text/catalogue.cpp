@@ -61,6 +61,13 @@ void speak_pseudo(std::span<const PoEntry> entries) {
     speak_texts(std::move(texts));
 }
 
+std::string spoken_texts() {
+    std::string all;
+    if (const Texts* texts = spoken)
+        for (const auto& [english, translation] : *texts) all += translation + '\n';
+    return all;
+}
+
 std::string pseudo_text(std::string_view english) {
     std::string text = "[";
     std::size_t characters = 0;

@@ -10,6 +10,8 @@
 //     label,
 //                                name, tip, title and sentence that it draws. Literals given to a widget need nothing.
 //
+// Who chooses among languages is state/language.h.
+//
 // Templates and marked texts are literals, so that tests/catalogue finds them; what the program itself lists (fields,
 // presets) it finds through tests/texts. Object names, GL names and code are not texts. assets/text/*.po has the rest.
 #pragma once
@@ -37,6 +39,9 @@ void speak(std::span<const PoEntry> entries);
 /// For tests: each text of the entries in brackets, stretched by 40 %, without one letter of the English alphabet, with
 /// its places kept. What is still English then never went through the catalogue.
 void speak_pseudo(std::span<const PoEntry> entries);
+
+/// All translations of the language spoken now, one after the other: what its fonts must have. "" in English.
+std::string spoken_texts();
 
 /// "[Þçéñé ååå]" for "Scene".
 std::string pseudo_text(std::string_view english);

@@ -40,6 +40,7 @@ public:
             if (part_ == Part::translation) {
                 if (Status done = finish(line); !done) return done;
             }
+            if (text.starts_with("#: ")) next_where_ += (next_where_.empty() ? "" : " ") + std::string(text.substr(3));
             next_is_fuzzy_ |= text.starts_with("#,") && text.find("fuzzy") != std::string_view::npos;
             return std::monostate{};
         }
@@ -48,7 +49,7 @@ public:
         const std::string_view rest = keyword.size() < text.size() ? text.substr(keyword.size() + 1) : "";
         if (keyword == "msgid") {
             if (Status done = finish(line); !done) return done;
-            entry_ = {"", "", std::exchange(next_is_fuzzy_, false), line};
+            entry_ = {"", "", std::exchange(next_is_fuzzy_, false), line, std::exchange(next_where_, {})};
             part_ = Part::id;
             return unquote(rest, line, entry_.english);
         }
@@ -83,6 +84,7 @@ private:
 
     Part part_ = Part::none;
     bool next_is_fuzzy_ = false;
+    std::string next_where_;
     PoEntry entry_;
     std::set<std::string> ids_;
     std::vector<PoEntry> entries_;

@@ -16,6 +16,7 @@ struct PoEntry {
     std::string translation;
     bool is_fuzzy = false;  ///< a translator has to look at it again: counts as not translated
     int line = 0;           ///< where it begins, from 1
+    std::string where = {};  ///< the files that show it, as "#:" lists them
 };
 
 /// The entries of a .po file in UTF-8 in their order, without its header (the entry with an empty id). Refused with one

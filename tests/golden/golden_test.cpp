@@ -90,6 +90,7 @@ LoadedState state_of_scene(const std::string& name) {
 struct WindowCase {
     const char *name, *preset;
     glm::ivec2 size_px;
+    Language language = Language::en;
 };
 constexpr WindowCase windows[] = {
     {"window-opening", "opening", {1600, 900}},
@@ -108,6 +109,29 @@ constexpr WindowCase windows[] = {
     {"window-observer-rays", "observer-rays", {1600, 900}},
     {"window-passes", "passes", {1280, 720}},
     {"window-mirror-ways", "mirror-ways", {1280, 720}},
+    {"window-korean-opening", "opening", {1600, 900}, Language::ko},
+    {"window-korean-small", "opening", {800, 600}, Language::ko},
+    {"window-korean-fighting-map", "fighting-map", {1600, 900}, Language::ko},
+    {"window-korean-bsp-walk", "bsp-walk", {1600, 900}, Language::ko},
+    {"window-korean-shadow-derivation", "shadow-derivation", {1600, 900}, Language::ko},
+    {"window-korean-mirror-derivation", "mirror-derivation", {1280, 720}, Language::ko},
+};
+
+/// A step of a lesson, as a student or as a room sees it.
+struct StepCase {
+    const char *name, *lesson;
+    std::size_t step;
+    bool revealed, presents;
+    Theme theme = Theme::dark;
+    Language language = Language::en;
+};
+constexpr StepCase steps[] = {
+    {"lesson-choice", "view-is-the-inverse", 0, false, false},
+    {"lesson-revealed", "view-is-the-inverse", 0, true, false},
+    {"lesson-matrix", "mirror-matrix", 1, false, false, Theme::light},
+    {"lesson-on-stage", "depth-fighting", 1, true, true, Theme::projector},
+    {"lesson-korean", "view-is-the-inverse", 0, true, false, Theme::dark, Language::ko},
+    {"lesson-korean-on-stage", "depth-fighting", 1, false, true, Theme::projector, Language::ko},
 };
 
 class Golden : public testing::GlTest {
@@ -158,9 +182,24 @@ TEST_F(Golden, Scenes) {
 
 TEST_F(Golden, Windows) {
     for (const WindowCase& window : windows) {
-        const Result<LoadedState> state = load_state(window.preset);
+        Result<LoadedState> state = load_state(window.preset);
         ASSERT_TRUE(state) << state.error();
+        state->params.ui.language = window.language;
         check(window.name, picture_of(*state, {PictureView::window, window.size_px, std::nullopt}));
+    }
+}
+
+TEST_F(Golden, LessonSteps) {
+    for (const StepCase& step : steps) {
+        Result<Lesson> lesson = load_lesson(step.lesson);
+        ASSERT_TRUE(lesson) << lesson.error();
+        LoadedState state = lesson->steps.at(step.step).start;
+        state.params.ui.theme = step.theme;
+        state.params.ui.language = step.language;
+        PictureRequest request{PictureView::window, {1280, 720}, std::nullopt};
+        request.lesson = std::make_shared<const LessonPicture>(
+            LessonPicture{*std::move(lesson), step.step, step.revealed, step.presents, true});
+        check(step.name, picture_of(state, request));
     }
 }
 
@@ -180,6 +219,7 @@ TEST(GoldenReferences, EachBelongsToAPicture) {
     }
     for (const NamedFile& scene : scenes()) known.insert("scene-" + scene.name);
     for (const WindowCase& window : windows) known.insert(window.name);
+    for (const StepCase& step : steps) known.insert(step.name);
     for (const Loosened& each : loosened) EXPECT_TRUE(known.contains(each.name)) << each.name << ": " << each.reason;
     for (const fs::directory_entry& file : fs::directory_iterator(references()))
         if (file.path().extension() == ".png") {

@@ -12,15 +12,21 @@
 #include <map>
 #include <set>
 
+#include <fmt/format.h>
+
 #include "state/fields.h"
 #include "state/presets.h"
 #include "text/po.h"
+#include "places.h"
 
 namespace viewing {
 namespace {
 
-/// English texts with where each comes from.
-using Texts = std::map<std::string, std::string>;
+/// Where a text stands: the files, and what the program calls the place ("field depth.test, label").
+struct Origin {
+    std::string files, said;
+};
+using Texts = std::map<std::string, Origin>;
 
 std::vector<PoEntry> read(const char* path) {
     std::ifstream file(path, std::ios::binary);
@@ -46,20 +52,26 @@ bool has_word(std::string_view text) {
     return false;
 }
 
-void add(Texts& texts, std::string_view text, const std::string& where) {
+void add(Texts& texts, std::string_view text, Origin origin) {
     const std::string_view shown = text.substr(0, text.find("##"));
-    if (has_word(shown)) texts.emplace(shown, where);
+    if (has_word(shown)) texts.emplace(shown, std::move(origin));
 }
 
 void add_tables(Texts& texts) {
     Params params;
     for (const Field& field : fields()) {
-        const std::string where = "field " + std::string(field.path);
-        for (const std::string_view text : {field.label, field.help, field.unit}) add(texts, text, where);
+        const std::string name = "field " + std::string(field.path) + ", ";
+        const std::pair<std::string_view, const char*> parts[] = {
+            {field.label, "label"}, {field.help, "help"}, {field.unit, "unit"}};
+        for (const auto& [text, part] : parts) add(texts, text, {"sandbox/state/fields.cpp", name + part});
     }
-    for (const auto& [files, kind] : {std::pair{presets(), "preset "}, std::pair{scenes(), "scene "}}) {
+    for (const auto& [files, kind] : {std::pair{presets(), "preset"}, std::pair{scenes(), "scene"}}) {
         for (const NamedFile& file : files) {
-            for (const std::string& text : {file.title, file.about, file.group}) add(texts, text, kind + file.name);
+            const std::string path = fmt::format("assets/{}s/{}.json", kind, file.name);
+            const std::pair<const std::string&, const char*> parts[] = {
+                {file.title, "title"}, {file.about, "what it shows"}, {file.group, "group"}};
+            for (const auto& [text, part] : parts)
+                add(texts, text, {path, fmt::format("{} {}, {}", kind, file.name, part)});
         }
     }
 }
@@ -77,15 +89,37 @@ std::string quote(std::string_view text) {
     return in_quotes + '"';
 }
 
+/// "z" of "z:>7"; nothing in a text without places.
+std::set<std::string> place_names(const std::string& text) {
+    std::set<std::string> names;
+    if (const Result<std::vector<std::string>> places = places_in(text))
+        for (const std::string& place : *places) names.insert(place.substr(0, place.find(':')));
+    return names;
+}
+
+/// "" where nobody has written it down.
+std::string_view meaning_of(std::string_view name) {
+    for (const auto& [known, meaning] : place_meanings)
+        if (known == name) return meaning;
+    return "";
+}
+
 int print_all(std::span<const char* const> sources) {
     Texts texts;
     for (const char* file : sources) {
-        for (const PoEntry& entry : read(file)) add(texts, entry.english, "sources");
+        for (const PoEntry& entry : read(file)) add(texts, entry.english, {entry.where, ""});
     }
     add_tables(texts);
     std::cout << "msgid \"\"\nmsgstr \"Content-Type: text/plain; charset=UTF-8\\n\"\n";
-    for (const auto& [english, where] : texts) {
-        std::cout << "\n#. " << where << "\nmsgid " << quote(english) << "\nmsgstr \"\"\n";
+    for (const auto& [english, origin] : texts) {
+        std::cout << '\n';
+        if (!origin.said.empty()) std::cout << "#. " << origin.said << '\n';
+        const std::set<std::string> places = place_names(english);
+        for (const std::string& place : places) std::cout << "#. {" << place << "}: " << meaning_of(place) << '\n';
+        std::cout << "#: " << origin.files << '\n';
+        // msgfmt and Poedit then hold the places of a translation against those of the text.
+        if (!places.empty()) std::cout << "#, python-brace-format\n";
+        std::cout << "msgid " << quote(english) << "\nmsgstr \"\"\n";
     }
     return 0;
 }
@@ -108,12 +142,19 @@ int check(const char* all, const char* catalogue) {
         std::cerr << catalogue << ": " << sentence << '\n';
         ++wrong;
     };
+    for (const std::string& text : english)
+        for (const std::string& place : place_names(text))
+            if (meaning_of(place).empty()) complain("what {" + place + "} is has no line in tests/texts/places.h");
     std::set<std::string> listed;
+    std::size_t untranslated = 0;
     for (const PoEntry& entry : read(catalogue)) {
         const std::string line = "line " + std::to_string(entry.line) + ": ";
         listed.insert(entry.english);
         if (!english.count(entry.english)) complain(line + "nobody shows " + quote(entry.english));
-        if (entry.is_fuzzy || entry.translation.empty()) continue;
+        if (entry.is_fuzzy || entry.translation.empty()) {
+            ++untranslated;
+            continue;
+        }
         const std::string wanted = places_text(entry.english), has = places_text(entry.translation);
         if (has != wanted) complain(line + "the places are " + has + " in place of " + wanted);
     }
@@ -124,7 +165,7 @@ int check(const char* all, const char* catalogue) {
         std::cerr << "`tests/catalogue --update` puts in what is missing and takes out what nobody shows\n";
         return 1;
     }
-    std::cout << "catalogue: " << english.size() << " texts\n";
+    std::cout << catalogue << ": " << english.size() << " texts, " << untranslated << " still English\n";
     return 0;
 }
 

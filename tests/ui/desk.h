@@ -18,6 +18,8 @@
 #include "state/fields.h"
 #include "state/json.h"
 #include "state/scene.h"
+#include "state/language.h"
+#include "text/catalogue.h"
 #include "text/po.h"
 #include "ui/window/fonts.h"
 #include "ui/window/theme.h"
@@ -65,6 +67,13 @@ public:
         apply_looks();
         ui.frames(5);
     }
+    ~Desk() {
+        // A test's own language, such as the pseudo-language, is its own affair.
+        if (spoken_language() == Language::en) return;
+        EXPECT_TRUE(speak(Language::en));
+    }
+    Desk(const Desk&) = delete;
+    Desk& operator=(const Desk&) = delete;
 
     Session session;
     Workbench workbench;
@@ -80,14 +89,18 @@ public:
     Layout layout() const { return workbench.layout(ImGui::GetIO().DisplaySize, session); }
     const std::vector<RecordedItem>& recorded() const { return workbench.widgets.recorded; }
 
-    /// Fonts and style for the theme and scale of the state, as the studio does between frames.
+    /// Fonts, style and language as the state has them, as the studio does between frames.
     void apply_looks() {
         const UiParams& looks = session.params.ui;
         widgets::Context& context = workbench.widgets;
         context.palette = palette_of(looks.theme);
         const float scale = static_cast<float>(looks.scale) * context.palette.type_scale;
         context.scale = scale * enlargement(ImGui::GetIO().DisplaySize, scale, workbench.arrangement);
-        context.fonts = load_fonts(context.scale);
+        if (looks.language != spoken_language()) {
+            if (const Status spoken = speak(looks.language); !spoken) throw std::runtime_error(spoken.error());
+            workbench.korean.want(spoken_texts());
+        }
+        context.fonts = load_fonts(context.scale, workbench.korean);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);

@@ -83,33 +83,46 @@ const std::pair<const char*, void (*)(Params&)> moods[] = {{"opening", [](Params
                                                                 params.cull.enabled = true;
                                                             }}};
 
+enum class Texts { english, longer, korean };
+
 struct Case {
     ImVec2 size;
     double scale;
     Theme theme;
-    bool longer_texts;
+    Texts texts;
 
     bool operator==(const Case& other) const {
-        return size.x == other.size.x && size.y == other.size.y && theme == other.theme;
+        return size.x == other.size.x && size.y == other.size.y && theme == other.theme && texts == other.texts;
     }
+    UiParams looks() const { return {theme, scale, texts == Texts::korean ? Language::ko : Language::en}; }
 };
 std::ostream& operator<<(std::ostream& out, const Case& shown) {
     return out << shown.size.x << "×" << shown.size.y << ", scale " << shown.scale << ", " << name_of(shown.theme)
-               << (shown.longer_texts ? ", longer texts" : "");
+               << std::array{"", ", longer texts", ", Korean"}[static_cast<std::size_t>(shown.texts)];
 }
 
-/// Each size in each theme; every other one with longer texts.
-const Case cases[] = {{{1600, 900}, 1.0, Theme::dark, false},     {{1600, 900}, 1.0, Theme::light, true},
-                      {{1600, 900}, 1.0, Theme::projector, true}, {{1280, 720}, 1.0, Theme::dark, true},
-                      {{1280, 720}, 1.0, Theme::light, false},    {{1280, 720}, 1.0, Theme::projector, true},
-                      {{800, 600}, 1.0, Theme::dark, true},       {{800, 600}, 1.0, Theme::light, false},
-                      {{800, 600}, 1.0, Theme::projector, true},  {{3840, 2160}, 2.0, Theme::dark, false},
-                      {{3840, 2160}, 2.0, Theme::light, true},    {{3840, 2160}, 2.0, Theme::projector, false}};
+/// Each size in each theme, every other one with longer texts; and each size and theme in Korean.
+const Case cases[] = {{{1600, 900}, 1.0, Theme::dark, Texts::english},
+                      {{1600, 900}, 1.0, Theme::light, Texts::longer},
+                      {{1600, 900}, 1.0, Theme::projector, Texts::longer},
+                      {{1280, 720}, 1.0, Theme::dark, Texts::longer},
+                      {{1280, 720}, 1.0, Theme::light, Texts::english},
+                      {{1280, 720}, 1.0, Theme::projector, Texts::longer},
+                      {{800, 600}, 1.0, Theme::dark, Texts::longer},
+                      {{800, 600}, 1.0, Theme::light, Texts::english},
+                      {{800, 600}, 1.0, Theme::projector, Texts::longer},
+                      {{3840, 2160}, 2.0, Theme::dark, Texts::english},
+                      {{3840, 2160}, 2.0, Theme::light, Texts::longer},
+                      {{3840, 2160}, 2.0, Theme::projector, Texts::english},
+                      {{1600, 900}, 1.0, Theme::dark, Texts::korean},
+                      {{1280, 720}, 1.0, Theme::light, Texts::korean},
+                      {{800, 600}, 1.0, Theme::projector, Texts::korean},
+                      {{3840, 2160}, 2.0, Theme::projector, Texts::korean}};
 
 class LayoutTest : public ::testing::TestWithParam<Case> {
 protected:
     LayoutTest() {
-        if (GetParam().longer_texts) speak_pseudo(catalogue());
+        if (GetParam().texts == Texts::longer) speak_pseudo(catalogue());
     }
     ~LayoutTest() override { speak_english(); }
 
@@ -124,7 +137,7 @@ protected:
     /// Every preset, or every so-manieth from `first` on.
     void expect_readable_presets(std::size_t first, std::size_t stride) {
         Desk desk(GetParam().size);
-        desk.params().ui = {GetParam().theme, GetParam().scale};
+        desk.params().ui = GetParam().looks();
         desk.apply_looks();
         std::map<std::string, std::string> wrong;
         const std::vector<NamedFile> all = presets();
@@ -152,7 +165,7 @@ TEST_P(LayoutTest, DISABLED_EveryPresetIsReadable) {
 
 TEST_P(LayoutTest, EveryViewIsReadable) {
     Desk desk(GetParam().size);
-    desk.params().ui = {GetParam().theme, GetParam().scale};
+    desk.params().ui = GetParam().looks();
     desk.apply_looks();
     std::map<std::string, std::string> wrong;
     for (std::size_t topic = 1; topic < names_of<Topic>().size(); ++topic) {
@@ -168,9 +181,8 @@ TEST_P(LayoutTest, EveryViewIsReadable) {
 }
 
 TEST_P(LayoutTest, NothingOverlapsAndNothingIsCutOff) {
-    const auto [size, scale, theme, longer_texts] = GetParam();
-    Desk desk(size);
-    desk.params().ui = {theme, scale};
+    Desk desk(GetParam().size);
+    desk.params().ui = GetParam().looks();
     desk.apply_looks();
     desk.ui.frames(4);
     for (const auto& [name, apply] : moods)

@@ -34,13 +34,17 @@ void show_answer(Desk& desk) {
 struct Room {
     ImVec2 size;
     Theme theme;
+    Language language = Language::en;
 };
 std::ostream& operator<<(std::ostream& out, const Room& room) {
-    return out << room.size.x << "x" << room.size.y << " " << name_of(room.theme);
+    return out << room.size.x << "x" << room.size.y << " " << name_of(room.theme) << " " << name_of(room.language);
 }
 const Room rooms[] = {{{1280, 720}, Theme::dark},       {{1920, 1080}, Theme::dark},
                       {{1024, 768}, Theme::dark},       {{1280, 720}, Theme::projector},
-                      {{1920, 1080}, Theme::projector}, {{1024, 768}, Theme::projector}};
+                      {{1920, 1080}, Theme::projector}, {{1024, 768}, Theme::projector},
+                      {{1280, 720}, Theme::dark, Language::ko},
+                      {{1920, 1080}, Theme::projector, Language::ko},
+                      {{1024, 768}, Theme::projector, Language::ko}};
 
 class StageSlowTest : public ::testing::TestWithParam<Room> {
 protected:
@@ -48,6 +52,7 @@ protected:
     static void expect_readable(std::size_t first, std::size_t stride, bool presents) {
         Desk desk(GetParam().size);
         desk.params().ui.theme = GetParam().theme;
+        desk.params().ui.language = GetParam().language;
         desk.apply_looks();
         std::map<std::string, std::string> wrong;
         std::size_t count = 0;
@@ -68,13 +73,13 @@ protected:
         return static_cast<std::size_t>(std::find_if(std::begin(rooms), std::end(rooms),
                                                      [](const Room& room) {
                                                          return room.size.x == GetParam().size.x &&
-                                                                room.theme == GetParam().theme;
+                                                                room.theme == GetParam().theme && room.language == GetParam().language;
                                                      }) -
                                         std::begin(rooms));
     }
 };
 
-/// Over the three sizes each step in each theme.
+/// Over the three sizes each step in each theme, and in Korean.
 TEST_P(StageSlowTest, WhatTheRoomSeesCanBeRead) {
     expect_readable(place() % 3, 3, true);
 }

@@ -233,6 +233,7 @@ TEST(Panel, EveryFieldThatTakesEffectHasAControl) {
                     "view.lower_right",
                     "ui.theme",
                     "ui.scale",
+                    "ui.language",
                     "overrides.shadow_from_world",
                     "overrides.mirror_from_world",
                     "overrides.further",

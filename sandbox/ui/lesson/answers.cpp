@@ -31,7 +31,7 @@ float choice_width(float width, float scale) {
 
 Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context, bool presents) {
     const float scale = context.scale;
-    return paragraph(shown_text(say), presents ? context.fonts.caption : context.fonts.text,
+    return paragraph(say.shown(), presents ? context.fonts.caption : context.fonts.text,
                      choice_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
 }
 
@@ -51,7 +51,7 @@ float frame_height(const widgets::Context& context) {
 }
 
 float tile_width(const LessonText& item, const widgets::Context& context) {
-    const std::string& text = shown_text(item);
+    const std::string& text = item.shown();
     const float text_width =
         context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
     return text_width + 2.0F * padding_x * context.scale;
@@ -195,7 +195,7 @@ bool draw_tile(const LessonText& item, ImVec2 min, float width, float text_x, co
     draw_ground(min, max, look, is_open && ImGui::IsItemHovered());
     const float y = std::floor((min.y + max.y - context.fonts.text->FontSize) * 0.5F);
     ImGui::GetWindowDrawList()->AddText(context.fonts.text, context.fonts.text->FontSize, {min.x + text_x, y},
-                                        palette().text, shown_text(item).c_str());
+                                        palette().text, item.shown().c_str());
     return pressed && is_open;
 }
 

@@ -4,10 +4,6 @@
 
 namespace viewing {
 
-const std::string& shown_text(const LessonText& text) {
-    return text.in_english();
-}
-
 Paragraph paragraph(const std::string& text, ImFont* font, float width) {
     if (!font || text.empty()) return {"", font, 0.0F};
     Paragraph result{widgets::BrokenAtBlanks(text, std::max(width, 1.0F), *font), font, 0.0F};

@@ -1,4 +1,4 @@
-// Texts of lessons in the language that the window speaks, and set in lines.
+// Texts of lessons, set in lines.
 #pragma once
 
 #include <string>
@@ -7,9 +7,6 @@
 #include "widgets/widgets.h"
 
 namespace viewing {
-
-/// Where the lesson has none in that language, English.
-const std::string& shown_text(const LessonText& text);
 
 /// A paragraph in a font of its own size.
 struct Paragraph {

@@ -107,7 +107,7 @@ void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
         const std::string steps = done > 0 ? say("{done} of {count} steps", "done"_a = done, "count"_a = file.steps)
                                            : say_count(file.steps, "one step", "{count} steps");
         const std::string slides = slides_text(file.slides);
-        cards.push_back({key_of(file.id, 0), std::to_string(cards.size() + 1) + " · " + shown_text(file.title),
+        cards.push_back({key_of(file.id, 0), std::to_string(cards.size() + 1) + " · " + file.title.shown(),
                          say("{steps} · {minutes} min · slides {slides}", "steps"_a = steps, "minutes"_a = file.minutes,
                              "slides"_a = slides),
                          done > 0 && static_cast<int>(done) == file.steps, false});
@@ -138,14 +138,14 @@ void draw_overview(PresenterMode& presenter, Guide& guide, Session& session, con
     const LessonRun& run = *guide.run();
     const Page page("overview");
     const widgets::Group group("overview");
-    heading(shown_text(run.lesson().title), "title");
+    heading(run.lesson().title.shown(), "title");
     if (button_at_right("Close")) presenter.close_overview();
     ImGui::Dummy({0.0F, px(6.0F)});
     ImGui::BeginChild("cards");
     std::vector<Card> cards;
     for (std::size_t i = 0; i < run.lesson().steps.size(); ++i) {
         const LessonStep& step = run.lesson().steps[i];
-        cards.push_back({key_of(run.lesson().id, i), std::to_string(i + 1) + " · " + shown_text(step.ask.question), "",
+        cards.push_back({key_of(run.lesson().id, i), std::to_string(i + 1) + " · " + step.ask.question.shown(), "",
                          run.is_done(i), i == run.index()});
     }
     const int clicked = draw_cards(

@@ -34,11 +34,11 @@ float button_height(const widgets::Context& context) {
 
 /// All that may be said to an answer, in the room that it has.
 float feedback_height(const LessonStep& step, float width, const widgets::Context& context, bool presents) {
-    float height = paragraph(shown_text(step.reveal.say), context.fonts.caption, width).height;
+    float height = paragraph(step.reveal.say.shown(), context.fonts.caption, width).height;
     if (presents) return height;
     const auto say = [&](const LessonText& text) {
         const float sign = 24.0F * context.scale;
-        height = std::max(height, paragraph(shown_text(text), context.fonts.text, width - sign).height);
+        height = std::max(height, paragraph(text.shown(), context.fonts.text, width - sign).height);
     };
     for (const LessonChoice& choice : step.ask.choices) say(choice.why);
     for (const WrongAnswer& wrong : step.ask.wrong) say(wrong.say);
@@ -88,17 +88,17 @@ float left_height(const LessonRun& run, float width, const widgets::Context& con
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
     float height = context.fonts.note->FontSize + gap;
-    height += paragraph(shown_text(step.say), context.fonts.caption, width).height + gap;
+    height += paragraph(step.say.shown(), context.fonts.caption, width).height + gap;
     for (int i = 0; i < run.hints_shown(); ++i)
         height +=
-            paragraph(shown_text(step.ask.hints[static_cast<std::size_t>(i)]), context.fonts.text, width).height + gap;
+            paragraph(step.ask.hints[static_cast<std::size_t>(i)].shown(), context.fonts.text, width).height + gap;
     return presents ? height : height + buttons_height(run, width, context);
 }
 
 float right_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
-    float height = paragraph(shown_text(step.ask.question), context.fonts.caption, width).height + gap;
+    float height = paragraph(step.ask.question.shown(), context.fonts.caption, width).height + gap;
     height += answers_height(step.ask, width, context, presents);
     if (!presents && needs_check(step.ask.kind)) height += button_height(context) + gap;
     return height + feedback_height(step, width, context, presents);
@@ -107,7 +107,7 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
 /// A paragraph and the gap below it.
 void draw_paragraph(const LessonText& text, ImFont* font, float width, const char* label, ImU32 color) {
     if (text.empty()) return;
-    paragraph(shown_text(text), font, width).draw(label, color);
+    paragraph(text.shown(), font, width).draw(label, color);
 }
 
 /// The lesson's name and how far one is; the dot says that the state is no longer the step's.
@@ -120,7 +120,7 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const float clock = look.clock.empty() ? 0.0F : ImGui::CalcTextSize(look.clock.c_str()).x + px(14.0F);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const std::string title =
-        widgets::Shortened(shown_text(run.lesson().title), width - place_width - dot - clock - px(12.0F));
+        widgets::Shortened(run.lesson().title.shown(), width - place_width - dot - clock - px(12.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::TextUnformatted(title.c_str());
     widgets::Record("lesson");
@@ -200,7 +200,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     if (verdict.right)
         draw_told(true, tr("Reached."), width, "verdict");
     else if (!verdict.say.empty())
-        draw_told(false, shown_text(verdict.say), width, "verdict");
+        draw_told(false, verdict.say.shown(), width, "verdict");
     else if (step.ask.kind != AskKind::goal)
         draw_told(false, tr("Not yet. Try again, or take a hint."), width, "verdict");
 }

@@ -119,11 +119,15 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
     // Wide enough from its first frame on for the slider with its label: it takes its width from what is in it.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
-    if (!begin_menu(marked("Look"), "look menu", marked("Themes, scale, and what is folded away"), least)) return;
+    if (!begin_menu(marked("Look"), "look menu", marked("Themes, language, scale, and what is folded away"), least)) return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))
         requests.chosen_theme = params.ui.theme;
+    korean.want(own_name(Language::ko));
+    static constexpr const char* languages[] = {own_name(Language::en), own_name(Language::ko)};
+    if (control(params, "ui.language", {.segments = true, .names = languages, .label = "##language"}))
+        requests.chosen_language = params.ui.language;
     // The whole window changes with the scale, this slider too: it takes effect when it is let go.
     Params scaled = params;
     if (pending_scale_) scaled.ui.scale = *pending_scale_;

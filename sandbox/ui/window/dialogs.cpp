@@ -55,6 +55,11 @@ void FileDialog::show(Purpose purpose) {
     list_folder();
 }
 
+void FileDialog::want(Syllables& korean) const {
+    for (const Entry& entry : entries_) korean.want(entry.name);
+    for (const std::string& text : {folder_.string(), name_, error_, to_replace_.string()}) korean.want(text);
+}
+
 void FileDialog::list_folder() {
     constexpr double a_moment_s = 0.02;
     entries_.clear();

@@ -7,6 +7,7 @@
 
 #include "platform/background.h"
 #include "session/session.h"
+#include "ui/window/syllables.h"
 
 namespace viewing {
 
@@ -18,6 +19,8 @@ public:
     /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
     void draw(Session& session);
     bool is_open() const { return requested_ || is_open_; }
+    /// What it shows of others: names of files, what is typed.
+    void want(Syllables& korean) const;
 
 private:
     void list_folder();

@@ -13,42 +13,58 @@ constexpr ImWchar text_ranges[] = {0x0020, 0x00FF, 0x2010, 0x2026, 0x2032, 0x203
 constexpr ImWchar sign_ranges[] = {0x0391, 0x03C9, 0x1D40, 0x1D47, 0x2113, 0x2113, 0x2070, 0x209C, 0x2190,
                                    0x21FF, 0x2200, 0x22FF, 0x2308, 0x230B, 0x2318, 0x2318, 0x25A0, 0x25FF,
                                    0x2600, 0x2604, 0x2713, 0x2717, 0x26A0, 0x26A0, 0x27F5, 0x27F7, 0};
+constexpr ImWchar box = 0x25A1;  // □
 
-void add(const char* file, float size_px, const ImWchar* ranges, bool merge) {
+ImFont* add(const char* file, float size_px, const ImWchar* ranges, bool merge, int oversampling = 2) {
     const std::span<const std::byte> bytes = embedded_font(file);
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;  // ImGui only reads it
     config.MergeMode = merge;
-    config.OversampleH = 2;
+    config.OversampleH = oversampling;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(bytes.data()), static_cast<int>(bytes.size()),
-                                               size_px, &config, ranges);
+    return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(bytes.data()),
+                                                      static_cast<int>(bytes.size()), size_px, &config, ranges);
 }
 
-ImFont* font(const char* file, float size_px) {
+/// A font's file, and the one whose syllables have its weight.
+struct Face {
+    const char *latin, *korean;
+};
+constexpr Face regular{"Inter-Regular.otf", "NanumSquareR.ttf"}, semibold{"Inter-SemiBold.otf", "NanumSquareB.ttf"},
+    mono{"JetBrainsMono-Regular.ttf", "NanumSquareR.ttf"};
+
+ImFont* font(const Face& face, float size_px, const ImWchar* korean) {
     size_px = std::round(size_px);
-    add(file, size_px, text_ranges, false);
+    ImFont* const font = add(face.latin, size_px, text_ranges, false);
+    font->FallbackChar = box;
     add("DejaVuSans.ttf", std::round(size_px * 0.95F), sign_ranges, true);
-    return ImGui::GetIO().Fonts->Fonts.back();
+    if (korean) add(face.korean, std::round(size_px * 0.95F), korean, true, 1);
+    return font;
 }
 
 }  // namespace
 
-widgets::Fonts load_fonts(float scale) {
+widgets::Fonts load_fonts(float scale, Syllables& korean) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
+    const ImWchar* const syllables = korean.ranges(embedded_font(regular.korean));
     // Inter's and JetBrains Mono's em is larger than their letters: 14 design pixels of type want a 16 pixel font.
     widgets::Fonts fonts;
-    fonts.text = font("Inter-Regular.otf", 16.0F * scale);
-    fonts.heading = font("Inter-SemiBold.otf", 16.0F * scale);
-    fonts.note = font("Inter-Regular.otf", 13.0F * scale);
-    fonts.number = font("JetBrainsMono-Regular.ttf", 16.0F * scale);
-    fonts.small_number = font("JetBrainsMono-Regular.ttf", 13.0F * scale);
-    fonts.caption = font("Inter-Regular.otf", 19.0F * scale);
+    fonts.text = font(regular, 16.0F * scale, syllables);
+    fonts.heading = font(semibold, 16.0F * scale, syllables);
+    fonts.note = font(regular, 13.0F * scale, syllables);
+    fonts.number = font(mono, 16.0F * scale, syllables);
+    fonts.small_number = font(mono, 13.0F * scale, syllables);
+    fonts.caption = font(regular, 19.0F * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
+}
+
+widgets::Fonts load_fonts(float scale) {
+    Syllables none;
+    return load_fonts(scale, none);
 }
 
 }  // namespace viewing

@@ -44,7 +44,7 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     stage.asks = !run->is_revealed();
     if (stage.asks) stage.cover = step.cover;
     stage.highlight = stage.asks ? step.highlight : step.reveal.highlight;
-    if (step.target) stage.target = Stage::Target{step.target->point_world, shown_text(step.target->label)};
+    if (step.target) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
 
 bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {

@@ -16,6 +16,7 @@ public:
     /// Opens it in the next frame, as a click on the closed list does.
     void open() { requested_ = true; }
     bool is_open() const { return is_open_; }
+    const std::string& search() const { return search_; }
     /// Nothing is typed that a key could be meant for.
     bool has_empty_search() const { return is_open_ && search_.empty(); }
 

@@ -290,6 +290,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     file_dialog_.draw(session);
     draw_help(help_open_);
     draw_permission(session);
+    want_korean(session);
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));

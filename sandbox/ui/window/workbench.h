@@ -15,6 +15,7 @@
 #include "ui/views/views.h"
 #include "ui/window/caption.h"
 #include "ui/window/dialogs.h"
+#include "ui/window/syllables.h"
 #include "ui/window/preset_picker.h"
 
 namespace viewing {
@@ -37,6 +38,7 @@ struct Requests {
     std::optional<ViewPicture> view_picture;
     std::optional<Theme> chosen_theme;   ///< by hand: what is remembered for the next time
     std::optional<double> chosen_scale;  ///< the same
+    std::optional<Language> chosen_language;  ///< the same
 };
 
 class Workbench {
@@ -53,6 +55,7 @@ public:
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "" when it could
+    Syllables korean;                 ///< that were shown, for the fonts of the next frame
     widgets::Context widgets;
 
     /// Where everything is for this session, in the fonts that the widgets have now.
@@ -100,8 +103,14 @@ private:
     void draw_message(Session& session, const Layout& layout);
 
     std::vector<NamedFile> presets_, scenes_;
+    /// Texts of others, which are Korean in any language: names of files and objects, lessons, what is typed.
+    void want_korean(const Session& session);
+
     FileDialog file_dialog_;
     PresetPicker preset_picker_;
+    int korean_scene_version_ = -1;  ///< whose objects' names were looked through
+    std::shared_ptr<const Lesson> korean_lesson_;
+    Language korean_language_ = Language::en;
     CaptionFold caption_fold_;
     std::optional<double> pending_scale_;
     bool help_open_ = false;

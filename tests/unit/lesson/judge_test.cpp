@@ -73,7 +73,7 @@ TEST(Judge, AGoalLooksAtTheStateAlone) {
     ask.until = "camera.yaw > 90";
     ask.wrong.push_back({"camera.yaw < 0", {"the other way", ""}, "", {}, {}});
     EXPECT_TRUE(judged(ask, {}, 91.0).right);
-    EXPECT_EQ(judged(ask, {}, -5.0).say.en, "the other way");
+    EXPECT_EQ(judged(ask, {}, -5.0).say.in_english(), "the other way");
     EXPECT_TRUE(judged(ask, {}, 50.0).say.empty());
     ask.until = "camera.yaw";
     EXPECT_FALSE(judge(ask, {}, yaw_of(1.0)));
@@ -95,7 +95,7 @@ TEST(LessonRun, ARightAnswerRevealsAndAWrongOneTellsWhy) {
     run.take(judged(run.step().ask, run.answer()));
     EXPECT_FALSE(run.is_revealed());
     EXPECT_EQ(run.verdict()->tag, "M01");
-    EXPECT_EQ(run.verdict()->say.en, "because");
+    EXPECT_EQ(run.verdict()->say.in_english(), "because");
     run.answer().items = {1};
     run.take(judged(run.step().ask, run.answer()));
     EXPECT_TRUE(run.is_revealed());

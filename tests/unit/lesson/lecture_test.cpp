@@ -38,9 +38,9 @@ void for_each_step(const Look& look) {
 }
 
 std::vector<std::string> texts_of(const LessonStep& step) {
-    std::vector<std::string> texts{step.say.en, step.ask.question.en, step.reveal.say.en};
-    for (const LessonChoice& choice : step.ask.choices) texts.push_back(choice.why.en);
-    for (const WrongAnswer& wrong : step.ask.wrong) texts.push_back(wrong.say.en);
+    std::vector<std::string> texts{step.say.in_english(), step.ask.question.in_english(), step.reveal.say.in_english()};
+    for (const LessonChoice& choice : step.ask.choices) texts.push_back(choice.why.in_english());
+    for (const WrongAnswer& wrong : step.ask.wrong) texts.push_back(wrong.say.in_english());
     return texts;
 }
 
@@ -121,7 +121,7 @@ TEST(LectureLessons, TextsAreShortEnoughForTheLastRow) {
             EXPECT_LE(sentence_count(text), 2) << name << ": " << text;
             EXPECT_LE(character_count(text), 140U) << name << ": " << text;
         }
-        EXPECT_LE(sentence_count(step.note.en), 3) << name << ": " << step.note.en;
+        EXPECT_LE(sentence_count(step.note.in_english()), 3) << name << ": " << step.note.in_english();
     });
 }
 

@@ -32,14 +32,14 @@ const char* const small = R"({
 TEST(LessonReader, AStepIsWholeByItself) {
     const Result<Lesson> lesson = parse_lesson(small, "mine.json", "");
     ASSERT_TRUE(lesson) << lesson.error();
-    EXPECT_EQ(lesson->title.ko, "내 것");
+    EXPECT_EQ(lesson->title.in(Language::ko), "내 것");
     EXPECT_EQ(lesson->slides, (std::vector{2, 3}));
     ASSERT_EQ(lesson->steps.size(), 2U);
     const LessonStep& first = lesson->steps[0];
     EXPECT_EQ(first.start.params.camera.yaw, 10.0);
     EXPECT_EQ(first.start.params.view.lower_left, Topic::depth);
     EXPECT_EQ(first.revealed.camera.yaw, 40.0);
-    EXPECT_EQ(first.target->label.en, "here");
+    EXPECT_EQ(first.target->label.in_english(), "here");
     EXPECT_EQ(first.target->point_world, glm::dvec3(1, 2, 3));
     EXPECT_EQ(first.ask.wrong[0].sample.numbers, std::vector{-10.0});
     const LessonStep& second = lesson->steps[1];

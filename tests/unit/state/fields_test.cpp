@@ -143,6 +143,7 @@ constexpr std::string_view contract_paths[] = {
     "animation.light_speed",
     "ui.theme",
     "ui.scale",
+    "ui.language",
 };
 
 std::vector<std::string> names(std::string_view path) {

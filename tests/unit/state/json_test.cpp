@@ -238,7 +238,8 @@ TEST(State, WritesTheContractsFileForTheDefaults) {
   },
   "ui": {
     "theme": "dark",
-    "scale": 1
+    "scale": 1,
+    "language": "en"
   }
 }
 )");

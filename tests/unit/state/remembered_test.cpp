@@ -29,7 +29,7 @@ TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
     for (const Remembered& each :
          {Remembered{}, Remembered{Theme::projector, 1.3, WindowPlace{{-1600, 40}, {1200, 700}, true}},
           Remembered{Theme::light, std::nullopt, WindowPlace{{0, 0}, {800, 600}, false}},
-          Remembered{{}, {}, {}, {{"lens", {3, {0, 2}}}, {"rays", {}}}, {"/home/ann/a b.json", "/tmp/x.obj"}}}) {
+          Remembered{{}, {}, {}, {{"lens", {3, {0, 2}}}, {"rays", {}}}, {"/home/ann/a b.json", "/tmp/x.obj"}, Language::ko}}) {
         ASSERT_TRUE(write_remembered(file, each));
         EXPECT_EQ(*read_remembered(file), each);
     }
@@ -38,7 +38,7 @@ TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
 
 TEST_F(RememberedTest, SaysInOneSentenceWhatIsBroken) {
     for (const char* text :
-         {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"scale": 1e9})", R"({"scale": "large"})",
+         {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"language": "xx"})", R"({"scale": 1e9})", R"({"scale": "large"})",
           R"({"window": 3})", R"({"window": {}})", R"({"window": {"position": [0], "size": [800, 600]}})",
           R"({"window": {"position": [0, 0], "size": [0, 600]}})",
           R"({"window": {"position": [0, 1e300], "size": [800, 600]}})", R"({"lessons": []})",

@@ -1,0 +1,46 @@
+// What others wrote in Korean, for the fonts: the catalogue's own texts are wanted with the language.
+#include "ui/window/workbench.h"
+
+namespace viewing {
+namespace {
+
+/// Every text of the lesson in the language that is spoken.
+void want_texts(const Lesson& lesson, Syllables& korean) {
+    const auto want = [&korean](const LessonText& text) { korean.want(text.shown()); };
+    want(lesson.title);
+    for (const LessonStep& step : lesson.steps) {
+        for (const LessonText* text : {&step.say, &step.ask.question, &step.reveal.say, &step.note}) want(*text);
+        for (const LessonText& hint : step.ask.hints) want(hint);
+        for (const LessonText& item : step.ask.items) want(item);
+        for (const LessonChoice& choice : step.ask.choices) {
+            want(choice.say);
+            want(choice.why);
+        }
+        for (const WrongAnswer& wrong : step.ask.wrong) want(wrong.say);
+        if (step.target) want(step.target->label);
+    }
+}
+
+}  // namespace
+
+void Workbench::want_korean(const Session& session) {
+    korean.want(session.message.text);
+    korean.want(lesson_trouble);
+    korean.want(preset_picker_.search());
+    if (file_dialog_.is_open()) file_dialog_.want(korean);
+    if (const auto* scene = std::get_if<std::string>(&session.params.scene)) korean.want(*scene);
+    if (start_page.is_open()) {
+        for (const LessonFile& file : start_page.lessons()) korean.want(file.title.shown());
+        for (const std::string& file : recent) korean.want(file);
+    }
+    if (korean_scene_version_ != session.scene_version()) {
+        korean_scene_version_ = session.scene_version();
+        for (const SceneObject& object : session.scene().objects) korean.want(object.description.name);
+    }
+    const std::shared_ptr<const Lesson> lesson = guide.run() ? guide.run()->shared_lesson() : nullptr;
+    if (lesson && (lesson != korean_lesson_ || spoken_language() != korean_language_)) want_texts(*lesson, korean);
+    korean_lesson_ = lesson;
+    korean_language_ = spoken_language();
+}
+
+}  // namespace viewing
