@@ -16,7 +16,8 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
     const float scale = usual_scale * enlargement(window_px, usual_scale, arrangement);
     const bool speaks_anew = ui.language != language_;
     if (speaks_anew) {
-        const Status spoken = speak(ui.language);
+        // Another window of the process may speak it already, or another one.
+        const Status spoken = ui.language == spoken_language() ? Status(std::monostate{}) : speak(ui.language);
         trouble_ = spoken ? "" : spoken.error();
         language_ = ui.language;
         korean.want(spoken_texts());

@@ -1,6 +1,7 @@
 // Theme, scale, language and fonts of the user interface, followed when the state or the monitor changes.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "state/params.h"
@@ -22,7 +23,7 @@ public:
 private:
     Theme theme_ = Theme::dark;
     float scale_ = 0.0F;
-    Language language_ = Language::en;
+    std::optional<Language> language_;  ///< that was asked for
     std::string trouble_;
 };
 

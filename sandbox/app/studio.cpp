@@ -177,8 +177,8 @@ void Studio::judge_answer(bool wants_check) {
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading();
-    const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind || session.params != drawn_.params ||
-                      is_playing(workbench.views) || moves_;
+    const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind ||
+                      session.params != drawn_.params || is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy();
     if (busy || works) return busy ? 0.0 : 0.05;

@@ -98,8 +98,8 @@ std::string handout(Headless& headless, const Lesson& lesson, bool with_answers)
         page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
                 std::to_string(lesson.steps.size()) + "</h1>\n";
         page += picture_of(headless, lesson, i);
-        page += paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) +
-                answers(step.ask);
+        page +=
+            paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) + answers(step.ask);
         if (with_answers) page += answer_of(step);
         page += "</section>\n";
     }

@@ -70,8 +70,7 @@ std::optional<Enum> name_in(const Json& object, const char* key, const Where& wh
     if (!object.contains(key)) return std::nullopt;
     const std::span<const char* const> names = names_of<Enum>();
     const auto at = std::find_if(names.begin(), names.end(), [&](const char* name) { return object[key] == name; });
-    if (at == names.end())
-        where.key(key).refuse("must be one of " + joined(names) + ", got " + describe(object[key]));
+    if (at == names.end()) where.key(key).refuse("must be one of " + joined(names) + ", got " + describe(object[key]));
     return static_cast<Enum>(at - names.begin());
 }
 

@@ -1,5 +1,6 @@
 // What the window remembers of a person from one time to the next: theme, scale, language, size and place, how far one
-// is in the lessons, files that were opened; never the state. Read and written by the window alone: a headless command touches no file that was not named.
+// is in the lessons, files that were opened; never the state. Read and written by the window alone: a headless command
+// touches no file that was not named.
 #pragma once
 
 #include <filesystem>

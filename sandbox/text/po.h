@@ -14,8 +14,8 @@ namespace viewing {
 struct PoEntry {
     std::string english;
     std::string translation;
-    bool is_fuzzy = false;  ///< a translator has to look at it again: counts as not translated
-    int line = 0;           ///< where it begins, from 1
+    bool is_fuzzy = false;   ///< a translator has to look at it again: counts as not translated
+    int line = 0;            ///< where it begins, from 1
     std::string where = {};  ///< the files that show it, as "#:" lists them
 };
 

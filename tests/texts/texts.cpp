@@ -14,10 +14,10 @@
 
 #include <fmt/format.h>
 
+#include "places.h"
 #include "state/fields.h"
 #include "state/presets.h"
 #include "text/po.h"
-#include "places.h"
 
 namespace viewing {
 namespace {

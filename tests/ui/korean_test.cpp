@@ -1,5 +1,6 @@
 // Korean: every character that the catalogue and the lessons need is drawn, others are loaded when they come or are a
-// box, English pays nothing; switching is at once, and is the person's own: nothing that is opened or undone changes it.
+// box, English pays nothing; switching is at once, and is the person's own: nothing that is opened or undone changes
+// it.
 #include <regex>
 #include <set>
 

@@ -102,22 +102,15 @@ std::ostream& operator<<(std::ostream& out, const Case& shown) {
 }
 
 /// Each size in each theme, every other one with longer texts; and each size and theme in Korean.
-const Case cases[] = {{{1600, 900}, 1.0, Theme::dark, Texts::english},
-                      {{1600, 900}, 1.0, Theme::light, Texts::longer},
-                      {{1600, 900}, 1.0, Theme::projector, Texts::longer},
-                      {{1280, 720}, 1.0, Theme::dark, Texts::longer},
-                      {{1280, 720}, 1.0, Theme::light, Texts::english},
-                      {{1280, 720}, 1.0, Theme::projector, Texts::longer},
-                      {{800, 600}, 1.0, Theme::dark, Texts::longer},
-                      {{800, 600}, 1.0, Theme::light, Texts::english},
-                      {{800, 600}, 1.0, Theme::projector, Texts::longer},
-                      {{3840, 2160}, 2.0, Theme::dark, Texts::english},
-                      {{3840, 2160}, 2.0, Theme::light, Texts::longer},
-                      {{3840, 2160}, 2.0, Theme::projector, Texts::english},
-                      {{1600, 900}, 1.0, Theme::dark, Texts::korean},
-                      {{1280, 720}, 1.0, Theme::light, Texts::korean},
-                      {{800, 600}, 1.0, Theme::projector, Texts::korean},
-                      {{3840, 2160}, 2.0, Theme::projector, Texts::korean}};
+const Case cases[] = {
+    {{1600, 900}, 1.0, Theme::dark, Texts::english},     {{1600, 900}, 1.0, Theme::light, Texts::longer},
+    {{1600, 900}, 1.0, Theme::projector, Texts::longer}, {{1280, 720}, 1.0, Theme::dark, Texts::longer},
+    {{1280, 720}, 1.0, Theme::light, Texts::english},    {{1280, 720}, 1.0, Theme::projector, Texts::longer},
+    {{800, 600}, 1.0, Theme::dark, Texts::longer},       {{800, 600}, 1.0, Theme::light, Texts::english},
+    {{800, 600}, 1.0, Theme::projector, Texts::longer},  {{3840, 2160}, 2.0, Theme::dark, Texts::english},
+    {{3840, 2160}, 2.0, Theme::light, Texts::longer},    {{3840, 2160}, 2.0, Theme::projector, Texts::english},
+    {{1600, 900}, 1.0, Theme::dark, Texts::korean},      {{1280, 720}, 1.0, Theme::light, Texts::korean},
+    {{800, 600}, 1.0, Theme::projector, Texts::korean},  {{3840, 2160}, 2.0, Theme::projector, Texts::korean}};
 
 class LayoutTest : public ::testing::TestWithParam<Case> {
 protected:

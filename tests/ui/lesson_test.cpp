@@ -39,9 +39,12 @@ struct Room {
 std::ostream& operator<<(std::ostream& out, const Room& room) {
     return out << room.size.x << "x" << room.size.y << " " << name_of(room.theme) << " " << name_of(room.language);
 }
-const Room rooms[] = {{{1280, 720}, Theme::dark},       {{1920, 1080}, Theme::dark},
-                      {{1024, 768}, Theme::dark},       {{1280, 720}, Theme::projector},
-                      {{1920, 1080}, Theme::projector}, {{1024, 768}, Theme::projector},
+const Room rooms[] = {{{1280, 720}, Theme::dark},
+                      {{1920, 1080}, Theme::dark},
+                      {{1024, 768}, Theme::dark},
+                      {{1280, 720}, Theme::projector},
+                      {{1920, 1080}, Theme::projector},
+                      {{1024, 768}, Theme::projector},
                       {{1280, 720}, Theme::dark, Language::ko},
                       {{1920, 1080}, Theme::projector, Language::ko},
                       {{1024, 768}, Theme::projector, Language::ko}};
@@ -73,7 +76,8 @@ protected:
         return static_cast<std::size_t>(std::find_if(std::begin(rooms), std::end(rooms),
                                                      [](const Room& room) {
                                                          return room.size.x == GetParam().size.x &&
-                                                                room.theme == GetParam().theme && room.language == GetParam().language;
+                                                                room.theme == GetParam().theme &&
+                                                                room.language == GetParam().language;
                                                      }) -
                                         std::begin(rooms));
     }

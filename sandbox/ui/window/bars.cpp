@@ -119,7 +119,8 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
 void Workbench::draw_look_menu(Session& session, Requests& requests) {
     // Wide enough from its first frame on for the slider with its label: it takes its width from what is in it.
     const float least = widgets::LabelledWidth("scale", px(160.0F)) + 2.0F * ImGui::GetStyle().WindowPadding.x;
-    if (!begin_menu(marked("Look"), "look menu", marked("Themes, language, scale, and what is folded away"), least)) return;
+    if (!begin_menu(marked("Look"), "look menu", marked("Themes, language, scale, and what is folded away"), least))
+        return;
     Params& params = session.params;
     static constexpr const char* themes[] = {marked("Dark"), marked("Light"), marked("Projector")};
     if (control(params, "ui.theme", {.segments = true, .names = themes, .label = "##theme"}))

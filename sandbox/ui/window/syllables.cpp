@@ -11,7 +11,8 @@ namespace viewing {
 namespace {
 
 /// Jamo, punctuation, compatibility jamo, syllables, wide signs.
-constexpr ImWchar blocks[][2] = {{0x1100, 0x11FF}, {0x3000, 0x303F}, {0x3131, 0x318E}, {0xAC00, 0xD7A3}, {0xFF01, 0xFF5E}};
+constexpr ImWchar blocks[][2] = {
+    {0x1100, 0x11FF}, {0x3000, 0x303F}, {0x3131, 0x318E}, {0xAC00, 0xD7A3}, {0xFF01, 0xFF5E}};
 
 }  // namespace
 
@@ -25,7 +26,8 @@ void Syllables::want(ImWchar character) {
 void Syllables::want(std::string_view text) {
     // All of them have three bytes: 1110xxxx 10xxxxxx 10xxxxxx.
     for (std::size_t i = 0; i + 2 < text.size(); ++i) {
-        if ((text[i] & 0xF0) != 0xE0 || !continues_character(text[i + 1]) || !continues_character(text[i + 2])) continue;
+        if ((text[i] & 0xF0) != 0xE0 || !continues_character(text[i + 1]) || !continues_character(text[i + 2]))
+            continue;
         want(static_cast<ImWchar>((text[i] & 0x0F) << 12 | (text[i + 1] & 0x3F) << 6 | (text[i + 2] & 0x3F)));
         i += 2;
     }

@@ -1,14 +1,14 @@
-// Which characters of Korean the window shows: its fonts are built with these alone, since all 11,172 syllables would be
-// an atlas of a hundred megabytes. Where nothing is Korean there are none, and Korean fonts are not touched.
+// Which characters of Korean the window shows: its fonts are built with these alone, since all 11,172 syllables would
+// be an atlas of a hundred megabytes. Where nothing is Korean there are none, and Korean fonts are not touched.
 #pragma once
 
 #include <imgui.h>
 
+#include <cstddef>
 #include <set>
 #include <span>
 #include <string_view>
 #include <vector>
-#include <cstddef>
 
 namespace viewing {
 
@@ -20,8 +20,9 @@ public:
 
     /// Whether one has come that the ranges had not.
     bool has_new() const { return characters_.size() != in_ranges_; }
-    /// All that were wanted and that a font's file has an outline for, as ImGui's font atlas takes them, there until the
-    /// next call; null where there are none. Fonts may map a syllable to an empty glyph, which would be shown as nothing.
+    /// All that were wanted and that a font's file has an outline for, as ImGui's font atlas takes them, there until
+    /// the next call; null where there are none. Fonts may map a syllable to an empty glyph, which would be shown as
+    /// nothing.
     const ImWchar* ranges(std::span<const std::byte> font_file);
 
 private:

@@ -15,8 +15,8 @@
 #include "ui/views/views.h"
 #include "ui/window/caption.h"
 #include "ui/window/dialogs.h"
-#include "ui/window/syllables.h"
 #include "ui/window/preset_picker.h"
+#include "ui/window/syllables.h"
 
 namespace viewing {
 
@@ -36,8 +36,8 @@ struct Requests {
     bool restart_hidden = false;      ///< their work on the current question, which was cancelled
     bool cancel_hidden = false;       ///< what the hidden-surface methods are working on
     std::optional<ViewPicture> view_picture;
-    std::optional<Theme> chosen_theme;   ///< by hand: what is remembered for the next time
-    std::optional<double> chosen_scale;  ///< the same
+    std::optional<Theme> chosen_theme;        ///< by hand: what is remembered for the next time
+    std::optional<double> chosen_scale;       ///< the same
     std::optional<Language> chosen_language;  ///< the same
 };
 

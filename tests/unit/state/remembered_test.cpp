@@ -29,7 +29,8 @@ TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
     for (const Remembered& each :
          {Remembered{}, Remembered{Theme::projector, 1.3, WindowPlace{{-1600, 40}, {1200, 700}, true}},
           Remembered{Theme::light, std::nullopt, WindowPlace{{0, 0}, {800, 600}, false}},
-          Remembered{{}, {}, {}, {{"lens", {3, {0, 2}}}, {"rays", {}}}, {"/home/ann/a b.json", "/tmp/x.obj"}, Language::ko}}) {
+          Remembered{
+              {}, {}, {}, {{"lens", {3, {0, 2}}}, {"rays", {}}}, {"/home/ann/a b.json", "/tmp/x.obj"}, Language::ko}}) {
         ASSERT_TRUE(write_remembered(file, each));
         EXPECT_EQ(*read_remembered(file), each);
     }
@@ -37,13 +38,13 @@ TEST_F(RememberedTest, ReadsBackWhatWasWrittenAndNothingFromNoFile) {
 }
 
 TEST_F(RememberedTest, SaysInOneSentenceWhatIsBroken) {
-    for (const char* text :
-         {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"language": "xx"})", R"({"scale": 1e9})", R"({"scale": "large"})",
-          R"({"window": 3})", R"({"window": {}})", R"({"window": {"position": [0], "size": [800, 600]}})",
-          R"({"window": {"position": [0, 0], "size": [0, 600]}})",
-          R"({"window": {"position": [0, 1e300], "size": [800, 600]}})", R"({"lessons": []})",
-          R"({"lessons": {"lens": 3}})", R"({"lessons": {"lens": {"step": 0}}})",
-          R"({"lessons": {"lens": {"done": [1e9]}}})", R"({"recent": "a"})", R"({"recent": [1]})"}) {
+    for (const char* text : {"", "hello", "[]", R"({"theme": "pink"})", R"({"theme": 3})", R"({"language": "xx"})",
+                             R"({"scale": 1e9})", R"({"scale": "large"})", R"({"window": 3})", R"({"window": {}})",
+                             R"({"window": {"position": [0], "size": [800, 600]}})",
+                             R"({"window": {"position": [0, 0], "size": [0, 600]}})",
+                             R"({"window": {"position": [0, 1e300], "size": [800, 600]}})", R"({"lessons": []})",
+                             R"({"lessons": {"lens": 3}})", R"({"lessons": {"lens": {"step": 0}}})",
+                             R"({"lessons": {"lens": {"done": [1e9]}}})", R"({"recent": "a"})", R"({"recent": [1]})"}) {
         const std::string error = error_of(text);
         EXPECT_NE(error.find("broken.json"), std::string::npos) << text << ": " << error;
         EXPECT_EQ(error.find('\n'), std::string::npos) << error;
