@@ -76,6 +76,7 @@ constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_F2, Key::f2},
                                  {GLFW_KEY_F3, Key::f3},
                                  {GLFW_KEY_F5, Key::f5},
+                                 {GLFW_KEY_F6, Key::f6},
                                  {GLFW_KEY_F11, Key::f11},
                                  {GLFW_KEY_F12, Key::f12},
                                  {GLFW_KEY_ESCAPE, Key::escape}};
@@ -132,6 +133,14 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { of(one).any = true; });
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* one) { of(one).any = true; });
 }
+void Events::hear_keys_of(GLFWwindow* window) {
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { of(one).any = true; });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* one) { of(one).any = true; });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* one) { of(one).any = true; });
+}
+
 void Events::take(double wait_s) {
     heard_since_s_ = polled_s_;
     glfwPollEvents();

@@ -28,6 +28,9 @@ public:
     Events(const Events&) = delete;
     Events& operator=(const Events&) = delete;
 
+    /// Keys that are pressed in this window count as well.
+    void hear_keys_of(GLFWwindow* window);
+
     /// Takes what has come, and waits for something where nothing has: at most so long; negative: for ever.
     void take(double wait_s);
 

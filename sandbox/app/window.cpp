@@ -186,7 +186,7 @@ void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
 }
 
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
-              LectureNotes notes) {
+              LectureNotes& notes) {
     FullScreen full_screen;
     int frames_due = 0;
     while (!glfwWindowShouldClose(window)) {
@@ -233,6 +233,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         present(window, studio, size_px);
         studio.session.report(
             notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
+        notes.draw(studio.session.params.ui.theme, device_scale);
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
@@ -274,7 +275,15 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
     glfwShowWindow(window);
     if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
-    run_loop(window, *renderer, studio, events, memory, LectureNotes(start.notes));
+    LectureNotes notes(start.notes);
+    if (notes.wants_window()) {
+        if (auto beside = NotesWindow::make(window)) {
+            events.hear_keys_of(beside->glfw());
+            notes.take(std::move(beside));
+        }
+        glfwFocusWindow(window);
+    }
+    run_loop(window, *renderer, studio, events, memory, notes);
     if (gl_errors) *gl_errors = log->errors();
     ImGui_ImplGlfw_Shutdown();
     return std::monostate{};

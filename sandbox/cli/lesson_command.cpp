@@ -142,10 +142,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                         "A lesson's name (--list), or a file of one's own; --check takes several");
     options.text("--step", "N", typed.step, "Begins there, counted from 1; else where one was the last time");
     options.flag("--present", typed.presents, "In front of a room: full screen, in large type, by a clicker's keys");
-    options.text(
-        "--notes", "terminal|FILE", typed.notes,
-        "The lecturer's notes while the room sees the step: in this terminal, or written to a file whenever they "
-        "change");
+    options.text("--notes", "terminal|window|FILE", typed.notes,
+                 "The lecturer's notes while the room sees the step: in this terminal, in a window of their own, or "
+                 "written to a "
+                 "file whenever they change");
     options.text("--language", "en|ko", typed.language,
                  "Of the window or the handout; left out: the one chosen the last time, and English on paper");
     options.group("Without a window");
@@ -179,7 +179,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command lesson_command{"lesson",
-                                       "[ID|FILE] [--step N] [--present] [--notes terminal|FILE] [OPTIONS]",
+                                       "[ID|FILE] [--step N] [--present] [--notes terminal|window|FILE] [OPTIONS]",
                                        "the window in a guided lesson: each step asks before it shows",
                                        "A lesson is a JSON file of steps, each with its whole state, a question, the "
                                        "answers that people give, and what is "

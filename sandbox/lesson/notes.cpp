@@ -1,18 +1,13 @@
 #include "lesson/notes.h"
 
+#include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
 namespace {
 
-constexpr std::size_t line_width = 78, label_width = 8;
-
-/// "Asks    …", with what goes on in further lines below its beginning.
-std::string paragraph(const std::string& label, const std::string& text) {
-    if (text.empty()) return "";
-    return in_lines(text, line_width, label + std::string(label_width - label.size(), ' '), label_width);
-}
+constexpr std::size_t line_width = 78, label_width = 8;  // "Asks    …", with what goes on below its beginning
 
 std::string joined_texts(const std::vector<std::string>& texts, const char* between) {
     std::string all;
@@ -20,15 +15,27 @@ std::string joined_texts(const std::vector<std::string>& texts, const char* betw
     return all;
 }
 
-std::string minutes_text(double seconds) {
-    return std::to_string(static_cast<int>(seconds / 60.0)) + " min";
+int minutes_of(double seconds) {
+    return static_cast<int>(seconds / 60.0);
 }
 
 std::string time_text(const Lesson& lesson, double presented_s) {
-    if (lesson.minutes == 0) return minutes_text(presented_s) + " so far";
+    const int passed = minutes_of(presented_s);
+    if (lesson.minutes == 0) return say("{passed} min so far", "passed"_a = passed);
     const double left_s = lesson.minutes * 60.0 - presented_s;
-    const std::string left = left_s >= 0.0 ? minutes_text(left_s) + " left" : minutes_text(-left_s) + " over";
-    return minutes_text(presented_s) + " of " + std::to_string(lesson.minutes) + ", " + left;
+    if (left_s < 0.0)
+        return say("{passed} of {minutes} min, {over} over", "passed"_a = passed, "minutes"_a = lesson.minutes,
+                   "over"_a = minutes_of(-left_s));
+    return say("{passed} of {minutes} min, {left} left", "passed"_a = passed, "minutes"_a = lesson.minutes,
+               "left"_a = minutes_of(left_s));
+}
+
+/// Steps are taken to last equally long.
+bool is_late(const LessonRun& run, double presented_s) {
+    constexpr double patience_s = 120.0;
+    const Lesson& lesson = run.lesson();
+    const double share = static_cast<double>(run.index() + 1) / static_cast<double>(lesson.steps.size());
+    return lesson.minutes > 0 && presented_s > lesson.minutes * 60.0 * share + patience_s;
 }
 
 }  // namespace
@@ -48,20 +55,35 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
     return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : ", ");
 }
 
-std::string notes_page(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
-    static constexpr const char* phases[] = {"asks", "shows", "answered"};
+Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {
+    static constexpr const char* phases[] = {marked("asks"), marked("shows"), marked("answered")};
     const Lesson& lesson = run.lesson();
     const LessonStep& step = run.step();
-    std::string page = lesson.title.shown() + "\n" + std::to_string(run.index() + 1) + " / " +
-                       std::to_string(lesson.steps.size()) + " · " + phases[static_cast<std::size_t>(phase)] + " · " +
-                       time_text(lesson, presented_s) + "\n\n";
-    page += paragraph("Says", step.say.shown());
-    page += paragraph("Asks", step.ask.question.shown());
-    page += paragraph("Right", answer_in_words(step.ask, surroundings));
-    page += paragraph("Shows", step.reveal.say.shown());
-    page += paragraph("Note", step.note.shown());
-    page += run.is_last() ? paragraph("Then", "the lesson ends.")
-                          : paragraph("Then", lesson.steps[run.index() + 1].ask.question.shown());
+    Notes notes;
+    notes.title = lesson.title.shown();
+    notes.place = std::to_string(run.index() + 1) + " / " + std::to_string(lesson.steps.size()) + " · " +
+                  tr(phases[static_cast<std::size_t>(phase)]) + " · " + time_text(lesson, presented_s);
+    notes.is_late = is_late(run, presented_s);
+    const std::string next =
+        run.is_last() ? tr("The lesson ends.") : lesson.steps[run.index() + 1].ask.question.shown();
+    const Notes::Part parts[] = {{tr("Says"), step.say.shown()},
+                                 {tr("Asks"), step.ask.question.shown()},
+                                 {tr("Right"), answer_in_words(step.ask, surroundings)},
+                                 {tr("Shows"), step.reveal.say.shown()},
+                                 {tr("Note"), step.note.shown()},
+                                 {tr("Then"), next}};
+    for (const Notes::Part& part : parts)
+        if (!part.text.empty()) notes.parts.push_back(part);
+    return notes;
+}
+
+std::string notes_page(const Notes& notes) {
+    std::string page = notes.title + "\n" + notes.place + "\n\n";
+    for (const Notes::Part& part : notes.parts) {
+        const std::size_t length = character_count(part.label);
+        const std::string blanks(length < label_width ? label_width - length : 1, ' ');
+        page += in_lines(part.text, line_width, part.label + blanks, label_width);
+    }
     return page;
 }
 

@@ -111,6 +111,55 @@ TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     }
 }
 
+TEST(OnStage, F6GoesThroughTheThemes) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("lens"), 0, true);
+    for (const Theme theme : {Theme::light, Theme::projector, Theme::dark}) {
+        desk.press(Key::f6);
+        EXPECT_EQ(desk.params().ui.theme, theme);
+    }
+    EXPECT_FALSE(desk.workbench.guide.departs(desk.session)) << "a theme is no improvising";
+}
+
+TEST(InALesson, HandlesThatAStepDoesNotNameWaitForItsAnswer) {
+    Desk desk({1280, 720});
+    begin(desk, lesson_of("view-is-the-inverse"), 0, false);
+    const auto drag_plane = [&desk] {
+        const glm::dvec4 before = desk.params().planes.front().equation;
+        const PlanePatch patch = plane_patch(before, desk.params().planes.front().extent);
+        desk.drag_from(desk.in_camera_view(patch.center), 0.0F, -30.0F);
+        return desk.params().planes.front().equation != before;
+    };
+    EXPECT_FALSE(drag_plane()) << "while it asks";
+    desk.workbench.guide.return_to_step(desk.session);
+    desk.settle();
+    desk.hold(Key::ctrl);
+    EXPECT_TRUE(drag_plane()) << "with Ctrl";
+    desk.let_go(Key::ctrl);
+    desk.workbench.guide.return_to_step(desk.session);
+    desk.settle();
+    show_answer(desk);
+    EXPECT_TRUE(drag_plane()) << "afterwards";
+    desk.workbench.guide.leave();
+    desk.settle();
+    EXPECT_TRUE(drag_plane()) << "outside";
+}
+
+TEST(InALesson, AHandleThatAStepNamesMoves) {
+    Desk desk({1600, 900});
+    const Lesson lesson = lesson_of("any-plane-any-light");
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+        const std::vector<std::string>& controls = lesson.steps[step].start.params.view.layout.controls;
+        if (std::find(controls.begin(), controls.end(), "light.position") == controls.end()) continue;
+        begin(desk, lesson, step, false);
+        EXPECT_EQ(movable_handle(desk.workbench.views, Handle::light), Handle::light) << step;
+        EXPECT_EQ(movable_handle(desk.workbench.views, Handle::near_plane), Handle::none) << step;
+        EXPECT_EQ(movable_handle(desk.workbench.views, Handle::camera), Handle::camera) << "flying stays free";
+        return;
+    }
+    FAIL() << "no step names the light";
+}
+
 TEST(OnStage, AClickerLeadsThroughALessonAndNeverSkipsAnAnswer) {
     Desk desk({1280, 720});
     const Lesson lesson = lesson_of("view-is-the-inverse");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "state/fields.h"
 #include "text/catalogue.h"
 #include "ui/lesson/cards.h"
 #include "ui/parts/look.h"
@@ -145,6 +146,12 @@ bool PresenterMode::take(const KeyPress& press, Guide& guide, Session& session) 
             clock_runs_ = !press.shift && !clock_runs_;
             if (press.shift) clock_s_ = 0.0;
             return true;
+        case Key::f6: {
+            const auto themes = static_cast<int>(names_of<Theme>().size());
+            Theme& theme = session.params.ui.theme;
+            theme = static_cast<Theme>((static_cast<int>(theme) + 1) % themes);
+            return true;
+        }
         case Key::f5:
         case Key::f1:  // no help over the lecture
         case Key::x:   // held

@@ -89,6 +89,25 @@ glm::dvec3 lamp_place(const glm::dvec4& light_world, const Derived& derived) {
                : glm::dvec3(light_world) / light_world.w;
 }
 
+const char* field_of(Handle handle) {
+    switch (handle) {
+        case Handle::light:
+            return "light.position";
+        case Handle::plane_offset:
+        case Handle::plane_tilt:
+            return "plane.equation";
+        case Handle::near_plane:
+            return "projection.near";
+        case Handle::far_plane:
+            return "projection.far";
+        case Handle::none:
+        case Handle::camera:
+        case Handle::direction:
+            break;
+    }
+    return "";
+}
+
 HandlePlaces handle_places(const Derived& derived) {
     HandlePlaces places{};
     const DerivedPlane& plane = derived.chosen_plane();

@@ -12,6 +12,9 @@ namespace viewing {
 
 enum class Handle { none, light, plane_offset, plane_tilt, camera, direction, near_plane, far_plane };
 
+/// The field that it moves; "" of the camera's own, which flying moves as well.
+const char* field_of(Handle handle);
+
 /// Where each handle is in the world.
 struct HandlePlaces {
     glm::dvec3 light;  ///< the light, or a place along its direction when it is parallel

@@ -64,6 +64,7 @@ enum class Key {
     f2,
     f3,
     f5,
+    f6,
     f11,
     f12,
     escape,

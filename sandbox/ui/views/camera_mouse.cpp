@@ -1,4 +1,5 @@
 // What the mouse does in the camera's view: handles, looking, shifting, the wheel, picking.
+#include <algorithm>
 #include <cmath>
 
 #include "state/fields.h"
@@ -86,6 +87,14 @@ void turn_wheel(Session& session, const FrameInput& input, float lines, MotionIn
 }
 
 }  // namespace
+
+Handle movable_handle(const ViewState& state, Handle handle) {
+    const std::string_view field = field_of(handle);
+    if (!state.movable || field.empty() || ImGui::GetIO().KeyCtrl) return handle;
+    const bool may_move = std::any_of(state.movable->begin(), state.movable->end(),
+                                      [field](const std::string& group) { return is_in(field, group); });
+    return may_move ? handle : Handle::none;
+}
 
 void camera_mouse(ViewState& state, Session& session, const Derived& derived, Overlay& overlay, Handle hovered,
                   const HiddenStatus& hidden, const FrameInput& input, MotionInput& motion) {

@@ -245,7 +245,8 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
     const HandlePlaces places = handle_places(derived);
     Handle hovered = state.grip.handle;
     const bool has_handles = state.handles && !has_raster(params.visibility);  // they would hide its numbers
-    if (hovered == Handle::none && over && has_handles && !state.looking) hovered = handle_at(overlay, places, mouse);
+    if (hovered == Handle::none && over && has_handles && !state.looking)
+        hovered = movable_handle(state, handle_at(overlay, places, mouse));
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
     camera_legend(overlay, params, pictures.hidden);

@@ -57,7 +57,7 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
     const HandlePlaces places = observer_handle_places(session.params, derived);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     Handle hovered = state.grip.handle;
-    if (hovered == Handle::none && over) hovered = handle_at(overlay, places, mouse);
+    if (hovered == Handle::none && over) hovered = movable_handle(state, handle_at(overlay, places, mouse));
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (over && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && hovered != Handle::none)
         state.grip = take(overlay, places, hovered, session.params, mouse);

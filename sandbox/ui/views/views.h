@@ -49,6 +49,8 @@ struct LowerChoice {
 /// What the mouse is doing in the views; kept between frames.
 struct ViewState {
     bool handles = true;
+    /// While a lesson's step asks: the fields and groups that handles may move, unless Ctrl is held. Nothing: all.
+    std::optional<std::vector<std::string>> movable;
     Grip grip;
     bool looking = false;                     ///< dragging to turn the camera
     float dragged_px = 0.0F;                  ///< since the press: a click that did not move picks a vertex
@@ -109,5 +111,8 @@ void draw_observer_view(ViewState& state, Session& session, const Derived& deriv
 /// The world as it moves before a camera that stays where it is.
 void draw_moving_world_view(Session& session, ViewState& state, const Derived& derived, const Rect& rect,
                             ImTextureID picture);
+
+/// The handle itself, or none where it may not be moved now.
+Handle movable_handle(const ViewState& state, Handle handle);
 
 }  // namespace viewing

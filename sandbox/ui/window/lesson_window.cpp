@@ -22,12 +22,16 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     arrangement.presents = presenter.is_on();
     LessonRun* const run = guide.run();
     if (!run || !guide.is_shown()) {
-        if (std::exchange(leads_, false)) stage = {};
+        if (std::exchange(leads_, false)) {
+            stage = {};
+            views.movable.reset();
+        }
         if (!run) led_.clear();
         return;
     }
     stage = {};
     leads_ = true;
+    views.movable.reset();
     const Lesson& lesson = run->lesson();
     LessonProgress& known = progress[lesson.id];
     if (led_ != lesson.id) {
@@ -42,7 +46,12 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     const LessonStep& step = run->step();
     stage.has_lesson = true;
     stage.asks = !run->is_revealed();
-    if (stage.asks) stage.cover = step.cover;
+    if (stage.asks) {
+        stage.cover = step.cover;
+        const bool may_change_all = step.ask.kind == AskKind::goal && step.ask.allow.empty();
+        if (!may_change_all) views.movable = step.start.params.view.layout.controls;
+        if (views.movable) views.movable->insert(views.movable->end(), step.ask.allow.begin(), step.ask.allow.end());
+    }
     stage.highlight = stage.asks ? step.highlight : step.reveal.highlight;
     if (step.target) stage.target = Stage::Target{step.target->point_world, step.target->label.shown()};
 }
