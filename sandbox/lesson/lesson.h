@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -108,6 +109,7 @@ struct Lesson {
     std::vector<std::string> needs;                        ///< lessons that come before
     std::vector<std::pair<std::string, LessonText>> tags;  ///< misconceptions by their short names
     std::vector<LessonStep> steps;                         ///< at least one
+    std::optional<LoadedState> picture;                    ///< on its card, in place of the first step
     std::filesystem::path file;
 };
 

@@ -173,21 +173,23 @@ private:
     std::map<std::string, LoadedState> states_;
 };
 
+/// A preset with settings on top; without either, the opening.
+LoadedState state_at(const Json& object, const char* key, const fs::path& folder, PresetShelf& presets,
+                     const Where& where) {
+    if (!has(object, key)) return presets.get("opening", where);
+    const Json& state = object[key];
+    const Where inside = where.key(key);
+    require_keys(state, inside, {"preset", "set"});
+    const std::string preset = has(state, "preset") ? read_name(state["preset"], inside.key("preset")) : "opening";
+    LoadedState loaded = presets.get(preset, inside.key("preset"));
+    const SceneSource scene = loaded.params.scene;
+    loaded.params = changed(loaded.params, settings_at(state, "set", inside), inside.key("set"));
+    if (loaded.params.scene != scene) loaded.base = folder;
+    return loaded;
+}
+
 LoadedState read_start(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
-    static const std::vector<std::string> keys{"preset", "set"};
-    LoadedState start;
-    if (has(object, "state")) {
-        const Json& state = object["state"];
-        const Where inside = where.key("state");
-        require_keys(state, inside, keys);
-        const std::string preset = has(state, "preset") ? read_name(state["preset"], inside.key("preset")) : "opening";
-        start = presets.get(preset, inside.key("preset"));
-        const SceneSource scene = start.params.scene;
-        start.params = changed(start.params, settings_at(state, "set", inside), inside.key("set"));
-        if (start.params.scene != scene) start.base = folder;
-    } else {
-        start = presets.get("opening", where);
-    }
+    LoadedState start = state_at(object, "state", folder, presets, where);
     if (has(object, "layout")) start.params = laid_out(start.params, object["layout"], where.key("layout"));
     start.preset = nullptr;  // a step is no preset: nothing departs from it
     start.scene_origin = where.prefix + "scene";
@@ -397,7 +399,7 @@ std::vector<int> read_slides(const Json& object, const Where& where) {
 }
 
 Lesson read_lesson(const Json& document, const fs::path& folder, const Where& where) {
-    require_keys(document, where, {"lesson", "id", "title", "slides", "minutes", "needs", "tags", "steps"});
+    require_keys(document, where, {"lesson", "id", "title", "slides", "minutes", "picture", "needs", "tags", "steps"});
     if (!has(document, "lesson") || document["lesson"] != 1)
         where.key("lesson").refuse("must be 1, the version of the form that this program reads");
     Lesson lesson;
@@ -417,6 +419,7 @@ Lesson read_lesson(const Json& document, const fs::path& folder, const Where& wh
     require_array(document["steps"], steps, most_steps, "a list of 1 to 200 steps");
     if (document["steps"].empty()) steps.refuse("must have one step or more");
     PresetShelf presets;
+    if (has(document, "picture")) lesson.picture = state_at(document, "picture", folder, presets, where);
     for (std::size_t i = 0; i < document["steps"].size(); ++i) {
         lesson.steps.push_back(read_step(document["steps"][i], folder, presets, steps.at(i)));
         const std::string& id = lesson.steps.back().id;

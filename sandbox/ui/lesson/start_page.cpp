@@ -75,7 +75,7 @@ std::vector<CardPicture> StartPage::wanted_pictures() {
             wanted.push_back({key_of(file.id, 0), [path = file.path.string()]() -> Result<LoadedState> {
                                   const Result<Lesson> lesson = load_lesson(path);
                                   if (!lesson) return Error{lesson.error()};
-                                  return lesson->steps.front().start;
+                                  return lesson->picture.value_or(lesson->steps.front().start);
                               }});
     return wanted;
 }

@@ -114,5 +114,18 @@ TEST(LessonReader, TheProgramsOwnLessonsStandInTheLecturesOrder) {
     EXPECT_NE(load_lesson("veiw-is-the-inverse").error().find("view-is-the-inverse"), std::string::npos);
 }
 
+TEST(LessonReader, ItsCardShowsAStateOfItsOwnOrTheFirstStep) {
+    const Result<Lesson> without = load_lesson("orders"), with = load_lesson("fly-and-walk");
+    ASSERT_TRUE(without && with);
+    EXPECT_FALSE(without->picture);
+    ASSERT_TRUE(with->picture);
+    EXPECT_EQ(with->picture->params.scene, SceneSource("walkthrough"));
+    const Result<Lesson> broken = parse_lesson(R"({"lesson": 1, "id": "a", "title": "t", "picture": {"scene": "room"},
+        "steps": [{}]})",
+                                               "mine.json", "");
+    ASSERT_FALSE(broken);
+    EXPECT_EQ(broken.error().find("mine.json: picture.scene: "), 0U) << broken.error();
+}
+
 }  // namespace
 }  // namespace viewing
