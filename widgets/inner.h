@@ -112,6 +112,8 @@ bool IsEntryLit(Links own, Links links);
 /// gets a yes: a part explains itself before the group around it.
 bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max);
 /// The tooltip window with its usual look; End after. `told`: what the recorder keeps of it.
+/// How wide a tooltip's lines may be: less where the column leaves less room, as long as that is enough to be read.
+float TooltipTextWidth();
 void BeginTooltipWindow();
 void EndTooltipWindow(std::string_view told = {});
 

@@ -118,9 +118,9 @@ void Tooltip(const char* title, const char* body, const char* formula, const cha
     inner::BeginTooltipWindow();
     if (*title) {
         const inner::FontScope font(context.fonts.heading);
-        ImGui::TextUnformatted(tr(title));
+        ImGui::TextUnformatted(BrokenAtBlanks(tr(title), inner::TooltipTextWidth()).c_str());
     }
-    if (*body) ImGui::TextUnformatted(tr(body));
+    if (*body) ImGui::TextUnformatted(BrokenAtBlanks(tr(body), inner::TooltipTextWidth()).c_str());
     const bool has_formula = *formula && !IsCovered("formulas");
     if (has_formula) TooltipFormulas(formula, roles);
     if (*gl_call) TooltipLine(gl_call, context.palette.accent, context.fonts.number);
@@ -222,13 +222,12 @@ ImVec2 TooltipPlace(const ImVec4& item, ImVec2 size) {
             fits_below ? item.w + gap : std::max(item.y - gap - size.y, 0.0F)};
 }
 
-/// How wide its lines may be: less where the column leaves less room, as long as that is enough to be read.
+}  // namespace
+
 float TooltipTextWidth() {
     const float usual = Px(340), least = Px(200), room = RoomBesideColumn() - 2.0F * Px(tooltip_padding);
     return room >= least ? std::min(usual, room) : usual;
 }
-
-}  // namespace
 
 void BeginTooltipWindow() {
     const Editing& editing = CurrentContext().editing;

@@ -186,10 +186,11 @@ void draw_sentence(const std::string& sentence, const Rect& rect) {
     ImGui::PushFont(is_large ? fonts.text : fonts.note);
     ImGui::SetCursorScreenPos({rect.min.x + px(4.0F), rect.min.y});
     const float width = rect.width() - px(8.0F), line = ImGui::GetTextLineHeight();
-    const bool fits = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y <= rect.height() + 1.0F;
+    const std::string broken = widgets::BrokenAtBlanks(sentence, width);
+    const bool fits = ImGui::CalcTextSize(broken.c_str(), nullptr, false, width).y <= rect.height() + 1.0F;
     const bool is_one_line = rect.height() < 1.9F * line;
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(fits ? sentence.c_str()
+    ImGui::TextUnformatted(fits ? broken.c_str()
                                 : widgets::Shortened(sentence, is_one_line ? width : 1.8F * width).c_str());
     ImGui::PopTextWrapPos();
     widgets::Record(sentence.c_str());

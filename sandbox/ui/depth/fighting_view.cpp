@@ -237,7 +237,7 @@ void line(const std::vector<LinePart>& parts) {
         if (goes_on) ImGui::SameLine(0.0F, between);
         end = (goes_on ? end + between : left) + width;
         ImGui::PushStyleColor(ImGuiCol_Text, color);
-        ImGui::TextUnformatted(text.c_str());
+        ImGui::TextUnformatted(goes_on ? text.c_str() : widgets::BrokenAtBlanks(text, right - left).c_str());
         ImGui::PopStyleColor();
         widgets::Record(text.c_str());
     }

@@ -130,7 +130,8 @@ void draw_ladder(const Ladder& ladder) {
     named_polygon("A", ladder.p, palette().light);
     if (!ladder.q.empty()) named_polygon("B", ladder.q, palette().mirror);
     ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(ladder.action.c_str());
+    ImGui::TextUnformatted(
+        widgets::BrokenAtBlanks(ladder.action, std::max(ImGui::GetContentRegionAvail().x, 1.0F)).c_str());
     ImGui::PopTextWrapPos();
     widgets::Record(ladder.action.c_str());
     if (!ladder.q.empty())

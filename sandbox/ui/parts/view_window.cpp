@@ -36,11 +36,11 @@ void recorded_note(const std::string& sentence) {
 }
 
 bool offer(const char* english, const char* button) {
-    const char* sentence = tr(english);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = std::max(std::min(room.x, px(360.0F)), 1.0F);
-    const ImVec2 size = ImGui::CalcTextSize(sentence, nullptr, false, width);
+    const std::string sentence = widgets::BrokenAtBlanks(tr(english), width);
+    const ImVec2 size = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width);
     const float button_height = button ? ImGui::GetFrameHeight() + px(8.0F) : 0.0F;
     const float top = from.y + std::floor(std::max(0.0F, (room.y - size.y - button_height) * 0.5F));
     const auto centred = [&](float item) { return from.x + std::floor(std::max(0.0F, (room.x - item) * 0.5F)); };
@@ -48,7 +48,7 @@ bool offer(const char* english, const char* button) {
     ImGui::SetCursorScreenPos({centred(size.x), top});
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x + 1.0F);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    ImGui::TextUnformatted(sentence);
+    ImGui::TextUnformatted(sentence.c_str());
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     widgets::Record(english);

@@ -57,9 +57,9 @@ void draw_beside(const NamedFile* preset, const PresetPicture& picture) {
     widgets::Record("picture");
     ImGui::PushTextWrapPos(0.0F);
     ImGui::PushFont(widgets::CurrentContext().fonts.heading);
-    ImGui::TextUnformatted(tr(preset->title.c_str()));
+    ImGui::TextUnformatted(widgets::BrokenAtBlanks(tr(preset->title.c_str()), width).c_str());
     ImGui::PopFont();
-    ImGui::TextUnformatted(tr(preset->about.c_str()));
+    ImGui::TextUnformatted(widgets::BrokenAtBlanks(tr(preset->about.c_str()), width).c_str());
     widgets::Record("about");
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
