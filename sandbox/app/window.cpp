@@ -237,7 +237,8 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
-    if (const Status written = memory.remember(last); !written) std::cerr << written.error() << '\n';
+    for (const Status& written : {memory.remember(last), memory.finish()})
+        if (!written) std::cerr << written.error() << '\n';
 }
 
 }  // namespace

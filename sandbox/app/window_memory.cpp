@@ -30,9 +30,21 @@ void WindowMemory::dress(Params& params) const {
 }
 
 Status WindowMemory::remember(const Remembered& now) {
-    if (now == remembered_) return std::monostate{};
+    const std::optional<Status> ended = writing_.take();
+    is_written_ &= now == remembered_;
     remembered_ = now;
-    return write_remembered(file_, now);
+    if (!is_written_ && !writing_.is_running()) {
+        is_written_ = true;
+        writing_.start([file = file_, now](WorkProgress&) { return write_remembered(file, now); });
+    }
+    return ended.value_or(std::monostate{});
+}
+
+Status WindowMemory::finish() {
+    writing_.wait(-1.0);
+    Status last = writing_.take().value_or(std::monostate{});
+    if (!std::exchange(is_written_, true)) last = write_remembered(file_, remembered_);
+    return last;
 }
 
 }  // namespace viewing

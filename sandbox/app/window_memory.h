@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "platform/background.h"
 #include "state/remembered.h"
 
 namespace viewing {
@@ -23,12 +24,17 @@ public:
     /// A state that says nothing of its looks has the remembered ones; the first time it speaks the system's language.
     void dress(Params& params) const;
 
-    /// Writes what has changed; the error is one sentence.
+    /// Has what has changed written, beside the window: called once a frame it tells what came of it, an error as one
+    /// sentence. While one is being written, the next waits and only the latest is kept.
     Status remember(const Remembered& now);
+    /// Waits until all is written.
+    Status finish();
 
 private:
     std::filesystem::path file_;
     Remembered remembered_;
+    bool is_written_ = true;  ///< or being written
+    BackgroundTask<std::monostate> writing_;
     std::string trouble_;
     bool is_first_time_ = false;
 };

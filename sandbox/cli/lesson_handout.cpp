@@ -15,7 +15,7 @@ constexpr glm::ivec2 picture_px{1600, 800};
 
 constexpr const char* style = R"(
 @page { size: A4; margin: 18mm }
-body { font: 12pt/1.4 Inter, "NanumSquare", "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
+body { font: 12pt/1.4 Inter, "NanumBarunGothic", "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
 section { break-after: page }
 section:last-child { break-after: auto }
 h1 { font-size: 12pt; font-weight: 600; color: #5a6470; margin: 0 0 4mm }

@@ -28,7 +28,7 @@ constexpr std::array<ColumnText, column_count> columns = {{
      "column:fighting.pair"},
     {marked("z"), marked("Eye distance of the middle of where they overlap."), "column:fighting.z"},
     {marked("gap"), marked("Between the two, along their normal."), "column:fighting.gap"},
-    {marked("step"), marked("Δz, the width of a depth code there, in eye distance."), "column:fighting.step"},
+    {marked("step Δz"), marked("Δz, the width of a depth code there, in eye distance."), "column:fighting.step"},
     {marked("safe gap"),
      marked("The gap below which they are predicted to fight, along the normal: a whole code, and what float32 "
             "arithmetic adds to it. A gap that is narrower is red."),

@@ -30,7 +30,14 @@ void vector_line(const char* target, const char* name, const glm::dvec3& value, 
         const std::size_t shown = character_count(text);
         return std::string(shown < columns ? columns - shown : 0, ' ') + text;
     };
-    std::string text = std::string(name) + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
+    // A word of another script is as wide as it is.
+    const ImFont& font = *widgets::CurrentContext().fonts.number;
+    const auto width_of = [&font](const std::string& text) {
+        return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text.c_str()).x;
+    };
+    std::string padded_name = name;
+    while (width_of(padded_name) < width_of("foot") - 0.5F * width_of(" ")) padded_name += ' ';
+    std::string text = padded_name + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
     text += w ? "," + padded(*w) + " )" : " )";
     followed_line(target, text, role);
 }

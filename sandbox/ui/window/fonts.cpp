@@ -31,8 +31,9 @@ ImFont* add(const char* file, float size_px, const ImWchar* ranges, bool merge, 
 struct Face {
     const char *latin, *korean;
 };
-constexpr Face regular{"Inter-Regular.otf", "NanumSquareR.ttf"}, semibold{"Inter-SemiBold.otf", "NanumSquareB.ttf"},
-    mono{"JetBrainsMono-Regular.ttf", "NanumSquareR.ttf"};
+constexpr Face regular{"Inter-Regular.otf", "NanumBarunGothic.ttf"},
+    semibold{"Inter-SemiBold.otf", "NanumBarunGothicBold.ttf"},
+    mono{"JetBrainsMono-Regular.ttf", "NanumBarunGothic.ttf"};
 
 ImFont* font(const Face& face, float size_px, const ImWchar* korean) {
     size_px = std::round(size_px);
