@@ -11,6 +11,7 @@
 #include "image/compare.h"
 #include "image/png.h"
 #include "state/json.h"
+#include "state/language.h"
 
 namespace viewing {
 namespace {
@@ -136,6 +137,9 @@ constexpr StepCase steps[] = {
 
 class Golden : public testing::GlTest {
 protected:
+    /// The tests after it in this process speak English.
+    ~Golden() override { EXPECT_TRUE(speak(Language::en)); }
+
     static Image picture_of(const LoadedState& state, const PictureRequest& request) {
         const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
         EXPECT_TRUE(scene) << scene.error();
