@@ -110,6 +110,7 @@ void draw_histogram_view(Session& session, const Derived& derived, const DepthCo
     const widgets::HistogramStyle style{.title = is_linear ? marked("eye distance z") : marked("window depth"),
                                         .logarithmic = true,
                                         .unwritten = counts.unwritten,
+                                        .unwritten_name = tr("never written"),
                                         .size = {rect.width(), rect.height()}};
     if (!widgets::Histogram("histogram", counts.counts, counts.min, counts.max, range, style)) return;
     glm::dvec2 edited(meant(range.x), meant(range.y));
