@@ -112,8 +112,7 @@ WakeUp::~WakeUp() {
 }
 
 Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
-    glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, on_key);
+    hear_keys_of(window);
     glfwSetDropCallback(window, [](GLFWwindow* one, int count, const char** files) {
         push(one, FilesDropped{std::vector<std::filesystem::path>(files, files + count)});
     });
@@ -130,9 +129,8 @@ Events::Events(GLFWwindow* window) : polled_s_(glfwGetTime()) {
         push(one, WheelTurned{{static_cast<float>(x), static_cast<float>(y)}});
     });
     glfwSetCharCallback(window, [](GLFWwindow* one, unsigned code_point) { push(one, CharacterTyped{code_point}); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* one, int, int) { of(one).any = true; });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* one) { of(one).any = true; });
 }
+
 void Events::hear_keys_of(GLFWwindow* window) {
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, on_key);

@@ -28,7 +28,7 @@ public:
     Events(const Events&) = delete;
     Events& operator=(const Events&) = delete;
 
-    /// Keys that are pressed in this window count as well.
+    /// Keys that are pressed in this window count as well, and what befalls it wakes the first one.
     void hear_keys_of(GLFWwindow* window);
 
     /// Takes what has come, and waits for something where nothing has: at most so long; negative: for ever.

@@ -9,6 +9,13 @@
 
 namespace viewing {
 
+widgets::Fonts upload_fonts(float scale, Syllables& korean) {
+    const widgets::Fonts fonts = load_fonts(scale, korean);
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+    return fonts;
+}
+
 bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, const Arrangement& arrangement,
                    Syllables& korean, widgets::Context& context) {
     const widgets::Palette& palette = palette_of(ui.theme);
@@ -26,11 +33,7 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
     if (!wants_fonts && !speaks_anew && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;
-    if (wants_fonts) {
-        context.fonts = load_fonts(scale, korean);
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
-    }
+    if (wants_fonts) context.fonts = upload_fonts(scale, korean);
     widgets::ApplyStyle(context);
     scale_ = scale;
     theme_ = ui.theme;

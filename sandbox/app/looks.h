@@ -11,6 +11,9 @@
 
 namespace viewing {
 
+/// The fonts of the current ImGui context for a scale, as load_fonts() has them, in its GL backend.
+widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean);
+
 class Looks {
 public:
     /// Why the language that is wanted is not spoken; "" where it is.

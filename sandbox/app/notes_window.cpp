@@ -6,8 +6,8 @@
 #include <iostream>
 #include <utility>
 
+#include "app/looks.h"
 #include "gl/dialect.h"
-#include "ui/window/fonts.h"
 #include "ui/window/theme.h"
 
 #define GLFW_INCLUDE_NONE  // GL comes from the loader above
@@ -68,13 +68,11 @@ NotesWindow::NotesWindow(GLFWwindow* main, GLFWwindow* window) : main_(main), wi
     glfwMakeContextCurrent(main_);
     glfwSetWindowSizeLimits(window_, 320, 240, GLFW_DONT_CARE, GLFW_DONT_CARE);
     place_beside(main_, window_);
-    ImGuiContext* const before = ImGui::GetCurrentContext();
     imgui_ = ImGui::CreateContext();
-    ImGui::SetCurrentContext(imgui_);
+    const InContext ours(imgui_);
     ImGui::GetIO().IniFilename = nullptr;
     ImGui::GetIO().LogFilename = nullptr;
     ImGui_ImplOpenGL3_Init(gl::shader_version());
-    ImGui::SetCurrentContext(before);
     glfwShowWindow(window_);
 }
 
@@ -145,9 +143,7 @@ void NotesWindow::draw(Theme theme, double device_scale) {
     io.DisplaySize = {static_cast<float>(size_px.x), static_cast<float>(size_px.y)};
     const float scale = std::max(static_cast<float>(device_scale), io.DisplaySize.x / design_width);
     if (scale != scale_ || korean_.has_new()) {
-        fonts_ = load_fonts(scale, korean_);
-        ImGui_ImplOpenGL3_DestroyFontsTexture();
-        ImGui_ImplOpenGL3_CreateFontsTexture();
+        fonts_ = upload_fonts(scale, korean_);
         scale_ = scale;
     }
     if (size_px != target_.size_px()) target_ = gl::ColorTarget(size_px);

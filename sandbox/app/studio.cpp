@@ -152,8 +152,7 @@ void Studio::judge_answer(bool wants_check) {
     }
     watched_ = session.params;
     watched_step_ = run->index();
-    Params start = step.start.params;
-    start.ui = session.params.ui;
+    const Params start = session.in_own_looks(step.start.params);
     if (is_goal && session.params == start) return run->forget_verdict();
     const Params& judged = is_goal ? session.params : start;
     LessonNumbers numbers(judged, start, session.scene(), &renderer_);

@@ -7,15 +7,6 @@
 #include "state/json.h"
 
 namespace viewing {
-namespace {
-
-/// Theme and scale are the person's, whatever a step says.
-Params in_looks_of(const Session& session, Params params) {
-    params.ui = session.params.ui;
-    return params;
-}
-
-}  // namespace
 
 void Guide::open(const std::string& argument, std::size_t step) {
     wanted_step_ = step;
@@ -42,7 +33,7 @@ void Guide::update(Session& session, double dt_s) {
     reveal_->passed_s += dt_s;
     const double share = reveal_->over_s > 0.0 ? std::min(reveal_->passed_s / reveal_->over_s, 1.0) : 1.0;
     // Slow at both ends, so that the eye can follow.
-    session.params = in_looks_of(session, blended(reveal_->from, reveal_->to, share * share * (3.0 - 2.0 * share)));
+    session.params = session.in_own_looks(blended(reveal_->from, reveal_->to, share * share * (3.0 - 2.0 * share)));
     if (share >= 1.0) reveal_.reset();
 }
 
@@ -50,7 +41,7 @@ void Guide::put(const Params& params, Session& session) {
     reveal_.reset();
     held_.reset();
     LoadedState state = run_->step().start;
-    state.params = in_looks_of(session, params);
+    state.params = session.in_own_looks(params);
     session.replace(state);
 }
 
@@ -104,7 +95,7 @@ void Guide::go_back(Session& session) {
 void Guide::reveal(Session& session) {
     if (!run_) return;
     const LessonStep& step = run_->step();
-    const Params start = in_looks_of(session, step.start.params);
+    const Params start = session.in_own_looks(step.start.params);
     const bool has_improvised = session.params != start;
     const bool has_reached = step.ask.kind == AskKind::goal && run_->verdict() && run_->verdict()->right;
     run_->reveal();
@@ -124,14 +115,14 @@ void Guide::return_to_step(Session& session) {
 void Guide::hold_before(bool is_held, Session& session) {
     if (!is_shown() || reveal_) return;
     if (is_held && !held_ && run_->is_revealed())
-        held_ = std::exchange(session.params, in_looks_of(session, run_->step().start.params));
+        held_ = std::exchange(session.params, session.in_own_looks(run_->step().start.params));
     else if (!is_held && held_)
-        session.params = in_looks_of(session, *std::exchange(held_, std::nullopt));
+        session.params = session.in_own_looks(*std::exchange(held_, std::nullopt));
 }
 
 bool Guide::departs(const Session& session) const {
     if (!run_ || reveal_ || held_) return false;
-    return in_looks_of(session, shown()) != session.params;
+    return session.in_own_looks(shown()) != session.params;
 }
 
 }  // namespace viewing

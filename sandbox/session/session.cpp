@@ -164,29 +164,29 @@ void Session::take_over(const Step& step) {
     motion_ = {};
 }
 
+Params Session::in_own_looks(Params other) const {
+    other.ui = params.ui;
+    return other;
+}
+
 bool Session::departs_from_preset() const {
     if (!preset_) return false;
-    Params as_it_was = preset_->params;
-    as_it_was.ui = params.ui;
+    Params as_it_was = in_own_looks(preset_->params);
     as_it_was.view.layout = params.view.layout;
     return as_it_was != params;
 }
 
 void Session::return_to_preset() {
     if (!preset_) return;
-    const UiParams ui = params.ui;
     const LayoutParams layout = params.view.layout;
-    params = preset_->params;
-    params.ui = ui;
+    params = in_own_looks(preset_->params);
     params.view.layout = layout;
     motion_ = {};
 }
 
 void Session::reset() {
     if (const Result<LoadedState> opening = load_state("")) preset_ = opening->preset;
-    const UiParams ui = params.ui;
-    params = Params{};
-    params.ui = ui;
+    params = in_own_looks(Params{});
     begin_here();
     motion_ = {};
     message = {tr("everything is as at the start; Ctrl+Z brings the state back"), false};

@@ -97,6 +97,9 @@ public:
     /// The parameters before the latest edit: what is tinted as changed is measured against them.
     const Params& before_latest_edit() const { return params == at_rest_ ? before_ : at_rest_; }
 
+    /// Other parameters in the person's theme, scale and language.
+    Params in_own_looks(Params other) const;
+
     /// The preset that was opened last, none where it was a file or the clipboard; undo and redo bring it along.
     const OpenPreset* preset() const { return preset_.get(); }
     /// Whether anything is no longer as that preset has it; theme and scale are the person's.

@@ -35,8 +35,9 @@ void vector_line(const char* target, const char* name, const glm::dvec3& value, 
     const auto width_of = [&font](const std::string& text) {
         return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text.c_str()).x;
     };
+    const float least = width_of("foot") - 0.5F * width_of(" ");
     std::string padded_name = name;
-    while (width_of(padded_name) < width_of("foot") - 0.5F * width_of(" ")) padded_name += ' ';
+    while (width_of(padded_name) < least) padded_name += ' ';
     std::string text = padded_name + " = (" + padded(value.x) + "," + padded(value.y) + "," + padded(value.z);
     text += w ? "," + padded(*w) + " )" : " )";
     followed_line(target, text, role);
