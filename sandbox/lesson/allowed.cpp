@@ -14,6 +14,12 @@ void add_differences(const Json& a, const Json& b, const std::string& path, std:
         add_differences(value, b.contains(key) ? b[key] : Json(), path.empty() ? key : path + "." + key, paths);
 }
 
+/// Whether a field says only how things are looked at.
+bool is_looking(const std::string& path) {
+    constexpr const char* groups[] = {"view", "observer", "ui", "animation"};
+    return std::any_of(std::begin(groups), std::end(groups), [&](const char* group) { return is_in(path, group); });
+}
+
 }  // namespace
 
 std::vector<std::string> changed_fields(const Params& before, const Params& after) {
@@ -28,10 +34,25 @@ std::vector<std::string> changed_without_leave(const Params& before, const Param
     std::vector<std::string> paths = changed_fields(before, after);
     std::erase_if(paths, [&](const std::string& path) {
         const auto has = [&](const std::string& group) { return is_in(path, group); };
-        const std::string always[] = {"view", "observer", "ui", "animation"};
-        return std::any_of(allow.begin(), allow.end(), has) || std::any_of(std::begin(always), std::end(always), has);
+        return std::any_of(allow.begin(), allow.end(), has) || is_looking(path);
     });
     return paths;
+}
+
+std::vector<std::string> settings_between(const Params& before, const Params& after) {
+    const Json document = params_as_document(after);
+    std::vector<std::string> settings;
+    for (const std::string& path : changed_fields(before, after)) {
+        if (is_looking(path)) continue;
+        const Json* value = &document;
+        for (std::size_t begin = 0, end = 0; value && begin <= path.size(); begin = end + 1) {
+            end = std::min(path.find('.', begin), path.size());
+            const auto member = value->find(path.substr(begin, end - begin));
+            value = member == value->end() ? nullptr : &*member;
+        }
+        if (value) settings.push_back(path + "=" + value->dump());
+    }
+    return settings;
 }
 
 }  // namespace viewing

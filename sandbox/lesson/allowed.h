@@ -16,4 +16,7 @@ std::vector<std::string> changed_fields(const Params& before, const Params& afte
 std::vector<std::string> changed_without_leave(const Params& before, const Params& after,
                                                const std::vector<std::string>& allow);
 
+/// What leads from one to the other but for how things are looked at: PATH=VALUE of every such field that differs.
+std::vector<std::string> settings_between(const Params& before, const Params& after);
+
 }  // namespace viewing

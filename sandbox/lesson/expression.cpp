@@ -193,6 +193,11 @@ int call_measured(lua_State* lua) {
 /// A name that is no mathematics: asked for when the expression comes to it.
 int find_name(lua_State* lua) {
     const std::string word = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : "";
+    const Json& constants = evaluation_of(lua).surroundings.constants;
+    if (const auto constant = constants.find(word); constant != constants.end()) {
+        push_value(lua, *constant, word);
+        return 1;
+    }
     const ExpressionName* const name = name_of(word);
     if (!name) raise(lua, unknown_name(word));
     if (word == "answer") {
@@ -266,10 +271,15 @@ std::vector<std::string> words_of(const std::string& source) {
     return words;
 }
 
-Status check_words(const std::string& source) {
-    static const std::set<std::string, std::less<>> of_lua = {"and", "false", "nil", "not", "or", "true"};
+const std::set<std::string, std::less<>>& words_of_lua() {
+    static const std::set<std::string, std::less<>> words = {"and", "false", "nil", "not", "or", "true"};
+    return words;
+}
+
+Status check_words(const std::string& source, std::span<const std::string> constants) {
     for (const std::string& word : words_of(source)) {
-        if (of_lua.contains(word) || name_of(word)) continue;
+        if (words_of_lua().contains(word) || name_of(word)) continue;
+        if (std::find(constants.begin(), constants.end(), word) != constants.end()) continue;
         return Error{unknown_name(word)};
     }
     return std::monostate{};
@@ -306,12 +316,17 @@ Status protectedly(Evaluation& evaluation, lua_CFunction function) {
 
 }  // namespace
 
-Status check_expression(const std::string& expression) {
+bool is_constant_name(const std::string& word) {
+    return !word.empty() && starts_word(word.front()) && std::all_of(word.begin(), word.end(), continues_word) &&
+           !words_of_lua().contains(word);
+}
+
+Status check_expression(const std::string& expression, std::span<const std::string> constants) {
     if (Status fine = check_length(expression); !fine) return fine;
     const Surroundings nothing;
     Evaluation evaluation{nothing, expression, {}, 0, 0, {}};
     if (Status read = protectedly(evaluation, load_only); !read) return read;
-    return check_words(expression);
+    return check_words(expression, constants);
 }
 
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {

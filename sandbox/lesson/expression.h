@@ -18,7 +18,8 @@ struct Surroundings {
     /// The value of a name of expression_names() of kind `value` or `measured`; `arguments` are those of a function.
     /// Asked only for the names that the expression comes to. The error becomes the expression's.
     std::function<Result<Json>(const std::string& name, std::span<const double> arguments)> look_up;
-    Json answer;  ///< what was typed; null before
+    Json answer;     ///< what was typed; null before
+    Json constants;  ///< an object of names that stand for values, before all others; or null
 };
 
 /// What an expression may cost.
@@ -36,6 +37,9 @@ Result<Json> evaluate(const std::string& expression, const Surroundings& surroun
 Result<bool> holds(const std::string& expression, const Surroundings& surroundings);
 
 /// Whether it can be evaluated at all: its syntax, and that it names only what there is. No value is computed.
-Status check_expression(const std::string& expression);
+Status check_expression(const std::string& expression, std::span<const std::string> constants = {});
+
+/// Whether a word can stand for a constant: a letter, then letters, digits and _; no word of Lua's own.
+bool is_constant_name(const std::string& word);
 
 }  // namespace viewing

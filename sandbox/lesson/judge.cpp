@@ -60,6 +60,15 @@ Result<bool> fits(const WrongAnswer& wrong, const Ask& ask, const Answer& answer
 
 }  // namespace
 
+Json constants_of(const Ask& ask) {
+    return ask.constants.empty() ? Json::object() : Json::parse(ask.constants);
+}
+
+Surroundings with_constants(const Ask& ask, Surroundings surroundings) {
+    surroundings.constants = constants_of(ask);
+    return surroundings;
+}
+
 Json answer_as_json(const Ask& ask, const Answer& answer) {
     if (answer.empty()) return nullptr;
     if (!is_typed(ask.kind)) return Json(answer.items);
@@ -79,7 +88,7 @@ Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
                                         [](const LessonChoice& choice) { return choice.right; });
         model.items = {static_cast<int>(right - ask.choices.begin())};
     } else if (is_typed(ask.kind)) {
-        const Result<Json> value = evaluate(ask.expect, surroundings);
+        const Result<Json> value = evaluate(ask.expect, with_constants(ask, surroundings));
         if (!value) return Error{value.error()};
         append_numbers(*value, model.numbers);
         if (std::ssize(model.numbers) != ask.rows * ask.columns)
@@ -91,19 +100,20 @@ Result<Answer> model_answer(const Ask& ask, const Surroundings& surroundings) {
 }
 
 Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroundings) {
+    surroundings = with_constants(ask, std::move(surroundings));
     surroundings.answer = answer_as_json(ask, answer);
     const Result<bool> right = is_right(ask, answer, surroundings);
     if (!right) return Error{right.error()};
-    if (*right) return Verdict{true, {}, ""};
+    if (*right) return Verdict{true, {}, "", 0};
     if (ask.kind == AskKind::choice) {
         if (answer.items.empty()) return Verdict{};
         const LessonChoice& chosen = ask.choices[static_cast<std::size_t>(answer.items.front())];
-        return Verdict{false, chosen.why, chosen.tag};
+        return Verdict{false, chosen.why, chosen.tag, 0};
     }
     for (const WrongAnswer& wrong : ask.wrong) {
         const Result<bool> does_fit = fits(wrong, ask, answer, surroundings);
         if (!does_fit) return Error{does_fit.error()};
-        if (*does_fit) return Verdict{false, wrong.say, wrong.tag};
+        if (*does_fit) return Verdict{false, wrong.say, wrong.tag, wrong.points};
     }
     return Verdict{};
 }

@@ -12,8 +12,14 @@ struct Verdict {
     bool right = false;
     LessonText say;   ///< why it is wrong; empty where nothing fits, or where it is right
     std::string tag;  ///< the misconception
+    int points = 0;   ///< of an exercise, though it is not right
     bool operator==(const Verdict&) const = default;
 };
+
+/// The step's own names, an object; empty without any.
+Json constants_of(const Ask& ask);
+/// The same names and the step's own.
+Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 
 /// How the answer stands in expressions: a number, a list of numbers, a list of rows, or a list of places.
 Json answer_as_json(const Ask& ask, const Answer& answer);

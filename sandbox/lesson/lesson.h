@@ -55,6 +55,7 @@ struct WrongAnswer {
     std::string tag;
     Answer sample;                      ///< one that must be recognised
     std::vector<std::string> settings;  ///< of a goal: a change that must be
+    int points = 0;                     ///< of an exercise: what it is worth all the same
 };
 
 struct Ask {
@@ -73,6 +74,7 @@ struct Ask {
     std::vector<std::string> allow;  ///< what may be changed: fields or groups; empty: all
     std::vector<std::string> model;  ///< settings that reach the goal
     std::vector<WrongAnswer> wrong;
+    std::string constants;  ///< names of the step's own for its expressions: a JSON object, or ""
 };
 
 struct Reveal {
@@ -101,6 +103,18 @@ struct LessonStep {
     LessonText note;
 };
 
+/// The exercises of one student, where the steps are such: an entry for each.
+struct Sheet {
+    std::string course, student;
+    struct Item {
+        std::string exercise;
+        LessonText title;
+        std::size_t variant = 0;
+        int points = 1;
+    };
+    std::vector<Item> items;
+};
+
 struct Lesson {
     std::string id;
     LessonText title;
@@ -111,6 +125,7 @@ struct Lesson {
     std::vector<LessonStep> steps;                         ///< at least one
     std::optional<LoadedState> picture;                    ///< on its card, in place of the first step
     std::filesystem::path file;
+    std::optional<Sheet> sheet = {};
 };
 
 /// A lesson as far as a list shows it.

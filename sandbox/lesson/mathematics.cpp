@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "geometry/plane.h"
+#include "state/fields.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -428,6 +430,9 @@ double tangent(double x) {
 double arc_tangent(double x) {
     return std::atan(x);
 }
+double rounded(double x) {
+    return std::round(x);
+}
 double radians_of(double degrees) {
     return glm::radians(degrees);
 }
@@ -448,6 +453,105 @@ int extreme(lua_State* lua) {
 int count(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     lua_pushinteger(lua, count_of(lua, 1));
+    return 1;
+}
+
+// ---- lists ---------------------------------------------------------------------------------------------------------
+
+/// Calls `each` with every entry's place, from 0 on, while the entry is on top of the stack.
+template <typename Each>
+void for_each_entry(lua_State* lua, int table, const Each& each) {
+    luaL_checktype(lua, table, LUA_TTABLE);
+    const int first = first_index(lua, table), size = count_of(lua, table);
+    for (int i = 0; i < size; ++i) {
+        lua_rawgeti(lua, table, first + i);
+        each(i);
+        lua_pop(lua, 1);
+    }
+}
+
+/// A list of what `of` makes of the codes that fragments, as pixel() has them, would store, one after the other.
+template <typename Of>
+int push_codes(lua_State* lua, const Of& of) {
+    lua_createtable(lua, 0, 0);
+    const int result = lua_gettop(lua);
+    for_each_entry(lua, 1, [&](int i) {
+        if (lua_type(lua, -1) != LUA_TTABLE || lua_getfield(lua, -1, "stored") != LUA_TNUMBER)
+            luaL_argerror(lua, 1, "must be the fragments of a pixel");
+        const double code = lua_tonumber(lua, -1);
+        lua_pop(lua, 1);
+        lua_pushnumber(lua, of(code));
+        lua_rawseti(lua, result, i);
+    });
+    return 1;
+}
+
+int codes(lua_State* lua) {
+    return push_codes(lua, [](double code) { return code; });
+}
+
+bool passes(CompareFunc func, double code, double stored) {
+    switch (func) {
+        case CompareFunc::never:
+            return false;
+        case CompareFunc::less:
+            return code < stored;
+        case CompareFunc::equal:
+            return code == stored;
+        case CompareFunc::lequal:
+            return code <= stored;
+        case CompareFunc::greater:
+            return code > stored;
+        case CompareFunc::notequal:
+            return code != stored;
+        case CompareFunc::gequal:
+            return code >= stored;
+        case CompareFunc::always:
+            return true;
+    }
+    return false;
+}
+
+int trace(lua_State* lua) {
+    const std::span<const char* const> names = names_of<CompareFunc>();
+    const std::string wanted = luaL_checkstring(lua, 2);
+    const auto at = std::find(names.begin(), names.end(), wanted);
+    if (at == names.end()) luaL_argerror(lua, 2, "must be a name of glDepthFunc, such as less");
+    const auto func = static_cast<CompareFunc>(at - names.begin());
+    double stored = luaL_optnumber(lua, 3, 255.0);
+    return push_codes(lua, [&](double code) { return passes(func, code, stored) ? stored = code : stored; });
+}
+
+int reversed(lua_State* lua) {
+    lua_createtable(lua, 0, 0);
+    const int result = lua_gettop(lua);
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    const int size = count_of(lua, 1);
+    for_each_entry(lua, 1, [&](int i) {
+        lua_pushvalue(lua, -1);
+        lua_rawseti(lua, result, size - 1 - i);
+    });
+    return 1;
+}
+
+int places(lua_State* lua) {
+    lua_createtable(lua, 0, 0);
+    const int result = lua_gettop(lua);
+    for_each_entry(lua, 1, [&](int i) {
+        if (lua_type(lua, -1) != LUA_TNUMBER) luaL_argerror(lua, 1, "its entries must be numbers");
+        lua_pushnumber(lua, lua_tonumber(lua, -1) - 1.0);
+        lua_rawseti(lua, result, i);
+    });
+    return 1;
+}
+
+int text_of_number(lua_State* lua) {
+    if (lua_type(lua, 1) == LUA_TSTRING) {
+        lua_pushvalue(lua, 1);
+        return 1;
+    }
+    const double number = scalar_at(lua, 1);
+    lua_pushstring(lua, shortest_number(number).c_str());
     return 1;
 }
 
@@ -491,6 +595,14 @@ constexpr Function functions[] = {
     {{"atan", "atan(x)", "in radians"}, number_function<arc_tangent>},
     {{"radians", "radians(degrees)", "π ÷ 180 of it"}, number_function<radians_of>},
     {{"degrees", "degrees(radians)", "180 ÷ π of it"}, number_function<degrees_of>},
+    {{"round", "round(x)", "to a whole number, halves away from 0"}, number_function<rounded>},
+    {{"text", "text(x)", "a number as a text: text(8) is '8'"}, text_of_number},
+    {{"reversed", "reversed(list)", "the last entry first"}, reversed},
+    {{"places", "places(list)", "every entry less 1: places that are counted from 0 on"}, places},
+    {{"codes", "codes(fragments)", "the codes of a pixel's fragments, in drawing order"}, codes},
+    {{"trace", "trace(fragments, func)",
+      "what the depth buffer holds after each of them, cleared to 255 or to a third argument"},
+     trace},
     {{"count", "count(list)", "how many entries it has"}, count},
 };
 

@@ -43,6 +43,8 @@ std::vector<ExpressionName> all_names() {
          "as `measure --what visibility --no-times` prints it, at 640x360"},
         {"mirror_ways", NameKind::measured, "mirror_ways()", "as `measure --what mirror` prints it, at 1280x720"},
         {"order", NameKind::measured, "order()", "as `measure --what order` prints it, at 1280x720"},
+        {"bsp_order", NameKind::measured, "bsp_order()",
+         "count of the BSP tree's nodes, and order: their numbers from 1 on as the camera draws them, farthest first"},
         {"pixel", NameKind::measured, "pixel(x, y)", "as `inspect` prints it, at 1280x720; (0, 0) is the top left one"},
     };
     names.insert(names.end(), std::begin(others), std::end(others));

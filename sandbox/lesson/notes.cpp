@@ -1,5 +1,7 @@
 #include "lesson/notes.h"
 
+#include <algorithm>
+
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -49,10 +51,15 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
         return std::string(1, static_cast<char>('A' + index)) + ": " + ask.choices[index].say.shown();
     }
     std::vector<std::string> parts;
-    for (const double number : model->numbers) parts.push_back(number_text(number, 3));
+    const auto columns = static_cast<std::size_t>(std::max(ask.columns, 1));
+    for (std::size_t i = 0; i < model->numbers.size(); ++i)  // a matrix row by row: "1, 0; 0, 1"
+        if (i % columns == 0)
+            parts.push_back(number_text(model->numbers[i], 3));
+        else
+            parts.back() += ", " + number_text(model->numbers[i], 3);
     for (const int item : model->items) parts.push_back(ask.items[static_cast<std::size_t>(item)].shown());
     const bool is_one_after_another = ask.kind == AskKind::order || ask.kind == AskKind::sequence;
-    return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : ", ");
+    return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : columns > 1 ? "; " : ", ");
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {

@@ -69,7 +69,7 @@ private:
     void check_claims(const std::vector<std::string>& claims, const char* field, LessonNumbers& numbers) {
         for (std::size_t i = 0; i < claims.size(); ++i) {
             const std::string where = std::string(field) + "[" + std::to_string(i) + "]: " + claims[i];
-            const Result<bool> fine = holds(claims[i], numbers.surroundings());
+            const Result<bool> fine = holds(claims[i], with_constants(step_.ask, numbers.surroundings()));
             if (!fine)
                 find(where + ": " + fine.error());
             else if (!*fine)
@@ -78,13 +78,14 @@ private:
     }
 
     /// The values on both sides of a claim's comparison, where it is one.
-    static std::string sides(const std::string& claim, LessonNumbers& numbers) {
+    std::string sides(const std::string& claim, LessonNumbers& numbers) const {
         for (const char* const sign : {"==", "~=", "<=", ">=", "<", ">"}) {
             const std::size_t at = claim.find(sign);
             if (at == std::string::npos) continue;
+            const Surroundings surroundings = with_constants(step_.ask, numbers.surroundings());
             const std::string side[] = {claim.substr(0, at), claim.substr(at + std::string_view(sign).size())};
-            const Result<Json> left = evaluate(side[0], numbers.surroundings());
-            const Result<Json> right = evaluate(side[1], numbers.surroundings());
+            const Result<Json> left = evaluate(side[0], surroundings);
+            const Result<Json> right = evaluate(side[1], surroundings);
             if (!left || !right) return "";
             return "; it is " + shortly(*left) + " and " + shortly(*right);
         }

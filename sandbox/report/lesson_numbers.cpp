@@ -40,7 +40,7 @@ LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene
 
 Surroundings LessonNumbers::surroundings() {
     return {[this](const std::string& name, std::span<const double> arguments) { return look_up(name, arguments); },
-            nullptr};
+            nullptr, nullptr};
 }
 
 const Json& LessonNumbers::matrices() {
@@ -60,6 +60,10 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
     if (name == "order") {
         if (!arguments.empty()) return wants_arguments("order()");
         return order_as_json(now_, scene_, size_px);
+    }
+    if (name == "bsp_order") {
+        if (!arguments.empty()) return wants_arguments("bsp_order()");
+        return bsp_order_as_json(now_, scene_, size_px);
     }
     if (!renderer_) return Error{name + " is measured in pictures, which there are none of here"};
     if (name == "pixel") {

@@ -4,6 +4,7 @@
 #include "frame/hidden/hidden_surfaces.h"
 #include "report/as_json.h"
 #include "state/fields.h"
+#include "visibility/bsp.h"
 #include "visibility/culling.h"
 #include "visibility/hiding.h"
 #include "visibility/painter.h"
@@ -66,6 +67,20 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
                 {"size", as_json(size_px)},
                 {"objects", order_of(static_cast<int>(scene.objects.size()), grouped(pairs, object_of), object)},
                 {"polygons", std::move(of_polygons)}};
+}
+
+Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
+    if (const Status affordable = check_hidden_budget(scene, true); !affordable) return Error{affordable.error()};
+    const SceneSurface surface = surface_of(scene);
+    const BspTree tree =
+        build_bsp(surface.polygons, {.splitter = params.visibility.splitter,
+                                     .epsilon = params.visibility.epsilon * surface.diagonal});
+    if (!tree.problem.empty()) return Error{tree.problem};
+    const Viewpoint viewpoint = hidden_request(params, derive(params, scene, Viewport{size_px}), size_px).viewpoint;
+    Json order = Json::array();
+    for (const BspVisit& visit : walk_bsp(tree, viewpoint.eye_world(), BspOrder::back_to_front).visits)
+        order.push_back(visit.node + 1);
+    return Json{{"count", tree.nodes.size()}, {"order", std::move(order)}};
 }
 
 }  // namespace viewing

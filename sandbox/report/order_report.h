@@ -12,4 +12,8 @@ namespace viewing {
 /// polygons than can be compared with one another.
 Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
+/// The BSP tree's nodes as the camera draws them, the farthest first: {"count": n, "order": [3, 1, 2]}, numbered from 1
+/// on in the order in which they are built, as the tree's picture shows them. The error: the scene is too large.
+Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
+
 }  // namespace viewing

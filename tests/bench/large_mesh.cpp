@@ -20,7 +20,10 @@ constexpr Viewport viewport{{1280, 720}, true};
 Scene scene_of(int around, int up) {
     Scene scene;
     if (around == 0) return scene;
-    SceneObject ball{{.name = "ball", .position = {0.0, 1.0, 0.0}},
+    ObjectDescription description;
+    description.name = "ball";
+    description.position = {0.0, 1.0, 0.0};
+    SceneObject ball{std::move(description),
                      std::make_shared<const Mesh>(sphere_mesh(around, up)),
                      world_from_model({0.0, 1.0, 0.0}, {}, glm::dvec3(1.0))};
     for (const glm::vec3& position : ball.mesh->positions)

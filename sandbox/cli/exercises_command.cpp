@@ -1,0 +1,274 @@
+// exercises: the list, a student's sheet, and the exercises' own tests. Read lesson/exercise.h for what one is.
+#include <algorithm>
+#include <array>
+
+#include "app/picture.h"
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/values.h"
+#include "image/compare.h"
+#include "lesson/exercise.h"
+#include "lesson/notes.h"
+#include "lesson/variants.h"
+#include "report/lesson_check.h"
+#include "report/state_numbers.h"
+#include "state/json.h"
+#include "state/scene.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// The options as they were typed.
+struct Typed {
+    std::vector<std::string> files;
+    std::optional<std::string> student, course, set, format, language, device;
+    bool solutions = false, test = false, deploy = false;
+};
+
+// ---- the list ------------------------------------------------------------------------------------------------------
+
+std::string points_text(int points) {
+    return std::to_string(points) + (points == 1 ? " point" : " points");
+}
+
+std::string list_of(const std::vector<Exercise>& exercises) {
+    std::string lines;
+    int points = 0;
+    for (const Exercise& exercise : exercises) {
+        std::string slides, sets;
+        for (const int slide : exercise.slides) slides += (slides.empty() ? "" : ", ") + std::to_string(slide);
+        for (const std::string& set : exercise.sets) sets += (sets.empty() ? "" : ", ") + set;
+        points += exercise.points;
+        lines += exercise.id + " — " + exercise.title.in_english() + " (" + sets + "; slides " + slides + "; " +
+                 points_text(exercise.points) + "; " +
+                 std::to_string(exercise.variants.size()) + " variants)\n";
+    }
+    return lines + std::to_string(exercises.size()) + " exercises, " + points_text(points) + "\n";
+}
+
+// ---- a student's sheet ---------------------------------------------------------------------------------------------
+
+/// What a sheet says of one exercise.
+struct Question {
+    const Exercise& exercise;
+    std::size_t variant = 0;
+    LessonStep step;
+    std::string solution;  ///< "" unless it was asked for
+};
+
+std::vector<LessonText> offered(const Ask& ask) {
+    std::vector<LessonText> list = ask.items;
+    for (const LessonChoice& choice : ask.choices) list.push_back(choice.say);
+    return list;
+}
+
+std::string as_text(const Question& question) {
+    const Ask& ask = question.step.ask;
+    std::string text = question.exercise.id + " · " + question.exercise.title.shown() + " · " +
+                       points_text(question.exercise.points) + "\n";
+    text += wrapped(question.step.say.shown(), 2);
+    text += wrapped(ask.question.shown(), 2);
+    for (std::size_t i = 0; const LessonText& item : offered(ask))
+        text += wrapped(std::string(1, static_cast<char>('A' + i++)) + ". " + item.shown(), 4);
+    if (!question.solution.empty()) text += wrapped("→ " + question.solution, 2);
+    return text + "\n";
+}
+
+Json as_json(const Question& question) {
+    const Ask& ask = question.step.ask;
+    Json json = {{"exercise", question.exercise.id},
+                 {"variant", question.variant},
+                 {"points", question.exercise.points},
+                 {"values", constants_of(ask)},
+                 {"say", question.step.say.shown()},
+                 {"question", ask.question.shown()}};
+    for (const LessonText& item : offered(ask)) json["offered"].push_back(item.shown());
+    if (!question.solution.empty()) json["solution"] = question.solution;
+    return json;
+}
+
+std::vector<Question> questions(const Typed& typed, const std::vector<Exercise>& exercises, Headless& headless) {
+    const NumbersAt numbers_at = numbers_at_start(&headless.renderer());
+    std::vector<Question> list;
+    for (const Exercise& exercise : exercises) {
+        const std::size_t variant = variant_of(typed.course.value_or(""), *typed.student, exercise.id,
+                                               exercise.variants.size());
+        LessonStep step = value_or_end(variant_step(exercise, variant, numbers_at));
+        std::string solution;
+        if (typed.solutions) solution = answer_in_words(step.ask, value_or_end(numbers_at(step.start)));
+        list.push_back({exercise, variant, std::move(step), std::move(solution)});
+    }
+    headless.require_no_errors();
+    return list;
+}
+
+void print_sheet(const Options& options, const Typed& typed, const std::vector<Exercise>& exercises) {
+    constexpr std::array formats{"text", "json"};
+    const bool is_json = choice_option(options, "--format", typed.format.value_or("text"), formats) == 1;
+    Headless headless(device_option(options, typed.device));
+    if (typed.language)
+        value_or_end(speak(
+            static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()))));
+    const std::vector<Question> list = questions(typed, exercises, headless);
+    if (!is_json) {
+        std::string text;
+        for (const Question& question : list) text += as_text(question);
+        return print(text);
+    }
+    Json sheet = {{"course", typed.course.value_or("")}, {"student", *typed.student}, {"exercises", Json::array()}};
+    for (const Question& question : list) sheet["exercises"].push_back(as_json(question));
+    print(print_document(sheet) + "\n");
+}
+
+// ---- their own tests -----------------------------------------------------------------------------------------------
+
+Image picture_of(Headless& headless, const LoadedState& state) {
+    const Scene scene = value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar));
+    PictureRequest request;
+    request.view = PictureView::camera;
+    request.size_px = {640, 360};
+    request.samples = 0;
+    return headless.drawn(draw_picture(headless.renderer(), state, scene, request));
+}
+
+/// A fault that one cannot see is no exercise: with all but one mended the picture must differ from the right one.
+LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, Headless& headless) {
+    LessonFindings findings;
+    const auto with = [&](const std::vector<std::string>& settings) {
+        LoadedState state = step.start;
+        state.params = value_or_end(apply_settings(state.params, settings));
+        return picture_of(headless, state);
+    };
+    const Image right = with(step.ask.model);
+    for (std::size_t fault = 0; fault < step.ask.model.size(); ++fault) {
+        std::vector<std::string> others = step.ask.model;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(fault));
+        const Image wrong = with(others);
+        int different_px = 0;
+        for (std::size_t at = 0; at < right.rgba.size(); at += 4)
+            different_px += std::equal(right.rgba.begin() + static_cast<std::ptrdiff_t>(at),
+                                       right.rgba.begin() + static_cast<std::ptrdiff_t>(at + 4),
+                                       wrong.rgba.begin() + static_cast<std::ptrdiff_t>(at))
+                                ? 0
+                                : 1;
+        if (different_px < exercise.visible_px)
+            findings.push_back(exercise.id + ", step " + step.id + ": " + step.ask.model[fault] + " alone mends " +
+                               std::to_string(different_px) + " pixels, fewer than " +
+                               std::to_string(exercise.visible_px));
+    }
+    return findings;
+}
+
+/// A variant's findings; what it counts goes into `wrong_answers`.
+LessonFindings check_variant(const Exercise& exercise, std::size_t variant, Headless& headless, int& wrong_answers) {
+    Result<LessonStep> step = variant_step(exercise, variant, numbers_at_start(&headless.renderer()));
+    if (!step) return {step.error()};
+    step->id = "variant " + std::to_string(variant);
+    wrong_answers += static_cast<int>(step->ask.wrong.size());
+    Lesson lesson;
+    lesson.id = exercise.id;
+    lesson.tags = exercise.tags;
+    LessonFindings findings = check_step(lesson, *step, headless.renderer());
+    if (exercise.visible_px > 0 && findings.empty()) findings = check_visible(exercise, *step, headless);
+    headless.require_no_errors();
+    return findings;
+}
+
+ExitStatus test(const std::vector<Exercise>& exercises, const std::string& device) {
+    Headless headless(device);
+    std::string lines;
+    std::size_t variants = 0, failures = 0;
+    for (const Exercise& exercise : exercises) {
+        std::string found;
+        int wrong_answers = 0;
+        std::size_t failed = 0;
+        for (std::size_t variant = 0; variant < exercise.variants.size(); ++variant) {
+            const LessonFindings findings = check_variant(exercise, variant, headless, wrong_answers);
+            for (const std::string& finding : findings) found += finding + "\n";
+            failed += findings.empty() ? 0 : 1;
+        }
+        lines += found + exercise.id + ": " + std::to_string(exercise.variants.size()) + " deployed, " +
+                 std::to_string(wrong_answers) + " wrong answers told apart, " + std::to_string(failed) +
+                 " variants fail\n";
+        variants += exercise.variants.size();
+        failures += failed;
+    }
+    print(lines);
+    if (failures > 0)
+        throw Failure(ExitStatus::different, "exercises --test: " + std::to_string(failures) + " variants fail");
+    print(std::to_string(variants) + " variants: right accepted, wrong ones refused and told apart\n");
+    return ExitStatus::done;
+}
+
+/// The variants as they go into a file, so that a later version of the program gives the same sheets.
+void print_deployed(const Typed& typed) {
+    for (const std::string& file : typed.files) {
+        const std::string text = value_or_end(read_text_file(file));
+        const std::vector<std::string> all = value_or_end(combinations(text, one_line(file)));
+        std::string lines;
+        for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 16); ++i)
+            lines += (i == 0 ? "\n    " : ",\n    ") + all[i];
+        print("  \"deployed\": [" + lines + "\n  ]\n");
+    }
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    Typed typed;
+    options.group("Exercises");
+    options.positionals("FILE|DIR", typed.files, "A lecturer's own exercises; left out, the program's");
+    options.text("--set", "NAME|ID,ID", typed.set, "Only those of a set (camera, hidden, depth, shadow, mirror), or these");
+    options.group("A student's sheet");
+    options.text("--student", "ID", typed.student, "Prints this student's questions, each with numbers of its own");
+    options.text("--course", "C", typed.course, "Another course gives other numbers");
+    options.flag("--solutions", typed.solutions, "With model answers, for the lecturer");
+    options.text("--format", "text|json", typed.format, "Of the sheet; default text");
+    options.text("--language", "en|ko", typed.language, "Of the sheet; default en");
+    options.group("For who writes them");
+    options.flag("--test", typed.test,
+                 "Every deployed variant: the model answer is right, each listed wrong one is refused and told apart, "
+                 "each fault can be seen; 0, or 1 with a line for each thing that fails");
+    options.flag("--deploy", typed.deploy,
+                 "Prints the variants of FILE, to be kept in it: a later version then gives the same sheets");
+    add_device_option(options, typed.device);
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    if (typed.test + typed.deploy + typed.student.has_value() > 1)
+        options.refuse("only one of --student, --test and --deploy");
+    if (!typed.student && (typed.solutions || typed.course || typed.format || typed.language))
+        options.refuse("--solutions, --course, --format and --language need --student ID");
+    if (typed.deploy) {
+        if (typed.files.empty()) options.refuse("--deploy needs FILE");
+        print_deployed(typed);
+        return ExitStatus::done;
+    }
+    const std::vector<Exercise> exercises =
+        value_or_end(of_set(value_or_end(load_exercises(typed.files)), typed.set.value_or("")));
+    if (typed.test) return test(exercises, device_option(options, typed.device));
+    if (typed.student)
+        print_sheet(options, typed, exercises);
+    else
+        print(list_of(exercises));
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command exercises_command{
+    "exercises",
+    "[FILE|DIR…] [--set NAME] [--student ID [--course C] [--solutions]] [--test]",
+    "exercises that check themselves: the list, a student's sheet, their own tests",
+    "Each student has numbers of their own, which the student's number, the course and the exercise say alone: the "
+    "same command gives the same sheet at any time, and grade picks them again.",
+    "exercises\n"
+    "exercises --student 32201234 --course viewing-2026 --set shadow\n"
+    "exercises --student 32201234 --solutions --format json\n"
+    "exercises --test\n"
+    "exercises mine.json --test",
+    "012349",
+    run};
+
+}  // namespace viewing

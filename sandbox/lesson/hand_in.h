@@ -1,0 +1,65 @@
+// What a student hands in: one JSON file with every attempt, readable by a person. Whoever grades it trusts only the
+// student's number, the answers and the changes; what was told is there to be read. Read report/grading.h next.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lesson/lesson.h"
+
+namespace viewing {
+
+struct Attempt {
+    std::string at;                              ///< local time, "2026-11-21T10:03:12"
+    std::optional<std::vector<double>> answer;   ///< what was typed, row by row, or the places of what was chosen
+    std::vector<std::string> settings;           ///< of a goal: what was changed, PATH=VALUE
+    bool is_goal = false;                        ///< `settings` is the answer, though it may be empty
+    int hint = 0;                                ///< 1 and more: this hint was looked at, and nothing answered
+    std::string told;                            ///< "right", the tag of a misconception, or ""
+    bool operator==(const Attempt&) const = default;
+};
+
+/// A change of the state on the way to a goal.
+struct ReplayStep {
+    double after_s = 0.0;  ///< since the exercise was opened
+    std::vector<std::string> settings;
+    bool operator==(const ReplayStep&) const = default;
+};
+
+struct HandInItem {
+    std::string exercise;
+    std::size_t variant = 0;
+    std::vector<Attempt> attempts;
+    std::vector<ReplayStep> replay;
+    bool operator==(const HandInItem&) const = default;
+};
+
+struct HandIn {
+    std::string program, course, student, name;
+    std::vector<HandInItem> items;
+    bool operator==(const HandIn&) const = default;
+
+    HandInItem* find(const std::string& exercise);
+    const HandInItem* find(const std::string& exercise) const;
+};
+
+inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
+
+/// The error is one sentence with file and field. `source` opens it.
+Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
+Result<HandIn> load_hand_in(const std::filesystem::path& file);
+
+std::string hand_in_as_text(const HandIn& hand_in);
+
+/// An attempt's answer as judge() takes it; none where it cannot be one to this question: places beyond the list.
+std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask);
+
+/// The same as an attempt has it.
+std::vector<double> answer_numbers(const Answer& answer);
+
+/// Every second one left out until there are not more than most_replay_steps; the last one stays.
+void thin(std::vector<ReplayStep>& replay);
+
+}  // namespace viewing

@@ -1,0 +1,89 @@
+#include "lesson/tree.h"
+
+#include <algorithm>
+
+namespace viewing {
+
+bool has(const Json& object, const char* key) {
+    return object.contains(key);
+}
+
+void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known) {
+    require_object(object, where, "an object");
+    for (const auto& [key, value] : object.items()) require_known_key(key, where, known);
+}
+
+namespace {
+
+constexpr std::size_t longest_text = 4000;  // bytes
+
+std::string read_plain_text(const Json& value, const Where& where) {
+    if (!value.is_string()) refuse_value(value, where, "a text");
+    std::string text = value.get<std::string>();
+    if (text.size() > longest_text) where.refuse("longer than " + std::to_string(longest_text) + " bytes");
+    if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }))
+        where.refuse("has a line break or another control character");
+    return text;
+}
+
+}  // namespace
+
+LessonText read_text_of(const Json& value, const Where& where) {
+    LessonText text;
+    if (value.is_string()) {
+        text.by_language.front() = read_plain_text(value, where);
+        return text;
+    }
+    if (!value.is_object()) refuse_value(value, where, "a text or {\"en\": …, \"ko\": …}");
+    const std::span<const char* const> languages = names_of<Language>();
+    require_keys(value, where, {languages.begin(), languages.end()});
+    if (!has(value, "en")) where.key("en").refuse("is missing");
+    for (std::size_t i = 0; i < languages.size(); ++i)
+        if (has(value, languages[i]))
+            text.by_language[i] = read_plain_text(value[languages[i]], where.key(languages[i]));
+    return text;
+}
+
+LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed) {
+    if (!has(object, key)) {
+        if (is_needed) where.key(key).refuse("is missing: a text");
+        return {};
+    }
+    LessonText text = read_text_of(object[key], where.key(key));
+    if (is_needed && text.empty()) where.key(key).refuse("must not be empty");
+    return text;
+}
+
+std::string name_at(const Json& object, const char* key, const Where& where) {
+    if (!has(object, key)) where.key(key).refuse("is missing: a name");
+    return read_name(object[key], where.key(key));
+}
+
+std::vector<std::string> names_at(const Json& object, const char* key, const Where& where) {
+    std::vector<std::string> names;
+    if (!has(object, key)) return names;
+    const Where inside = where.key(key);
+    require_array(object[key], inside, most_entries, "a list of names");
+    for (std::size_t i = 0; i < object[key].size(); ++i) names.push_back(read_name(object[key][i], inside.at(i)));
+    return names;
+}
+
+std::vector<int> read_slides(const Json& object, const Where& where) {
+    std::vector<int> slides;
+    if (!has(object, "slides")) return slides;
+    require_array(object["slides"], where.key("slides"), 100, "a list of slides' numbers");
+    for (std::size_t i = 0; i < object["slides"].size(); ++i)
+        slides.push_back(read_whole(object["slides"][i], where.key("slides").at(i), 1, 9999));
+    return slides;
+}
+
+std::vector<std::pair<std::string, LessonText>> read_tags(const Json& object, const Where& where) {
+    std::vector<std::pair<std::string, LessonText>> tags;
+    if (!has(object, "tags")) return tags;
+    require_object(object["tags"], where.key("tags"), "an object of names and texts");
+    for (const auto& [tag, text] : object["tags"].items())
+        tags.emplace_back(tag, read_text_of(text, where.key("tags").key(tag)));
+    return tags;
+}
+
+}  // namespace viewing

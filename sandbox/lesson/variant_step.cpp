@@ -1,0 +1,171 @@
+// A variant of an exercise as a lesson's step: constants put into its state, the state's numbers into all else.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lesson/exercise.h"
+#include "lesson/step_reader.h"
+#include "lesson/variants.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items"};
+
+/// Whole numbers as such: a vertex is number 3, not 3.0.
+Json with_whole_numbers(Json value) {
+    if (value.is_array())
+        for (Json& entry : value) entry = with_whole_numbers(std::move(entry));
+    if (!value.is_number_float()) return value;
+    const double number = value.get<double>();
+    constexpr double largest = 9007199254740992.0;  // 2⁵³
+    if (number == std::trunc(number) && std::abs(number) < largest) return static_cast<std::int64_t>(number);
+    return value;
+}
+
+/// As a sentence has it: 0.25, −3, (0, 1, 0, 0), a name as it is.
+std::string in_words(const Json& value) {
+    constexpr int digits = 6;
+    if (value.is_number()) return figures(value.get<double>(), digits);
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_array()) return value.dump();
+    std::string list;
+    for (const Json& entry : value) list += (list.empty() ? "" : ", ") + in_words(entry);
+    return "(" + list + ")";
+}
+
+/// Puts values in: strings that begin with "=" and places in texts and keys.
+class Filling {
+public:
+    explicit Filling(const Surroundings& surroundings) : surroundings_(surroundings) {}
+
+    Json filled(const Json& value, const Where& where, bool is_text = false) const {
+        if (value.is_string()) {
+            const std::string& text = value.get_ref<const std::string&>();
+            if (text.starts_with('=')) return with_whole_numbers(computed(text.substr(1), where));
+            return is_text ? Json(with_places(text, where)) : value;
+        }
+        if (value.is_array()) {
+            Json list = Json::array();
+            for (std::size_t i = 0; i < value.size(); ++i) list.push_back(filled(value[i], where.at(i), is_text));
+            return list;
+        }
+        if (!value.is_object()) return value;
+        Json object = Json::object();
+        for (const auto& [key, member] : value.items()) {
+            const bool holds_text = std::find(text_keys.begin(), text_keys.end(), key) != text_keys.end();
+            object[with_places(key, where)] = filled(member, where.key(key), is_text || holds_text);
+        }
+        return object;
+    }
+
+private:
+    Json computed(const std::string& expression, const Where& where) const {
+        Result<Json> value = evaluate(expression, surroundings_);
+        if (!value) where.refuse(value.error());
+        return *std::move(value);
+    }
+
+    std::string with_places(const std::string& text, const Where& where) const {
+        std::string result;
+        std::size_t at = 0;
+        for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', at)) {
+            const std::size_t close = text.find('}', open);
+            if (close == std::string::npos) where.refuse("has a { without its }");
+            result += text.substr(at, open - at);
+            result += in_words(computed(text.substr(open + 1, close - open - 1), where));
+            at = close + 1;
+        }
+        return result + text.substr(at);
+    }
+
+    const Surroundings& surroundings_;
+};
+
+/// Without those that say the same as the right one.
+Json wrong_answers(const Json& wrong, const Surroundings& surroundings, const Where& where) {
+    Json kept = Json::array();
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+        Json one = wrong[i];
+        if (one.is_object() && has(one, "unless")) {
+            const Where inside = where.at(i).key("unless");
+            if (!one["unless"].is_string()) refuse_value(one["unless"], inside, "an expression");
+            const Result<bool> is_dropped = holds(one["unless"].get<std::string>(), surroundings);
+            if (!is_dropped) inside.refuse(is_dropped.error());
+            if (*is_dropped) continue;
+            one.erase("unless");
+        }
+        kept.push_back(std::move(one));
+    }
+    return kept;
+}
+
+LessonStep read_variant(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at) {
+    const Where root{exercise.source + ": variant " + std::to_string(variant) + ": ", ""};
+    const Json constants = Json::parse(exercise.variants[variant]);
+    const auto only_constants = [](const std::string& name, std::span<const double>) -> Result<Json> {
+        return Error{name + " is not known before the state is"};
+    };
+    Json step = Json::parse(exercise.pattern);
+    PresetShelf presets;
+    const std::filesystem::path folder = exercise.file.parent_path();
+    if (has(step, "state"))
+        step["state"] = Filling({only_constants, nullptr, constants}).filled(step["state"], root.key("state"));
+    Json beginning = Json::object();
+    if (has(step, "state")) beginning["state"] = step["state"];
+    Result<Surroundings> numbers = numbers_at(read_start(beginning, folder, presets, root));
+    if (!numbers) throw Refusal(root.prefix + numbers.error());
+    numbers->constants = constants;
+    const Filling filling(*numbers);
+    for (const auto& [key, value] : step.items()) {
+        if (key == "state") continue;
+        const bool is_text = std::find(text_keys.begin(), text_keys.end(), key) != text_keys.end();
+        if (key == "ask" && value.is_object() && has(value, "wrong") && value["wrong"].is_array())
+            value["wrong"] = wrong_answers(value["wrong"], *numbers, root.key("ask").key("wrong"));
+        value = filling.filled(value, root.key(key), is_text);
+    }
+    step["id"] = exercise.id;
+    step["let"] = constants;
+    const auto title = [&] {
+        Json text = Json::object();
+        for (std::size_t i = 0; i < language_count; ++i)
+            if (!exercise.title.by_language[i].empty())
+                text[names_of<Language>()[i]] = exercise.title.by_language[i];
+        return text;
+    };
+    if (!has(step, "say")) step["say"] = title();
+    if (!has(step, "reveal")) step["reveal"] = {{"say", {{"en", "That is right."}, {"ko", "맞습니다."}}}};
+    LessonStep read = read_step(step, folder, presets, root);
+    if (read.ask.kind == AskKind::goal && read.ask.allow.empty())
+        root.key("step").key("ask").key("allow").refuse("is missing: the fields that the goal may change");
+    return read;
+}
+
+}  // namespace
+
+Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at) {
+    return guarded([&] { return read_variant(exercise, variant, numbers_at); });
+}
+
+Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& course, const std::string& student,
+                     const NumbersAt& numbers_at) {
+    Lesson lesson;
+    lesson.id = "exercises";
+    lesson.title.by_language = {"Exercises", "연습 문제"};
+    lesson.sheet = Sheet{course, student, {}};
+    for (const Exercise& exercise : exercises) {
+        const std::size_t variant = variant_of(course, student, exercise.id, exercise.variants.size());
+        Result<LessonStep> step = variant_step(exercise, variant, numbers_at);
+        if (!step) return Error{step.error()};
+        lesson.steps.push_back(*std::move(step));
+        lesson.sheet->items.push_back({exercise.id, exercise.title, variant, exercise.points});
+        for (const auto& tag : exercise.tags)
+            if (std::find(lesson.tags.begin(), lesson.tags.end(), tag) == lesson.tags.end()) lesson.tags.push_back(tag);
+    }
+    if (lesson.steps.empty()) return Error{"there is no exercise to be done"};
+    return lesson;
+}
+
+}  // namespace viewing
