@@ -5,18 +5,13 @@
 #include "measure/hidden_answers.h"
 
 namespace viewing {
-namespace {
-
-constexpr glm::ivec2 size_px{384, 216};
-
-}  // namespace
-
-Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load, bool clip_control) {
+Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load, glm::ivec2 size_px,
+                                                         bool clip_control) {
     const Result<LoadedState> state = load();
     if (!state) return Error{state.error()};
     Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
     if (!scene) return Error{scene.error()};
-    Prepared prepared{name, state->params, *std::move(scene), {}, nullptr};
+    Prepared prepared{name, size_px, state->params, *std::move(scene), {}, nullptr};
     prepared.derived = derive(prepared.params, prepared.scene, {size_px, clip_control});
     if (const auto question = hidden_question(prepared.params, prepared.derived, size_px)) {
         HiddenSurfaceSolver solver(prepared.scene);
@@ -26,6 +21,7 @@ Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name
 }
 
 Status PresetPictures::draw(Prepared& prepared) {
+    const glm::ivec2 size_px = prepared.size_px;
     HiddenPictures found;
     if (prepared.answer) {
         if (Status done =
@@ -47,7 +43,7 @@ PresetPicture PresetPictures::of(const std::string& name) {
     return of(name, [name] { return load_state(name); });
 }
 
-PresetPicture PresetPictures::of(const std::string& name, const Load& load) {
+PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm::ivec2 size_px) {
     if (std::optional<Result<Prepared>> prepared = preparing_.take()) {
         // What cannot be drawn stays without a picture: opening it says why.
         if (!*prepared || !draw(**prepared)) pictures_[wanted_] = {};
@@ -59,7 +55,7 @@ PresetPicture PresetPictures::of(const std::string& name, const Load& load) {
     if (!preparing_.is_running()) {
         wanted_ = name;
         const bool clip_control = renderer_.capabilities().clip_control;
-        preparing_.start([name, load, clip_control](WorkProgress&) { return prepare(name, load, clip_control); });
+        preparing_.start([name, load, size_px, clip_control](WorkProgress&) { return prepare(name, load, size_px, clip_control); });
     }
     return {name, nullptr};
 }

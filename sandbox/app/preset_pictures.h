@@ -26,7 +26,7 @@ public:
     /// The picture of a preset, without a texture while it is being made, and where it cannot be. "" wants none.
     PresetPicture of(const std::string& name);
     /// The same of any state, kept under `name`.
-    PresetPicture of(const std::string& name, const Load& load);
+    PresetPicture of(const std::string& name, const Load& load, glm::ivec2 size_px = {384, 216});
 
     /// Something is being made: further frames are wanted.
     bool is_busy() const { return preparing_.is_running(); }
@@ -35,12 +35,13 @@ private:
     /// Everything but the drawing.
     struct Prepared {
         std::string name;
+        glm::ivec2 size_px{0};
         Params params;
         Scene scene;
         Derived derived;
         std::shared_ptr<HiddenAnswer> answer;  ///< null where GL's depth buffer draws
     };
-    static Result<Prepared> prepare(const std::string& name, const Load& load, bool clip_control);
+    static Result<Prepared> prepare(const std::string& name, const Load& load, glm::ivec2 size_px, bool clip_control);
     Status draw(Prepared& prepared);
 
     Renderer& renderer_;

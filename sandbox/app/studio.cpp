@@ -10,6 +10,7 @@
 #include "lesson/allowed.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
+#include "report/state_numbers.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
 
@@ -114,7 +115,7 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     pictures.depth = inspection_.data(shown_, session, !surroundings.shows_time, is_held());
     pictures.preset = preset_pictures_.of(workbench.wanted_preset_picture());
     for (const CardPicture& card : workbench.wanted_cards())
-        pictures.cards.push_back(preset_pictures_.of(card.key, card.load));
+        pictures.cards.push_back(preset_pictures_.of(card.key, card.load, card.size_px));
     const StatusLine told = status(surroundings.shows_time);
     workbench.views.pinned = shown_.pinned;
     if (window_.size_px() != surroundings.size_px) window_ = gl::ColorTarget(surroundings.size_px);
@@ -138,6 +139,15 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     return requests;
 }
 
+void Studio::make_exercise() {
+    ExerciseDesk& exercises = workbench.exercises;
+    const std::optional<std::size_t> next = exercises.next_to_make();
+    if (!next) return;
+    const ExerciseDesk::Entry& entry = exercises.entries()[*next];
+    exercises.take_step(*next, variant_step(entry.exercise, entry.variant, numbers_at_start(&renderer_)));
+    settling_ = std::max(settling_, 2);
+}
+
 void Studio::judge_answer(bool wants_check) {
     LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
     if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) return;
@@ -146,10 +156,17 @@ void Studio::judge_answer(bool wants_check) {
     if (is_goal) {
         const bool is_known = watched_ && watched_step_ == run->index() && *watched_ == session.params;
         // What is measured takes a moment: it waits for the hand to rest.
+        workbench.is_checking &= !is_held();
         if (is_held() || is_known) return;
     } else if (!wants_check) {
         return;
     }
+    // That something is measured is said before the window stands still for it.
+    if (is_goal && is_measured(step.ask.until) && !std::exchange(workbench.is_checking, true)) {
+        settling_ = std::max(settling_, 2);
+        return;
+    }
+    workbench.is_checking = false;
     watched_ = session.params;
     watched_step_ = run->index();
     const Params start = session.in_own_looks(step.start.params);
@@ -170,12 +187,15 @@ void Studio::judge_answer(bool wants_check) {
     settling_ = std::max(settling_, 2);
     if (!verdict) return;
     run->take(*verdict);
+    const bool tells = !is_goal || verdict->right || !verdict->say.empty();
+    if (run->lesson().sheet && tells) workbench.exercises.record(*run, *verdict, session.params);
     if (verdict->right) workbench.guide.reveal(session);
 }
 
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
-    const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading();
+    const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading() ||
+                       workbench.replay.is_playing() || workbench.exercises.next_to_make().has_value();
     const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind ||
                       session.params != drawn_.params || is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
@@ -199,6 +219,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
         if (!looks_.trouble().empty()) session.message = {looks_.trouble(), true};
     }
     session.update_scene();
+    make_exercise();
     io.DeltaTime = static_cast<float>(std::max(surroundings.input.dt_s, 1e-4));
 
     const AnimationParams& animation = session.params.animation;

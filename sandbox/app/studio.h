@@ -54,6 +54,8 @@ private:
     Requests draw_interface(const Surroundings& surroundings);
     /// The lesson's answer is judged when that was asked for; a goal is watched while it is being reached.
     void judge_answer(bool wants_check);
+    /// Of the student's sheet one exercise a frame is made, since its numbers may be measured in pictures.
+    void make_exercise();
     double next_redraw_in_s() const;
     bool is_held() const;  ///< something is moved by hand
 

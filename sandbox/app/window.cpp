@@ -186,7 +186,7 @@ void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
 }
 
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
-              LectureNotes& notes) {
+              LectureNotes& notes, bool keeps_answers) {
     FullScreen full_screen;
     int frames_due = 0;
     while (!glfwWindowShouldClose(window)) {
@@ -227,6 +227,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         if (requests.chosen_scale) looks.scale = requests.chosen_scale;
         looks.lessons = studio.workbench.progress;
         looks.recent = studio.workbench.recent;
+        if (keeps_answers) looks.student = studio.workbench.exercises.student();
         studio.session.report(memory.remember(looks));
         if (requests.toggle_full_screen) full_screen.toggle(window);
         if (requests.full_screen) full_screen.set(window, *requests.full_screen);
@@ -237,7 +238,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
-    for (const Status& written : {memory.remember(last), memory.finish()})
+    for (const Status& written : {memory.remember(last), memory.finish(), studio.workbench.exercises.finish()})
         if (!written) std::cerr << written.error() << '\n';
 }
 
@@ -271,6 +272,14 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
         if (start.lesson->presents) workbench.presenter.begin();
     }
     if (start.shows_lessons) workbench.start_page.open();
+    if (start.hand_in) {
+        workbench.exercises.take_hand_in(*start.hand_in);
+        workbench.go_to_exercise(start.exercise, start.replays);
+    } else {
+        const std::filesystem::path file = remembered_file();
+        workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", start.program);
+        workbench.exercises.sit_down(memory.remembered().student);
+    }
     const WakeUp wake_up;
     Events events(window);
     ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
@@ -284,7 +293,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
         }
         glfwFocusWindow(window);
     }
-    run_loop(window, *renderer, studio, events, memory, notes);
+    run_loop(window, *renderer, studio, events, memory, notes, !start.hand_in);
     if (gl_errors) *gl_errors = log->errors();
     ImGui_ImplGlfw_Shutdown();
     return std::monostate{};

@@ -7,6 +7,7 @@
 
 #include "app/picture.h"
 #include "app/window_memory.h"
+#include "lesson/hand_in.h"
 #include "session/session.h"
 #include "text/result.h"
 
@@ -16,6 +17,10 @@ namespace viewing {
 struct WindowStart {
     std::optional<LessonPicture> lesson;  ///< and leads through this one from there
     bool shows_lessons = false;           ///< the page of all lessons
+    std::optional<HandIn> hand_in;        ///< and shows what this student handed in
+    std::string exercise;                 ///< of it: which one
+    bool replays = false;                 ///< plays how it was done
+    std::string program;                  ///< the version, as hand-ins tell it
     std::string notes;                    ///< where the lecturer's notes go, as LectureNotes takes it
 };
 

@@ -1,8 +1,7 @@
 #include "cli/lesson_handout.h"
 
-#include <algorithm>
-
 #include "app/picture.h"
+#include "cli/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/notes.h"
@@ -27,35 +26,6 @@ ol.items { list-style: disc }
 .blank { margin-top: 6mm; border-bottom: 0.3mm solid #8a94a0; height: 9mm }
 .answer { margin-top: 6mm; padding: 3mm 4mm; background: #eef2f6; border-left: 1mm solid #2f7de1 }
 )";
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else if (c == '&')
-            result += "&amp;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
-}
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-    static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t group = 0;
-        for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[group >> (18U - 6U * k) & 63U] : '=';
-    }
-    return text;
-}
 
 std::string paragraph(const char* name, const std::string& text) {
     return text.empty() ? "" : "<p class=\"" + std::string(name) + "\">" + escaped(text) + "</p>\n";

@@ -3,9 +3,26 @@
 #include "cli/options.h"
 #include "cli/state_arguments.h"
 #include "cli/window_commands.h"
+#include "lesson/exercise.h"
 
 namespace viewing {
 namespace {
+
+/// The window with the sheet of the student who handed this in.
+ExitStatus show_hand_in(const Options& options, const StateArguments& arguments, const std::string& exercise,
+                        bool replays, WindowMemory& memory) {
+    if (arguments.as_typed().empty()) options.refuse("--exercise needs a hand-in");
+    WindowStart start;
+    start.hand_in = value_or_end(load_hand_in(arguments.as_typed()));
+    const std::vector<Exercise> all = value_or_end(load_exercises({}));
+    start.exercise = all[value_or_end(find_exercise(all, exercise))].id;
+    start.replays = replays;
+    LoadedState state = value_or_end(load_state(""));
+    state.params.ui = arguments.looks();
+    memory.dress(state.params);
+    constexpr double patience_s = 0.5;
+    return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
+}
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
@@ -15,10 +32,17 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     options.flag("--fresh", is_fresh,
                  "Forgets the theme, the scale and the window's size and place of the last time, which are remembered "
                  "in $XDG_CONFIG_HOME/viewing-sandbox/window.json (~/.config where that is not set)");
+    std::optional<std::string> exercise;
+    bool replays = false;
+    options.group("Exercise");
+    options.text("--exercise", "ID", exercise, "STATE is a hand-in: shows what was made of this exercise");
+    options.flag("--replay", replays, "And plays the changes that led there");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    LoadedState state = state_arguments.load();
+    if (replays && !exercise) options.refuse("--replay needs --exercise ID");
     WindowMemory memory(remembered_file(), is_fresh);
+    if (exercise) return show_hand_in(options, state_arguments, *exercise, replays, memory);
+    LoadedState state = state_arguments.load();
     memory.dress(state.params);
     WindowStart start;
     start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
@@ -31,13 +55,14 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command open_command{"open",
-                                     "[STATE] [--set PATH=VALUE]… [--fresh]",
+                                     "[STATE] [--set PATH=VALUE]… [--fresh] [--exercise ID [--replay]]",
                                      "the window: panel, views, matrices (what happens without a command)",
                                      "Opens the window with a state. The word open may be left out.",
                                      "\n"
                                      "open mine.json\n"
                                      "--set camera.navigation=walk --set scene=walkthrough\n"
-                                     "bunny.obj",
+                                     "bunny.obj\n"
+                                     "open 32201234.json --exercise E18 --replay",
                                      "023489",
                                      run};
 

@@ -13,6 +13,7 @@
 #include "cli/values.h"
 #include "gl/facts.h"
 #include "image/png.h"
+#include "report/exercise_picture.h"
 #include "report/as_json.h"
 
 namespace viewing {
@@ -24,7 +25,7 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 /// The options as they were typed.
 struct Typed {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
-    std::optional<std::string> lesson, step;
+    std::optional<std::string> lesson, step, exercise, student, course;
     bool fail_if_blank = false, revealed = false, presents = false;
 };
 
@@ -58,6 +59,11 @@ void declare(Options& options, Typed& typed) {
     options.text("--step", "N", typed.step, "Which one, counted from 1; default 1");
     options.flag("--revealed", typed.revealed, "After its answer");
     options.flag("--present", typed.presents, "As a room sees it");
+    options.group("Exercise");
+    options.text("--exercise", "ID", typed.exercise,
+                 "In place of STATE: how an exercise begins for --student, or with a hand-in as STATE how it ended");
+    options.text("--student", "ID", typed.student, "Whose variant; left out, nobody's");
+    options.text("--course", "C", typed.course, "Of the student");
     options.group("Checks");
     options.text("--repeat", "N", typed.repeat,
                  "Draws N times, each in a new context; exit 7 unless all are byte-equal");
@@ -105,6 +111,27 @@ LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
     if (wish.picture.view != PictureView::window && typed.revealed) state.params = step.revealed;
     if (wish.picture.view == PictureView::window)
         wish.picture.lesson = std::make_shared<const LessonPicture>(std::move(picture));
+    return state;
+}
+
+/// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
+LoadedState take_exercise(const Options& options, const Typed& typed, const StateArguments& arguments, Wish& wish) {
+    if (typed.lesson) options.refuse("--lesson and --exercise cannot both be");
+    HandIn hand_in{.program = {}, .course = typed.course.value_or(""), .student = typed.student.value_or(""), .name = {}, .items = {}};
+    const std::string file = arguments.as_typed();
+    if (!file.empty()) {
+        if (typed.student || typed.course) options.refuse("a hand-in says itself whose it is");
+        hand_in = value_or_end(load_hand_in(file));
+    }
+    const UiParams looks = arguments.looks();
+    Headless headless(device_option(options, typed.device));
+    ExercisePicture shown = value_or_end(exercise_picture(hand_in, *typed.exercise, headless.renderer()));
+    headless.require_no_errors();
+    LoadedState state = shown.lesson.steps.front().start;
+    state.params = shown.params;
+    state.params.ui = looks;
+    if (wish.picture.view == PictureView::window && file.empty())
+        wish.picture.lesson = std::make_shared<const LessonPicture>(LessonPicture{std::move(shown.lesson), 0, false, false, true});
     return state;
 }
 
@@ -208,7 +235,13 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     Wish wish = checked(options, typed, thresholds);
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
-    LoadedState state = state_arguments.load();
+    LoadedState state;
+    if (typed.exercise)
+        state = take_exercise(options, typed, state_arguments, wish);
+    else if (typed.student || typed.course)
+        options.refuse("--student and --course need --exercise");
+    else
+        state = state_arguments.load();
     if (typed.lesson) {
         if (!state_arguments.say_only_looks())
             options.refuse("--lesson: a step has its own state, so no STATE, no --mesh, and --set of ui.… alone");
@@ -257,6 +290,7 @@ constinit const Command snapshot_command{
     "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"
     "snapshot --view camera --compare reference.png --worst 3 -o picture.png --json report.json\n"
+    "snapshot --exercise E16 --student 32201234 -o question.png\n"
     "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",
     "0123456789",
     run};

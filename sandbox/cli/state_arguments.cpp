@@ -88,10 +88,19 @@ LoadedState StateArguments::load() const {
     return loaded;
 }
 
-bool StateArguments::say_only_looks() const {
-    return state_.empty() && !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
+bool StateArguments::set_only_looks() const {
+    return !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
                return is_in(setting.substr(0, setting.find('=')), "ui");
            });
+}
+
+bool StateArguments::say_only_looks() const {
+    return state_.empty() && set_only_looks();
+}
+
+UiParams StateArguments::looks() const {
+    if (!set_only_looks()) options_.refuse("an exercise has its own state, so no --mesh, and --set of ui.… alone");
+    return value_or_end(apply_settings(Params{}, settings_)).ui;
 }
 
 Scene scene_of(const LoadedState& state) {

@@ -23,12 +23,18 @@ public:
     /// scene which settings change has all its files relative to the working directory. Within reach are STATE's folder
     /// and what was typed here; everything with --allow-outside. Throws Failure.
     LoadedState load() const;
+    /// STATE by itself, "" where it was left out.
+    const std::string& as_typed() const { return state_; }
+    /// What --set says of theme, scale and language. Throws Failure: it says more, or --mesh was typed.
+    UiParams looks() const;
     /// Whether any of them was typed.
     bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_; }
     /// Whether what was typed says no more than how the window looks: theme, scale, language.
     bool say_only_looks() const;
 
 private:
+    bool set_only_looks() const;
+
     const Options& options_;
     std::string state_;
     std::vector<std::string> settings_;

@@ -229,7 +229,8 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
             return Error{"\"" + excerpt(name) + "\" is neither a set (" + known + ") nor an exercise" +
                          suggestion(name, sets)};
         }
-        kept.push_back(exercises[*at]);
+        const auto is_there = [&](const Exercise& one) { return one.id == exercises[*at].id; };
+        if (std::none_of(kept.begin(), kept.end(), is_there)) kept.push_back(exercises[*at]);
     }
     return kept;
 }

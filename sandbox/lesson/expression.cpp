@@ -329,6 +329,14 @@ Status check_expression(const std::string& expression, std::span<const std::stri
     return check_words(expression, constants);
 }
 
+bool is_measured(const std::string& expression) {
+    const std::vector<std::string> words = words_of(expression);
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+        const ExpressionName* const name = name_of(word);
+        return name && name->kind == NameKind::measured;
+    });
+}
+
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {
     if (const Status fine = check_length(expression); !fine) return Error{fine.error()};
     Evaluation evaluation{surroundings, expression, limits, 0, 0, {}};

@@ -39,6 +39,9 @@ Result<bool> holds(const std::string& expression, const Surroundings& surroundin
 /// Whether it can be evaluated at all: its syntax, and that it names only what there is. No value is computed.
 Status check_expression(const std::string& expression, std::span<const std::string> constants = {});
 
+/// Whether it names something that is measured, which may take a second.
+bool is_measured(const std::string& expression);
+
 /// Whether a word can stand for a constant: a letter, then letters, digits and _; no word of Lua's own.
 bool is_constant_name(const std::string& word);
 

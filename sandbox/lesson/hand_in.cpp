@@ -54,7 +54,7 @@ Attempt read_attempt(const Json& object, const Where& where) {
 }
 
 HandInItem read_item(const Json& object, const Where& where) {
-    require_keys(object, where, {"exercise", "variant", "attempts", "replay"});
+    require_keys(object, where, {"exercise", "variant", "attempts", "replay", "draft", "draft_set"});
     HandInItem item;
     item.exercise = name_at(object, "exercise", where);
     if (has(object, "variant"))
@@ -65,6 +65,8 @@ HandInItem read_item(const Json& object, const Where& where) {
         for (std::size_t i = 0; i < object["attempts"].size(); ++i)
             item.attempts.push_back(read_attempt(object["attempts"][i], inside.at(i)));
     }
+    if (has(object, "draft")) append_numbers(object["draft"], item.draft.emplace(), where.key("draft"));
+    if (has(object, "draft_set")) item.draft_settings = settings_in(object["draft_set"], where.key("draft_set"));
     if (has(object, "replay")) {
         const Where inside = where.key("replay");
         require_array(object["replay"], inside, most_replay_steps, "a list of changes");
@@ -167,6 +169,8 @@ std::string hand_in_as_text(const HandIn& hand_in) {
         for (const Attempt& attempt : item.attempts) object["attempts"].push_back(attempt_as_json(attempt));
         for (const ReplayStep& step : item.replay)
             object["replay"].push_back({{"after_s", step.after_s}, {"set", settings_as_json(step.settings)}});
+        if (item.draft && !item.draft->empty()) object["draft"] = numbers_as_json(*item.draft);
+        if (!item.draft_settings.empty()) object["draft_set"] = settings_as_json(item.draft_settings);
         document["items"].push_back(std::move(object));
     }
     return print_document(document) + "\n";

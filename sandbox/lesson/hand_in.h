@@ -33,6 +33,8 @@ struct HandInItem {
     std::size_t variant = 0;
     std::vector<Attempt> attempts;
     std::vector<ReplayStep> replay;
+    std::optional<std::vector<double>> draft;  ///< what is typed and not checked yet; nothing that is graded
+    std::vector<std::string> draft_settings;   ///< the same of a goal
     bool operator==(const HandInItem&) const = default;
 };
 

@@ -12,20 +12,38 @@ void append_numbers(const Json& value, std::vector<double>& numbers) {
         for (const Json& entry : value) append_numbers(entry, numbers);
 }
 
-bool are_close(std::vector<double> typed, std::vector<double> right, const Ask& ask) {
-    if (typed.size() != right.size()) return false;
+/// Each entry's difference; none where the two cannot be compared. Up to a factor where the question says so.
+std::optional<std::vector<double>> differences(std::vector<double> typed, const std::vector<double>& right,
+                                               const Ask& ask, double& largest) {
+    if (typed.size() != right.size() || right.empty()) return std::nullopt;
     const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    const auto largest = std::max_element(right.begin(), right.end(), by_size) - right.begin();
-    const auto at = static_cast<std::size_t>(largest);
+    const auto at = static_cast<std::size_t>(std::max_element(right.begin(), right.end(), by_size) - right.begin());
+    largest = std::abs(right[at]);
     if (ask.up_to_factor) {
-        if (right[at] == 0.0 || typed[at] == 0.0) return false;
+        if (right[at] == 0.0 || typed[at] == 0.0) return std::nullopt;
         const double factor = right[at] / typed[at];
         for (double& number : typed) number *= factor;
     }
-    const double tolerance = std::max({ask.tolerance, ask.relative_tolerance * std::abs(right[at]), 1e-9});
-    for (std::size_t i = 0; i < typed.size(); ++i)
-        if (!(std::abs(typed[i] - right[i]) <= tolerance)) return false;
-    return true;
+    for (std::size_t i = 0; i < typed.size(); ++i) typed[i] = std::abs(typed[i] - right[i]);
+    return typed;
+}
+
+bool are_close(const std::vector<double>& typed, const std::vector<double>& right, const Ask& ask) {
+    double largest = 0.0;
+    const std::optional<std::vector<double>> apart = differences(typed, right, ask, largest);
+    if (!apart) return false;
+    const double tolerance = std::max({ask.tolerance, ask.relative_tolerance * largest, 1e-9});
+    return std::all_of(apart->begin(), apart->end(), [&](double difference) { return difference <= tolerance; });
+}
+
+/// The row or the entry that is farthest from the right one, from 1 on; 0 where there is one alone.
+int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& surroundings) {
+    if (ask.rows == 1 || answer.numbers.empty()) return 0;
+    const Result<Answer> model = model_answer(ask, surroundings);
+    double largest = 0.0;
+    const auto apart = model ? differences(answer.numbers, model->numbers, ask, largest) : std::nullopt;
+    if (!apart) return 0;
+    return static_cast<int>(std::max_element(apart->begin(), apart->end()) - apart->begin()) / ask.columns + 1;
 }
 
 bool is_typed(AskKind kind) {
@@ -104,18 +122,20 @@ Result<Verdict> judge(const Ask& ask, const Answer& answer, Surroundings surroun
     surroundings.answer = answer_as_json(ask, answer);
     const Result<bool> right = is_right(ask, answer, surroundings);
     if (!right) return Error{right.error()};
-    if (*right) return Verdict{true, {}, "", 0};
+    if (*right) return Verdict{true, {}, "", 0, 0};
     if (ask.kind == AskKind::choice) {
         if (answer.items.empty()) return Verdict{};
         const LessonChoice& chosen = ask.choices[static_cast<std::size_t>(answer.items.front())];
-        return Verdict{false, chosen.why, chosen.tag, 0};
+        return Verdict{false, chosen.why, chosen.tag, 0, 0};
     }
     for (const WrongAnswer& wrong : ask.wrong) {
         const Result<bool> does_fit = fits(wrong, ask, answer, surroundings);
         if (!does_fit) return Error{does_fit.error()};
-        if (*does_fit) return Verdict{false, wrong.say, wrong.tag, wrong.points};
+        if (*does_fit) return Verdict{false, wrong.say, wrong.tag, wrong.points, 0};
     }
-    return Verdict{};
+    Verdict unknown;
+    if (is_typed(ask.kind)) unknown.place = farthest_place(ask, answer, surroundings);
+    return unknown;
 }
 
 }  // namespace viewing

@@ -13,6 +13,7 @@ struct Verdict {
     LessonText say;   ///< why it is wrong; empty where nothing fits, or where it is right
     std::string tag;  ///< the misconception
     int points = 0;   ///< of an exercise, though it is not right
+    int place = 0;    ///< of what was typed and fits nothing: the row, or entry, with the largest difference, from 1 on
     bool operator==(const Verdict&) const = default;
 };
 

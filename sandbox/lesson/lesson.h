@@ -70,6 +70,7 @@ struct Ask {
     double tolerance = 0.0;                        ///< absolute, of each entry
     double relative_tolerance = 0.0;               ///< of the largest entry, where it is not 0
     bool up_to_factor = false;
+    std::string shows_as;            ///< the field that shows what a typed matrix does; "": none
     std::string until;               ///< of a goal
     std::vector<std::string> allow;  ///< what may be changed: fields or groups; empty: all
     std::vector<std::string> model;  ///< settings that reach the goal

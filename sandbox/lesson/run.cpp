@@ -27,6 +27,15 @@ void LessonRun::take(const Verdict& verdict) {
     reveal();
 }
 
+void LessonRun::restore(std::size_t step, const Answer& answer, int hints, bool is_done,
+                        std::optional<Params> reached) {
+    Visit& visit = visits_[step];
+    if (!answer.empty()) visit.answer = answer;
+    visit.hints = std::min(hints, static_cast<int>(lesson_->steps[step].ask.hints.size()));
+    visit.done = visit.revealed = is_done;
+    visit.reached = std::move(reached);
+}
+
 void LessonRun::show_hint() {
     now().hints = std::min(now().hints + 1, static_cast<int>(step().ask.hints.size()));
 }

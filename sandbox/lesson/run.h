@@ -37,11 +37,16 @@ public:
     /// A right one reveals.
     void take(const Verdict& verdict);
     void forget_verdict() { now().verdict.reset(); }
+    /// Of an exercise: what one had made of its state when one left it; none before anything was changed.
+    std::optional<Params>& reached() { return now().reached; }
+    const std::optional<Params>& reached() const { return now().reached; }
 
     int hints_shown() const { return now().hints; }
     void show_hint();
     /// Hands that were raised for each choice, as the lecturer counts them.
     std::vector<int>& votes() { return now().votes; }
+    /// What was done at a step another time. `reached`: as reached() has it.
+    void restore(std::size_t step, const Answer& answer, int hints, bool is_done, std::optional<Params> reached);
     bool is_done(std::size_t step) const { return visits_[step].done; }
     int done_count() const;
     void set_done(std::size_t step) { visits_[step].done = true; }
@@ -53,6 +58,7 @@ private:
         std::optional<Verdict> verdict;
         int hints = 0;
         std::vector<int> votes;
+        std::optional<Params> reached;
     };
     Visit& now() { return visits_[index_]; }
     const Visit& now() const { return visits_[index_]; }

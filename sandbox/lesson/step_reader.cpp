@@ -260,6 +260,10 @@ void read_typed(const Json& object, Ask& ask, const std::vector<std::string>& co
     ask.tolerance = tolerance_at(object, "tol", where);
     ask.relative_tolerance = tolerance_at(object, "tol_rel", where);
     ask.up_to_factor = has(object, "up_to_factor") && read_bool(object["up_to_factor"], where.key("up_to_factor"));
+    if (has(object, "shows_as")) {
+        ask.shows_as = read_name(object["shows_as"], where.key("shows_as"));
+        if (!find_field(ask.shows_as)) refuse_unknown({where.prefix, ask.shows_as});
+    }
     if (ask.kind == AskKind::vector)
         ask.rows = has(object, "size") ? read_whole(object["size"], where.key("size"), 2, most_entries_of_vector) : 3;
     if (ask.kind == AskKind::matrix)
@@ -284,7 +288,7 @@ std::vector<std::string> names_of_constants(const Ask& ask) {
 Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
     require_keys(object, where,
                  {"kind", "question", "hints", "choices", "items", "size", "expect", "tol", "tol_rel", "up_to_factor",
-                  "until", "allow", "model", "wrong"});
+                  "shows_as", "until", "allow", "model", "wrong"});
     Ask ask;
     ask.constants = step.ask.constants;
     const std::vector<std::string> constants = names_of_constants(ask);

@@ -21,11 +21,13 @@ int sum(const std::vector<ItemGrade>& items, const Of& of) {
     return std::accumulate(items.begin(), items.end(), 0, [&](int total, const ItemGrade& item) { return total + of(item); });
 }
 
+/// Told apart by their lengths too: names in a file may hold any character.
 std::string key_of(std::size_t exercise, std::size_t variant, const Attempt& attempt) {
-    std::string key = std::to_string(exercise) + " " + std::to_string(variant);
+    std::string key =
+        std::to_string(exercise) + " " + std::to_string(variant) + (attempt.is_goal ? " goal" : " answer");
     if (attempt.answer)
         for (const double number : *attempt.answer) key += " " + shortest_number(number);
-    for (const std::string& setting : attempt.settings) key += "\n" + setting;
+    for (const std::string& setting : attempt.settings) key += "\n" + std::to_string(setting.size()) + " " + setting;
     return key;
 }
 
@@ -51,7 +53,8 @@ bool is_hasty(const StudentGrade& grade) {
 std::vector<std::string> times_of(const HandIn& hand_in) {
     std::vector<std::string> times;
     for (const HandInItem& item : hand_in.items)
-        for (const Attempt& attempt : item.attempts) times.push_back(attempt.at);
+        for (const Attempt& attempt : item.attempts)
+            if (!attempt.at.empty()) times.push_back(attempt.at);
     return times;
 }
 
@@ -61,6 +64,21 @@ bool has_equal_replay(const HandIn& a, const HandIn& b) {
         const HandInItem* const other = b.find(item.exercise);
         return other && item.replay.size() >= telling && item.replay == other->replay;
     });
+}
+
+/// Whom a variant was given to: the first one of the class, and how many more.
+std::string whose_variant(const std::vector<StudentGrade>& grades, const std::string& exercise, std::size_t variant) {
+    std::string first;
+    int others = 0;
+    for (const StudentGrade& grade : grades)
+        for (const ItemGrade& item : grade.items) {
+            if (item.exercise != exercise || item.variant != variant) continue;
+            if (first.empty())
+                first = printable(grade.hand_in.student);
+            else
+                ++others;
+        }
+    return others == 0 ? first : first + " and " + std::to_string(others) + " more";
 }
 
 }  // namespace
@@ -173,37 +191,36 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
     for (std::size_t exercise = 0; exercise < exercises_.size(); ++exercise)
         grade.items.push_back(grade_item(exercise, grade.hand_in, of_course));
     for (const HandInItem& item : grade.hand_in.items)
-        if (!find_exercise(exercises_, item.exercise))
-            grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is not asked for");
+        if (std::none_of(exercises_.begin(), exercises_.end(),
+                         [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&
+            std::find(also_known_.begin(), also_known_.end(), item.exercise) == also_known_.end())
+            grade.notes.push_back("has \"" + excerpt(item.exercise) + "\", which is no exercise here");
     if (is_hasty(grade)) grade.notes.emplace_back("all right at the first try, within seconds");
     return grade;
 }
 
 void compare_hand_ins(std::vector<StudentGrade>& grades) {
+    std::vector<std::vector<std::string>> times;
+    for (const StudentGrade& grade : grades) times.push_back(times_of(grade.hand_in));
     for (std::size_t i = 0; i < grades.size(); ++i) {
-        if (!grades[i].error.empty()) continue;
-        const std::vector<std::string> times = times_of(grades[i].hand_in);
-        for (std::size_t k = 0; k < grades.size(); ++k) {
+        std::vector<std::string>& notes = grades[i].notes;
+        const HandIn& mine = grades[i].hand_in;
+        for (std::size_t k = 0; k < grades.size() && grades[i].error.empty(); ++k) {
             if (k == i || !grades[k].error.empty()) continue;
-            const std::string other = printable(grades[k].hand_in.student);
-            if (grades[i].hand_in.student == grades[k].hand_in.student) {
-                grades[i].notes.push_back("another file of the same student: " + grades[k].file);
+            const HandIn& theirs = grades[k].hand_in;
+            const std::string other = printable(theirs.student);
+            if (mine.student == theirs.student) {
+                notes.push_back("another file of the same student: " + grades[k].file);
                 continue;
             }
             constexpr std::size_t telling = 2;
-            if (times.size() >= telling && times == times_of(grades[k].hand_in))
-                grades[i].notes.push_back("same attempt times as " + other);
-            if (has_equal_replay(grades[i].hand_in, grades[k].hand_in))
-                grades[i].notes.push_back("same replay as " + other);
-            for (const ItemGrade& item : grades[i].items) {
-                if (item.standing != Standing::other_variant) continue;
-                const auto same = std::find_if(grades[k].items.begin(), grades[k].items.end(), [&](const auto& theirs) {
-                    return theirs.exercise == item.exercise &&
-                           theirs.variant == grades[i].hand_in.find(item.exercise)->variant;
-                });
-                if (same != grades[k].items.end())
-                    grades[i].notes.push_back(item.exercise + ": the variant of " + other);
-            }
+            if (times[i].size() >= telling && times[i] == times[k]) notes.push_back("same attempt times as " + other);
+            if (has_equal_replay(mine, theirs)) notes.push_back("same replay as " + other);
+        }
+        for (const ItemGrade& item : grades[i].items) {
+            if (item.standing != Standing::other_variant) continue;
+            const std::string whose = whose_variant(grades, item.exercise, mine.find(item.exercise)->variant);
+            if (!whose.empty()) notes.push_back(item.exercise + ": the variant of " + whose);
         }
     }
 }
@@ -217,13 +234,14 @@ std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const s
             if (count.text.empty()) count.text = text;
         }
     for (const StudentGrade& grade : grades) {
-        std::set<std::string> shown, last, possible;
+        std::set<std::string> shown, last, possible;  // possible: told apart by an exercise that was tried
         for (std::size_t i = 0; i < grade.items.size(); ++i) {
             const ItemGrade& item = grade.items[i];
             if (item.verdicts.empty()) continue;
             for (const auto& [tag, text] : exercises[i].tags) possible.insert(tag);
             for (const Verdict& verdict : item.verdicts) shown.insert(verdict.tag);
             last.insert(item.last_tag());
+            possible.insert(shown.begin(), shown.end());
         }
         for (auto& [tag, count] : counts) {
             count.students += shown.contains(tag) ? 1 : 0;

@@ -67,6 +67,8 @@ struct TagCount {
 class Grader {
 public:
     Grader(std::vector<Exercise> exercises, Renderer& renderer);
+    /// Ids that may stand in a file though they are not asked for.
+    void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
 
     const std::vector<Exercise>& exercises() const { return exercises_; }
     /// `course`: in place of what the file says.
@@ -79,6 +81,7 @@ private:
     const Result<Verdict>& verdict(std::size_t exercise, std::size_t variant, const Attempt& attempt);
 
     std::vector<Exercise> exercises_;
+    std::vector<std::string> also_known_;
     Renderer& renderer_;
     std::map<std::pair<std::size_t, std::size_t>, Result<LessonStep>> steps_;
     std::map<std::string, Result<Verdict>> verdicts_;  ///< by exercise, variant and answer

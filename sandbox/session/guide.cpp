@@ -14,12 +14,23 @@ void Guide::open(const std::string& argument, std::size_t step) {
 }
 
 void Guide::begin(Lesson lesson, std::size_t step, Session& session) {
-    run_.emplace(std::move(lesson), step);
+    begin(LessonRun(std::move(lesson), step), session);
+}
+
+void Guide::begin(LessonRun run, Session& session) {
+    run_.emplace(std::move(run));
     is_shown_ = true;
     before_jump_ = run_->index();
     reveal_.reset();
     held_.reset();
-    return_to_step(session);
+    arrive(session);
+}
+
+void Guide::arrive(Session& session) {
+    if (!is_sheet())
+        return_to_step(session);
+    else
+        put(run_->reached().value_or(shown()), session);
 }
 
 void Guide::update(Session& session, double dt_s) {
@@ -48,7 +59,7 @@ void Guide::put(const Params& params, Session& session) {
 void Guide::resume(Session& session) {
     if (!run_) return;
     is_shown_ = true;
-    return_to_step(session);
+    arrive(session);
 }
 
 void Guide::close() {
@@ -64,28 +75,28 @@ void Guide::next(Session& session) {
         reveal_->passed_s = reveal_->over_s;
         return update(session, 0.0);
     }
-    if (!run_->is_revealed()) return reveal(session);
+    if (!run_->is_revealed() && !is_sheet()) return reveal(session);
     if (run_->is_last()) return;
     run_->go_to(run_->index() + 1);
-    run_->cover();
-    return_to_step(session);
+    if (!is_sheet()) run_->cover();
+    arrive(session);
 }
 
 void Guide::previous(Session& session) {
     if (!is_shown()) return;
-    if (run_->is_revealed())
+    if (run_->is_revealed() && !is_sheet())
         run_->cover();
     else if (!run_->is_first())
         run_->go_to(run_->index() - 1);
-    return_to_step(session);
+    arrive(session);
 }
 
 void Guide::go_to(std::size_t step, Session& session) {
     if (!run_) return;
     before_jump_ = run_->index();
     run_->go_to(step);
-    run_->cover();
-    return_to_step(session);
+    if (!is_sheet()) run_->cover();
+    arrive(session);
 }
 
 void Guide::go_back(Session& session) {

@@ -17,6 +17,8 @@ public:
     void open(const std::string& argument, std::size_t step = 0);
     /// One that is read already, whose step begins in the session at once.
     void begin(Lesson lesson, std::size_t step, Session& session);
+    /// The same with what was done before.
+    void begin(LessonRun run, Session& session);
     /// Called once a frame: takes what was read, and moves a reveal on by `dt_s`.
     void update(Session& session, double dt_s);
 
@@ -34,6 +36,9 @@ public:
     /// Ends the lesson; nothing waits any more.
     void close();
 
+    /// Whether what leads is a student's sheet of exercises: they are gone through in any order, and only a right answer
+    /// shows what is covered.
+    bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// The next thing: the question's answer, then the next step's question. Nothing after the last one.
     void next(Session& session);
     /// The previous thing: the question again, then the step before, whole.
@@ -61,6 +66,8 @@ private:
     /// What the step looks like now.
     const Params& shown() const { return run_->is_revealed() ? run_->step().revealed : run_->step().start.params; }
     void put(const Params& params, Session& session);
+    /// The step that one has come to, with its question; of a sheet as one has left it.
+    void arrive(Session& session);
 
     std::optional<LessonRun> run_;
     bool is_shown_ = false;

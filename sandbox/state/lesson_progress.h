@@ -13,6 +13,12 @@ struct LessonProgress {
     bool operator==(const LessonProgress&) const = default;
 };
 
+/// Who does exercises here: the number and the course say which numbers they have.
+struct Student {
+    std::string course, number, name;
+    bool operator==(const Student&) const = default;
+};
+
 /// By the lessons' ids.
 using LessonsProgress = std::map<std::string, LessonProgress>;
 

@@ -65,6 +65,14 @@ Json lessons_as_json(const LessonsProgress& lessons) {
     return object;
 }
 
+Student student_in(const Json& object, const Where& where) {
+    require_object(object, where, "an object of texts");
+    const auto text = [&](const char* key) {
+        return object.contains(key) && object[key] != "" ? read_name(object[key], where.key(key)) : std::string();
+    };
+    return {text("course"), text("number"), text("name")};
+}
+
 template <typename Enum>
 std::optional<Enum> name_in(const Json& object, const char* key, const Where& where) {
     if (!object.contains(key)) return std::nullopt;
@@ -97,6 +105,7 @@ Remembered remembered_in(const Json& document, const Where& where) {
         require_array(document["recent"], inside, most_recent, "a list of files");
         for (const Json& file : document["recent"]) remembered.recent.push_back(read_name(file, inside));
     }
+    if (document.contains("student")) remembered.student = student_in(document["student"], where.key("student"));
     return remembered;
 }
 
@@ -134,6 +143,10 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
                               {"size", {window->size.x, window->size.y}},
                               {"maximised", window->maximised}};
     if (!remembered.lessons.empty()) document["lessons"] = lessons_as_json(remembered.lessons);
+    if (remembered.student != Student{})
+        document["student"] = {{"course", remembered.student.course},
+                               {"number", remembered.student.number},
+                               {"name", remembered.student.name}};
     if (!remembered.recent.empty()) document["recent"] = remembered.recent;
     const std::string text = print_document(document) + "\n";
     std::error_code failed;

@@ -28,6 +28,7 @@ struct Remembered {
     LessonsProgress lessons = {};
     std::vector<std::string> recent = {};  ///< files that were opened, the latest first
     std::optional<Language> language = {};
+    Student student = {};
     bool operator==(const Remembered&) const = default;
 };
 

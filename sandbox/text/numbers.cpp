@@ -242,4 +242,65 @@ std::optional<double> parse_double(std::string_view text) {
     return value;
 }
 
+namespace {
+
+bool is_of_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool begins_number(std::string_view text, std::size_t at) {
+    const auto is_digit = [&](std::size_t place) {
+        return place < text.size() && text[place] >= '0' && text[place] <= '9';
+    };
+    return is_digit(at) || (text[at] == '.' && is_digit(at + 1));
+}
+
+/// The number that begins there; moves `at` behind it.
+double take_number(std::string_view text, std::size_t& at) {
+    const std::size_t begin = at;
+    const auto digits = [&] {
+        while (at < text.size() && text[at] >= '0' && text[at] <= '9') ++at;
+    };
+    digits();
+    if (at < text.size() && text[at] == '.') ++at;
+    digits();
+    const std::size_t mantissa_end = at;
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        ++at;
+        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+        const std::size_t exponent = at;
+        digits();
+        if (at == exponent) at = mantissa_end;
+    }
+    return parse_double(text.substr(begin, at - begin)).value_or(0.0);
+}
+
+}  // namespace
+
+std::vector<double> numbers_in(std::string_view text) {
+    constexpr std::size_t most = 1000;
+    constexpr std::string_view real_minus = "−";
+    std::vector<double> numbers;
+    double sign = 1.0;
+    for (std::size_t at = 0; at < text.size() && numbers.size() < most;) {
+        if (begins_number(text, at)) {
+            double value = sign * take_number(text, at);
+            if (at + 1 < text.size() && text[at] == '/' && begins_number(text, at + 1)) value /= take_number(text, ++at);
+            numbers.push_back(value);
+            while (at < text.size() && is_of_word(text[at])) ++at;  // a unit, or an f behind it
+            sign = 1.0;
+        } else if (is_of_word(text[at])) {
+            while (at < text.size() && (is_of_word(text[at]) || text[at] == '.')) ++at;
+            sign = 1.0;
+        } else if (text.substr(at).starts_with(real_minus)) {
+            at += real_minus.size();
+            sign = -1.0;
+        } else {
+            sign = text[at] == '-' ? -1.0 : text[at] == ' ' && sign < 0.0 ? -1.0 : 1.0;
+            ++at;
+        }
+    }
+    return numbers;
+}
+
 }  // namespace viewing

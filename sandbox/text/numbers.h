@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewing {
 
@@ -56,6 +57,10 @@ std::string plain_number(double value);
 /// A whole text as one finite number with a point, whatever the locale: "1e-3", "-.5". Blanks and a leading "+" are
 /// refused.
 std::optional<double> parse_double(std::string_view text);
+
+/// All numbers of a text in their order, whatever stands between them: "array([[1., -2e-3], [3, 4]], dtype=float64)",
+/// "[1 2; 3 4]", "1 & 1/3 \\\\". A minus may be the real one; 1/3 is a quotient; digits in a word are none. At most 1000.
+std::vector<double> numbers_in(std::string_view text);
 
 // ---- where room is short -------------------------------------------------------------------------------------------
 

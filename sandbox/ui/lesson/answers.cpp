@@ -46,6 +46,12 @@ std::vector<float> row_heights(const Ask& ask, float width, const widgets::Conte
     return rows;
 }
 
+/// Of those that are typed.
+std::size_t numbers_in_a_row(const Ask& ask) {
+    constexpr int most_in_a_row = 6;
+    return static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : std::min(ask.rows, most_in_a_row));
+}
+
 float frame_height(const widgets::Context& context) {
     return context.fonts.text->FontSize + 8.0F * context.scale;
 }
@@ -173,11 +179,12 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
         widgets::Matrix("answer", matrix, {.editable = style.is_open});
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
     } else {
-        const auto columns = static_cast<std::size_t>(ask.kind == AskKind::matrix ? ask.columns : ask.rows);
+        const std::size_t columns = numbers_in_a_row(ask);
         for (std::size_t row = 0; row * columns < answer.numbers.size(); ++row) {
+            const std::size_t count = std::min(columns, answer.numbers.size() - row * columns);
             const std::string name = row == 0 ? "answer" : "answer " + std::to_string(row + 1);
-            ImGui::SetNextItemWidth(px(number_width) * static_cast<float>(columns));
-            widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, columns),
+            ImGui::SetNextItemWidth(px(number_width) * static_cast<float>(count));
+            widgets::Numbers(("##" + name).c_str(), std::span(answer.numbers).subspan(row * columns, count),
                              {.decimals = 3});
         }
     }
@@ -291,8 +298,8 @@ float answers_height(const Ask& ask, float width, const widgets::Context& contex
     if (ask.kind == AskKind::choice) {
         for (const float row : row_heights(ask, width, context, presents)) height += row + gap * scale;
     } else if (is_typed(ask.kind)) {
-        const bool has_rows = ask.kind == AskKind::matrix;
-        height = (has_rows ? static_cast<float>(ask.rows) : 1.0F) * (frame_height(context) + gap * scale);
+        const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
+        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (frame_height(context) + gap * scale);
     } else if (ask.kind != AskKind::goal) {
         height = lay_out_tiles(ask, as_written(ask), width, context, [](int, float, float, float) {});
     }

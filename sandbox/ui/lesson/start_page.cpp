@@ -4,7 +4,7 @@
 
 #include "text/catalogue.h"
 #include "text/words.h"
-#include "ui/lesson/lesson_text.h"
+#include "ui/lesson/page.h"
 #include "ui/parts/look.h"
 
 namespace viewing {
@@ -12,44 +12,6 @@ namespace {
 
 std::string key_of(const std::string& lesson, std::size_t step) {
     return lesson + "/" + std::to_string(step + 1);
-}
-
-ImTextureID texture_in(const Pictures& pictures, const std::string& key) {
-    const auto at = std::find_if(pictures.cards.begin(), pictures.cards.end(),
-                                 [&](const PresetPicture& picture) { return picture.name == key; });
-    return at == pictures.cards.end() ? nullptr : at->texture;
-}
-
-/// A page over the whole window.
-struct Page {
-    explicit Page(const char* name) {
-        ImGui::SetNextWindowPos({0.0F, 0.0F});
-        ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
-        ImGui::SetNextWindowFocus();
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(page_margin), px(22.0F)});
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, palette().ground);
-        ImGui::Begin(name, nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    }
-    ~Page() {
-        ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar();
-    }
-    Page(const Page&) = delete;
-    Page& operator=(const Page&) = delete;
-};
-
-void heading(const std::string& text, const char* label) {
-    const widgets::Context& context = widgets::CurrentContext();
-    paragraph(text, context.fonts.caption, ImGui::GetContentRegionAvail().x - px(180.0F)).draw(label, palette().text);
-}
-
-/// At the right end of the line that was begun.
-bool button_at_right(const char* label) {
-    const float width = ImGui::CalcTextSize(tr(label)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    return widgets::Button(label);
 }
 
 std::string slides_text(const std::vector<int>& slides) {
@@ -85,7 +47,7 @@ void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     if (!is_open_) return;
     const Page page("start page");
     const widgets::Group group("start");
-    heading(tr("Viewing: a lecture in pictures that answer back"), "title");
+    page_heading(tr("Viewing: a lecture in pictures that answer back"), "title");
     if (button_at_right("Explore freely")) is_open_ = false;
     widgets::Note("Each lesson asks before it shows. Leave one at any point and come back to the step.");
     for (std::size_t i = 0; i < std::min<std::size_t>(recent.size(), 3); ++i) {
@@ -138,7 +100,7 @@ void draw_overview(PresenterMode& presenter, Guide& guide, Session& session, con
     const LessonRun& run = *guide.run();
     const Page page("overview");
     const widgets::Group group("overview");
-    heading(run.lesson().title.shown(), "title");
+    page_heading(run.lesson().title.shown(), "title");
     if (button_at_right("Close")) presenter.close_overview();
     ImGui::Dummy({0.0F, px(6.0F)});
     ImGui::BeginChild("cards");

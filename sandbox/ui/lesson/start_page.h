@@ -19,6 +19,7 @@ namespace viewing {
 struct CardPicture {
     std::string key;
     std::function<Result<LoadedState>()> load;
+    glm::ivec2 size_px{384, 216};
 };
 
 class StartPage {

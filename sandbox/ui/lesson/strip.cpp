@@ -48,11 +48,12 @@ float feedback_height(const LessonStep& step, float width, const widgets::Contex
 /// The words on the buttons of a step, in their order; `departs`: with the one that brings the step back.
 std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
     std::vector<const char*> labels{"◂###back"};
-    labels.push_back(run.is_revealed() ? marked("Next ▸") : marked("Show the answer"));
+    const bool is_sheet = run.lesson().sheet.has_value();
+    labels.push_back(run.is_revealed() || is_sheet ? marked("Next ▸") : marked("Show the answer"));
     const bool has_more_hints = run.hints_shown() < static_cast<int>(run.step().ask.hints.size());
     if (!run.is_revealed() && has_more_hints) labels.push_back(marked("Hint"));
     if (departs) labels.push_back(marked("As it was"));
-    labels.push_back(marked("All steps"));
+    labels.push_back(is_sheet ? marked("All exercises") : marked("All steps"));
     labels.push_back(marked("Explore freely"));
     return labels;
 }
@@ -110,6 +111,14 @@ void draw_paragraph(const LessonText& text, ImFont* font, float width, const cha
     paragraph(text.shown(), font, width).draw(label, color);
 }
 
+/// The lesson's name; of an exercise its own with its points.
+std::string title_of(const LessonRun& run) {
+    if (!run.lesson().sheet) return run.lesson().title.shown();
+    const Sheet::Item& item = run.lesson().sheet->items[run.index()];
+    const std::string number = item.exercise.substr(0, item.exercise.find('-'));
+    return number + " · " + item.title.shown() + " · " + say_count(item.points, "one point", "{count} points");
+}
+
 /// The lesson's name and how far one is; the dot says that the state is no longer the step's.
 void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
@@ -119,8 +128,7 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
     const float place_width = ImGui::CalcTextSize(place.c_str()).x, dot = look.departs ? px(14.0F) : 0.0F;
     const float clock = look.clock.empty() ? 0.0F : ImGui::CalcTextSize(look.clock.c_str()).x + px(14.0F);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const std::string title =
-        widgets::Shortened(run.lesson().title.shown(), width - place_width - dot - clock - px(12.0F));
+    const std::string title = widgets::Shortened(title_of(run), width - place_width - dot - clock - px(12.0F));
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     ImGui::TextUnformatted(title.c_str());
     widgets::Record("lesson");
@@ -141,7 +149,7 @@ void draw_heading(const LessonRun& run, const StripLook& look, float width) {
 }
 
 void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
-    const bool is_revealed = run.is_revealed();
+    const bool is_revealed = run.is_revealed(), is_sheet = run.lesson().sheet.has_value();
     const std::vector<const char*> labels = button_labels(run, look.departs);
     const std::vector<bool> breaks = line_breaks(labels, width, widgets::CurrentContext());
     std::size_t place = 0;
@@ -152,14 +160,21 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
         ++place;
         return pressed;
     };
-    wishes.previous = button(!run.is_first() || is_revealed, marked("this is where the lesson begins"),
-                             marked("Back: the question again, then the step before."));
-    wishes.next = is_revealed ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
-                              : button(true, "", marked("What one would see, and why. Answering first teaches more."));
+    if (is_sheet) {
+        wishes.previous = button(!run.is_first(), marked("this is the first exercise"), marked("The exercise before."));
+        wishes.next = button(!run.is_last(), marked("this is the last exercise"), marked("The next exercise."));
+    } else {
+        wishes.previous = button(!run.is_first() || is_revealed, marked("this is where the lesson begins"),
+                                 marked("Back: the question again, then the step before."));
+        wishes.next = is_revealed ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
+                                  : button(true, "", marked("What one would see, and why. Answering first teaches more."));
+    }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() && button(true, "", marked("A step towards the answer.")))
         run.show_hint();
     if (look.departs) wishes.again = button(true, "", marked("The step's state again. Ctrl+Z takes that back."));
-    wishes.overview = button(true, "", marked("The steps of this lesson as pictures."));
+    wishes.overview = button(true, "",
+                             is_sheet ? marked("The list, with what is done.")
+                                      : marked("The steps of this lesson as pictures."));
     wishes.leave = button(
         true, "", marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
 }
@@ -186,9 +201,21 @@ void draw_told(bool is_right, const std::string& text, float width, const char* 
     paragraph(text, context.fonts.text, width - sign).draw(label, palette().text);
 }
 
+/// What is wrong fits nothing that is known: where it is, never how much.
+std::string not_yet(const Ask& ask, const Verdict& verdict) {
+    if (verdict.place == 0) return tr("Not yet. Try again, or take a hint.");
+    if (ask.kind == AskKind::matrix)
+        return say("Not yet: the largest difference is in row {row}.", "row"_a = verdict.place);
+    return say("Not yet: the largest difference is in number {number}.", "number"_a = verdict.place);
+}
+
 void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     const widgets::Context& context = widgets::CurrentContext();
     const LessonStep& step = run.step();
+    if (look.is_checking) {
+        paragraph(tr("It is being checked…"), context.fonts.text, width).draw("checking", palette().quiet);
+        return;
+    }
     if (run.is_revealed()) {
         draw_paragraph(step.reveal.say, context.fonts.caption, width, "reveal", palette().accent);
         return;
@@ -202,7 +229,7 @@ void draw_feedback(const LessonRun& run, const StripLook& look, float width) {
     else if (!verdict.say.empty())
         draw_told(false, verdict.say.shown(), width, "verdict");
     else if (step.ask.kind != AskKind::goal)
-        draw_told(false, tr("Not yet. Try again, or take a hint."), width, "verdict");
+        draw_told(false, not_yet(step.ask, verdict), width, "verdict");
 }
 
 void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {
@@ -214,6 +241,18 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
     if (!look.presents && needs_check(step.ask.kind)) {
         const bool is_open = !run.is_revealed();
         wishes.check = widgets::Button("Check", is_open, marked("the answer is shown already")) || wishes.check;
+        if (step.ask.rows > 1) {
+            ImGui::SameLine(0.0F, px(button_gap));
+            wishes.paste = widgets::Button("Paste", is_open, marked("the answer is shown already"));
+            widgets::Tooltip("Paste", "The numbers in the clipboard, row by row, however they are written: NumPy, MATLAB, text.");
+        }
+        if (!step.ask.shows_as.empty()) {
+            ImGui::SameLine(0.0F, px(button_gap));
+            wishes.show_matrix =
+                widgets::Button("What my matrix does", run.verdict().has_value() || run.is_revealed(),
+                                marked("check it first"));
+            widgets::Tooltip("What my matrix does", "The picture that it makes, beside the right one.");
+        }
     }
     draw_feedback(run, look, width);
 }

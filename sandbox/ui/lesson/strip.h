@@ -15,11 +15,13 @@ struct StripLook {
     bool departs = false;   ///< the state is no longer the step's: a dot says so
     std::string clock;      ///< of the timer; empty: none
     std::string trouble;    ///< why an answer could not be judged; empty: it could
+    bool is_checking = false;  ///< what is measured takes a moment
 };
 
 /// What was pressed.
 struct StripWishes {
     bool next = false, previous = false, again = false, check = false, leave = false, overview = false;
+    bool paste = false, show_matrix = false;
 };
 
 /// Pixels below each other that the step needs at this width, before and after its answer, so that nothing jumps; also

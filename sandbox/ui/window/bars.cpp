@@ -175,7 +175,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
     const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
-    for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
+    for (const char* label : {lesson, "Exercises", "File", "Look", "?"}) buttons += button_room(label);
     // In a narrow bar long buttons take their room from the lists.
     const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);

@@ -55,6 +55,12 @@ void FileDialog::show(Purpose purpose) {
     list_folder();
 }
 
+void FileDialog::show(Purpose purpose, const std::string& name, Use use) {
+    show(purpose);
+    name_ = name;
+    use_ = std::move(use);
+}
+
 void FileDialog::want(Syllables& korean) const {
     for (const Entry& entry : entries_) korean.want(entry.name);
     for (const std::string& text : {folder_.string(), name_, error_, to_replace_.string()}) korean.want(text);
@@ -128,12 +134,18 @@ bool FileDialog::confirm(Session& session) {
         list_folder();
         return false;
     }
-    if (purpose_ == Purpose::save && std::filesystem::exists(file, ignored) && to_replace_ != file) {
+    const bool replaces = purpose_ == Purpose::save || purpose_ == Purpose::save_answers;
+    if (replaces && std::filesystem::exists(file, ignored) && to_replace_ != file) {
         to_replace_ = file;
         error_ = say("{file} exists: save once more to replace it", "file"_a = file.filename().string());
         return false;
     }
     error_.clear();
+    if (purpose_ == Purpose::open_answers || purpose_ == Purpose::save_answers) {
+        use_(file);
+        waits_ = purpose_ == Purpose::save_answers;
+        return !waits_;
+    }
     if (purpose_ == Purpose::open)
         session.open(file.string());
     else if (purpose_ == Purpose::save)
@@ -165,7 +177,9 @@ void FileDialog::draw(Session& session) {
     bool is_done = ends_with_outcome(session);
 
     static constexpr const char* titles[] = {marked("Open a state (.json) or a mesh (.obj)"), marked("Save the state"),
-                                             marked("Save the state as the last step of a lesson")};
+                                             marked("Save the state as the last step of a lesson"),
+                                             marked("Open answers to exercises (.json)"),
+                                             marked("Save the answers to be handed in")};
     title(titles[static_cast<std::size_t>(purpose_)]);
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);
@@ -192,7 +206,7 @@ void FileDialog::draw(Session& session) {
         ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
     if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
-    chosen |= widgets::Button(purpose_ == Purpose::open ? marked("Open") : marked("Save"), !name_.empty(),
+    chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(),
                               "choose or type a name first");
     ImGui::SameLine();
     const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));

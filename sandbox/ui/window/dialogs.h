@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,11 @@ namespace viewing {
 /// A file to open or a name to save under; nothing is read or written before Enter or the button.
 class FileDialog {
 public:
-    enum class Purpose { open, save, save_step };
+    enum class Purpose { open, save, save_step, open_answers, save_answers };
     void show(Purpose purpose);
+    /// For a file that is no state: `use` is told which one was chosen.
+    using Use = std::function<void(const std::filesystem::path& file)>;
+    void show(Purpose purpose, const std::string& name, Use use);
     /// Draws it while it is open; opens or saves through the session, whose message says what came of it.
     void draw(Session& session);
     bool is_open() const { return requested_ || is_open_; }
@@ -44,6 +48,8 @@ private:
     std::vector<Entry> entries_;
     BackgroundTask<Listing> listing_;
     std::string name_;
+    Use use_;
+    bool opens() const { return purpose_ == Purpose::open || purpose_ == Purpose::open_answers; }
     std::string error_;
     bool waits_ = false;                ///< for what comes of opening or saving
     std::filesystem::path to_replace_;  ///< exists and was asked about: the next Save replaces it

@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "platform/file.h"
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/strip.h"
 #include "ui/window/areas.h"
@@ -11,6 +13,8 @@
 namespace viewing {
 
 std::vector<CardPicture> Workbench::wanted_cards() {
+    if (typed_matrix_.is_open()) return typed_matrix_.wanted_pictures();
+    if (exercise_page.is_open()) return exercise_page.wanted_pictures(exercises);
     if (start_page.is_open()) return start_page.wanted_pictures();
     if (presenter.shows_overview()) return overview_pictures(guide);
     return {};
@@ -18,6 +22,7 @@ std::vector<CardPicture> Workbench::wanted_cards() {
 
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
+    follow_exercises(session, input);
     presenter.update(input, guide, session);
     arrangement.presents = presenter.is_on();
     LessonRun* const run = guide.run();
@@ -33,16 +38,17 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     leads_ = true;
     views.movable.reset();
     const Lesson& lesson = run->lesson();
-    LessonProgress& known = progress[lesson.id];
-    if (led_ != lesson.id) {
-        led_ = lesson.id;
-        for (const std::size_t step : known.done)
-            if (step < lesson.steps.size()) run->set_done(step);
+    if (!lesson.sheet) {
+        LessonProgress& known = progress[lesson.id];
+        if (led_ != lesson.id)
+            for (const std::size_t step : known.done)
+                if (step < lesson.steps.size()) run->set_done(step);
+        known.step = run->index();
+        known.done.clear();
+        for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+            if (run->is_done(step)) known.done.push_back(step);
     }
-    known.step = run->index();
-    known.done.clear();
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
-        if (run->is_done(step)) known.done.push_back(step);
+    led_ = lesson.id;
     const LessonStep& step = run->step();
     stage.has_lesson = true;
     stage.asks = !run->is_revealed();
@@ -57,6 +63,10 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
 }
 
 bool Workbench::take_lesson_key(const KeyPress& press, Session& session) {
+    if (typed_matrix_.is_open() || exercise_page.is_open()) {
+        if (press.key == Key::escape) typed_matrix_.is_open() ? typed_matrix_.close() : exercise_page.close();
+        return press.key != Key::f11;
+    }
     if (start_page.is_open()) {
         if (press.key == Key::escape) start_page.close();
         return press.key != Key::f11;
@@ -76,7 +86,7 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
         begin_area("lesson", layout.strip);
         ImGui::PopStyleVar();
-        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), lesson_trouble};
+        const StripLook look{presenter.is_on(), guide.departs(session), presenter.clock(), lesson_trouble, is_checking};
         const StripWishes wishes = draw_strip(*guide.run(), layout.strip, look);
         ImGui::End();
         if (wishes.check) lesson_trouble.clear();
@@ -84,11 +94,14 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         if (wishes.next) guide.next(session);
         if (wishes.previous) guide.previous(session);
         if (wishes.again) guide.return_to_step(session);
-        if (wishes.overview) presenter.show_overview(guide);
+        if (wishes.overview) guide.is_sheet() ? exercise_page.open(exercises) : presenter.show_overview(guide);
+        if (wishes.paste) paste_answer(session);
+        if (wishes.show_matrix) typed_matrix_.open(*guide.run());
         if (wishes.leave) guide.leave();
     }
     draw_overview(presenter, guide, session, pictures);
     start_page.draw(guide, session, progress, recent, pictures);
+    draw_exercises(session, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
     if (guide.run()) presenter.draw(guide.run()->index());
 }
@@ -122,6 +135,81 @@ void Workbench::draw_lesson_button(Session& session) {
     }
     widgets::Tooltip("Lesson", waits ? marked("The step that was left, as it was written.")
                                      : marked("The lessons of the lecture: each step asks before it shows."));
+    ImGui::SameLine();
+    if (widgets::Button("Exercises")) exercise_page.open(exercises);
+    widgets::Tooltip("Exercises", marked("Questions with numbers of one's own, which check themselves."));
+}
+
+void Workbench::go_to_exercise(const std::string& id, bool replays) {
+    wanted_exercise_ = id;
+    wants_replay_ = replays;
+}
+
+void Workbench::follow_exercises(Session& session, const FrameInput& input) {
+    session.report(exercises.update(ImGui::GetTime()));
+    replay.update(session, input.dt_s);
+    if (!wanted_exercise_.empty() && exercises.is_ready()) {
+        std::vector<std::size_t> made;
+        std::size_t step = 0;
+        for (std::size_t i = 0; i < exercises.entries().size(); ++i) {
+            const ExerciseDesk::Entry& entry = exercises.entries()[i];
+            if (entry.step && !*entry.step) continue;
+            if (entry.exercise.id == wanted_exercise_) step = made.size();
+            made.push_back(i);
+        }
+        if (!made.empty()) {
+            LessonRun run = exercises.sheet(made);
+            run.go_to(step);
+            guide.begin(std::move(run), session);
+            const HandInItem* const item = exercises.hand_in().find(wanted_exercise_);
+            if (wants_replay_ && item) replay.begin(guide.run()->step(), item->replay);
+        }
+        wanted_exercise_.clear();
+    }
+    if (guide.is_shown() && guide.is_sheet() && !replay.is_playing()) {
+        const bool is_at_rest = !ImGui::IsAnyItemActive() && !session.is_moving() && !guide.is_revealing();
+        exercises.follow(*guide.run(), session.params, is_at_rest, ImGui::GetTime());
+        guide.run()->reached() = session.params;
+    }
+}
+
+void Workbench::draw_exercises(Session& session, const Pictures& pictures) {
+    const ExercisePage::Wishes wishes = exercise_page.draw(exercises, guide, session, pictures);
+    if (wishes.save) choose_answers(FileDialog::Purpose::save_answers, session);
+    if (wishes.open_answers) choose_answers(FileDialog::Purpose::open_answers, session);
+    typed_matrix_.draw(pictures);
+}
+
+void Workbench::choose_answers(FileDialog::Purpose purpose, Session& session) {
+    exercise_page.close();  // the dialog stands over the views
+    if (purpose == FileDialog::Purpose::open_answers) {
+        file_dialog_.show(purpose, "", [this](const std::filesystem::path& file) { exercises.open_hand_in(file); });
+        return;
+    }
+    const std::string number = exercises.student().number;
+    const std::string name = "answers" + (number.empty() ? "" : "-" + number) + ".json";
+    file_dialog_.show(purpose, name, [this, &session](const std::filesystem::path& file) {
+        session.write([file, text = hand_in_as_text(exercises.hand_in())] { return write_file(file, text); },
+                      say("the answers are in {file}", "file"_a = file.string()));
+    });
+}
+
+bool Workbench::paste_answer(Session& session) {
+    LessonRun* const run = guide.is_shown() ? guide.run() : nullptr;
+    if (!run || run->is_revealed() || run->step().ask.rows < 2) return false;
+    const Ask& ask = run->step().ask;
+    const char* const text = ImGui::GetClipboardText();
+    const std::vector<double> numbers = numbers_in(text ? text : "");
+    const int wanted = ask.rows * ask.columns;
+    if (std::ssize(numbers) != wanted) {
+        session.message = {say("the clipboard has {count} numbers, the answer {wanted}", "count"_a = numbers.size(),
+                               "wanted"_a = wanted),
+                           true};
+        return false;
+    }
+    run->answer().numbers = numbers;
+    run->forget_verdict();
+    return true;
 }
 
 }  // namespace viewing

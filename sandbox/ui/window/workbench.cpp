@@ -102,7 +102,8 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
     if (key == Key::z) shift ? session.redo() : session.undo();
     if (key == Key::y) session.redo();
     if (key == Key::c) copy(session);
-    if (key == Key::v) paste(session);
+    if (key == Key::v && !(guide.is_shown() && guide.run()->step().ask.rows > 1 && paste_answer(session)))
+        paste(session);
     if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
     if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
     if (key == Key::p) preset_picker_.open();

@@ -8,6 +8,8 @@
 
 #include "frame/problems.h"
 #include "state/presets.h"
+#include "session/replay.h"
+#include "ui/lesson/exercise_page.h"
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
 #include "ui/matrices/matrices.h"
@@ -52,6 +54,10 @@ public:
     Guide guide;  ///< the lesson that leads, if there is one
     PresenterMode presenter;
     StartPage start_page;
+    ExerciseDesk exercises;  ///< of the student who sits here
+    ExercisePage exercise_page;
+    Replay replay;             ///< of a hand-in, while it plays
+    bool is_checking = false;  ///< an answer is judged in the next frame
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "" when it could
@@ -62,6 +68,9 @@ public:
     Layout layout(ImVec2 window_px, const Session& session) const;
     /// What the person has arranged together with what the state says of it (view.layout).
     Arrangement arranged(const Session& session) const;
+
+    /// Goes to an exercise of the student's sheet as soon as that is made; `replays`: and plays how it was done.
+    void go_to_exercise(const std::string& id, bool replays);
 
     /// Pictures of lessons and steps that are wanted in Pictures.
     std::vector<CardPicture> wanted_cards();
@@ -82,6 +91,11 @@ private:
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
     void draw_lesson_button(Session& session);
+    void follow_exercises(Session& session, const FrameInput& input);
+    void draw_exercises(Session& session, const Pictures& pictures);
+    void choose_answers(FileDialog::Purpose purpose, Session& session);
+    /// Numbers in the clipboard as the answer to the question; false where they are not as many as it asks for.
+    bool paste_answer(Session& session);
     void handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests);
     void handle_shortcut(const KeyPress& press, Session& session, Requests& requests);
     void draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests);
@@ -107,6 +121,9 @@ private:
     void want_korean(const Session& session);
 
     FileDialog file_dialog_;
+    TypedMatrix typed_matrix_;
+    std::string wanted_exercise_;  ///< to be gone to when it is made
+    bool wants_replay_ = false;
     PresetPicker preset_picker_;
     int korean_scene_version_ = -1;  ///< whose objects' names were looked through
     std::shared_ptr<const Lesson> korean_lesson_;

@@ -1,0 +1,162 @@
+// grade: hand-ins judged again, as a table, a page, or for a program. Read report/grading.h for how.
+#include <algorithm>
+#include <array>
+
+#include "cli/commands.h"
+#include "cli/grade_report.h"
+#include "cli/grade_tables.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/values.h"
+#include "report/grading.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 3> format_names{"text", "csv", "json"};
+enum class Format { text, csv, json };
+
+/// The options as they were typed.
+struct Typed {
+    std::vector<std::string> files, exercises;
+    std::optional<std::string> format, set, course, html, output, device;
+    bool tags = false;
+};
+
+void declare(Options& options, Typed& typed) {
+    options.group("Hand-ins");
+    options.positionals("FILE|DIR", typed.files,
+                        "What students handed in, or folders of it: their .json files by name");
+    options.text("--course", "C", typed.course,
+                 "The course that students were given their numbers by, in place of what each file says: a file that "
+                 "names another is noted");
+    options.group("Exercises");
+    options.text("--set", "NAME|ID,ID", typed.set,
+                 "Only those of a set (camera, hidden, depth, shadow, mirror), or these; what is not asked for does "
+                 "not count");
+    options.texts("--exercises", "FILE|DIR", typed.exercises,
+                  "A lecturer's own exercises in place of the program's; may be given several times");
+    options.group("Output");
+    options.text("--format", "FORMAT", typed.format, "text (default), csv or json");
+    options.flag("--tags", typed.tags,
+                 "How many students showed which misconception: below the text's table, in place of the csv's");
+    options.text("-o,--output", "OUT", typed.output, "Where the table goes; default -, standard output");
+    options.text("--html", "REPORT.html", typed.html,
+                 "Writes a page for the lecturer: points, misconceptions, every attempt, and pictures of what wrong "
+                 "shadow and mirror matrices do");
+    add_device_option(options, typed.device);
+}
+
+/// The .json files of a folder by name, or the argument itself.
+std::vector<fs::path> files_of(const std::string& argument) {
+    std::error_code error;
+    if (!fs::is_directory(argument, error)) return {argument};
+    std::vector<fs::path> files;
+    for (fs::directory_iterator entry(argument, error), end; !error && entry != end; entry.increment(error))
+        if (entry->path().extension() == ".json") files.push_back(entry->path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+StudentGrade not_read(const std::string& file, const std::string& why) {
+    StudentGrade grade;
+    grade.file = file;
+    grade.error = why;
+    return grade;
+}
+
+std::vector<StudentGrade> graded(const Typed& typed, Grader& grader) {
+    std::vector<StudentGrade> grades;
+    for (const std::string& argument : typed.files) {
+        const std::vector<fs::path> files = files_of(argument);
+        if (files.empty())
+            grades.push_back(not_read(one_line(argument), one_line(argument) + ": a folder without a .json file"));
+        for (const fs::path& path : files) {
+            const std::string file = one_line(path.string());
+            Result<HandIn> hand_in = load_hand_in(path);
+            grades.push_back(hand_in ? grader.grade(*std::move(hand_in), file, typed.course)
+                                     : not_read(file, hand_in.error()));
+        }
+    }
+    compare_hand_ins(grades);
+    return grades;
+}
+
+std::string table(Format format, bool with_tags, const std::vector<Exercise>& exercises,
+                  const std::vector<StudentGrade>& grades, const std::vector<TagCount>& tags) {
+    if (format == Format::json) return grades_as_json(exercises, grades, tags);
+    if (format == Format::csv) return with_tags ? tags_as_csv(tags) : grades_as_csv(exercises, grades);
+    return grades_as_text(exercises, grades) + (with_tags && !tags.empty() ? "\n" + tags_as_text(tags) : "");
+}
+
+/// Throws Failure unless everything was read and is right.
+void end_by(const std::vector<StudentGrade>& grades) {
+    std::string broken;
+    for (const StudentGrade& grade : grades)
+        if (!grade.error.empty()) broken += (broken.empty() ? "" : "; ") + grade.error;
+    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
+    const auto right =
+        std::count_if(grades.begin(), grades.end(), [](const StudentGrade& grade) { return grade.is_all_right(); });
+    if (right < std::ssize(grades))
+        throw Failure(ExitStatus::different, "grade: " + std::to_string(right) + " of " +
+                                                 std::to_string(grades.size()) + " hand-ins are all right");
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    Typed typed;
+    declare(options, typed);
+    if (!options.parse(arguments)) return ExitStatus::done;
+
+    if (typed.files.empty()) options.refuse("a hand-in is missing: " + std::string(self.synopsis));
+    const auto format =
+        static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), format_names));
+    const std::string output = typed.output.value_or("-");
+    if (typed.html == output) options.refuse("-o and --html cannot both be " + one_line(output));
+    check_output(output);
+    if (typed.html) check_output(*typed.html);
+    std::vector<Exercise> exercises = value_or_end(load_exercises(typed.exercises));
+    std::vector<std::string> known;
+    for (const Exercise& exercise : exercises) known.push_back(exercise.id);
+    exercises = value_or_end(of_set(std::move(exercises), typed.set.value_or("")));
+
+    Headless headless(device_option(options, typed.device));
+    Grader grader(std::move(exercises), headless.renderer());
+    grader.also_know(std::move(known));
+    const std::vector<StudentGrade> grades = graded(typed, grader);
+    headless.require_no_errors();
+    const std::vector<TagCount> tags = count_tags(grader.exercises(), grades);
+    Outputs outputs;
+    outputs.add(output, table(format, typed.tags, grader.exercises(), grades, tags));
+    if (typed.html) outputs.add(*typed.html, grade_report(headless, grader, grades, tags));
+    outputs.write();
+    end_by(grades);
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command grade_command{
+    "grade",
+    "FILE|DIR… [--format text|csv|json] [--set NAME] [--tags] [--html REPORT.html] [OPTIONS]",
+    "hand-ins judged again: points, misconceptions, every attempt",
+    "Trusts a hand-in's student number, answers and changes only: the student's variants are picked again, and every "
+    "answer is judged again. A cell is the points of a right answer, p1 for one that is partly right, w or w:M33 for a "
+    "wrong one and the misconception it shows, - where there is none, v! where it is the answer to a variant that is "
+    "not this student's, ? where it could not be judged. first try counts the exercises that were right at once, of "
+    "those that were tried. Notes are what somebody might look at, and judge nothing: the same times of attempts or "
+    "the same changes in two files, all right within seconds, another student's variant. A file that cannot be read "
+    "costs its own line alone. In csv, first_try is a number and a missing answer an empty cell. The exit status is 0 "
+    "when everybody has everything right, 1 when somebody has not, 2 when a file cannot be read.",
+    "grade hand-ins\n"
+    "grade hand-ins --set shadow --tags\n"
+    "grade hand-ins --course viewing-2026 --format csv -o grades.csv --html report.html\n"
+    "grade 32201234.json --exercises mine.json --format json",
+    "0123489",
+    run};
+
+}  // namespace viewing

@@ -1,0 +1,439 @@
+#include "cli/grade_report.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "app/picture.h"
+#include "cli/grade_tables.h"
+#include "cli/html.h"
+#include "cli/state_arguments.h"
+#include "image/png.h"
+#include "report/state_numbers.h"
+#include "state/document.h"
+#include "state/json.h"
+#include "text/catalogue.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+constexpr const char* style = R"(
+@page { size: A4; margin: 16mm }
+body { font: 11pt/1.4 Inter, "NanumBarunGothic", "Noto Sans KR", "DejaVu Sans", sans-serif; color: #15181d;
+       max-width: 190mm; margin: 8mm auto; padding: 0 4mm }
+h1 { font-size: 18pt; margin: 0 }
+h2 { font-size: 13pt; margin: 9mm 0 2mm }
+p { margin: 1mm 0; color: #5a6470 }
+svg { display: block; font-size: 11px }
+table { border-collapse: collapse; width: 100% }
+th { text-align: left; font-weight: 600; color: #5a6470 }
+th, td { padding: 1mm 3mm 1mm 0; border-bottom: 0.2mm solid #dde2e8; vertical-align: top }
+.number { text-align: right; font-variant-numeric: tabular-nums }
+table.matrix { width: auto; border-left: 0.3mm solid #8a94a0; border-right: 0.3mm solid #8a94a0 }
+.matrix td { border: 0; padding: 0 2mm; text-align: right; font-variant-numeric: tabular-nums }
+details { border-bottom: 0.2mm solid #dde2e8; padding: 1.5mm 0 }
+summary { cursor: pointer }
+summary b { display: inline-block; min-width: 28mm }
+.swatch { display: inline-block; width: 10px; height: 10px; vertical-align: middle }
+.pair { display: flex; flex-wrap: wrap; gap: 4mm; margin: 4mm 0; break-inside: avoid }
+figure { margin: 0 }
+figcaption { font-size: 9pt; color: #5a6470 }
+img { display: block; border: 0.3mm solid #c5ccd4; border-radius: 1mm }
+)";
+
+/// A text of a hand-in: nothing of it is markup, and nothing turns the direction of writing.
+std::string foreign(const std::string& text) {
+    return escaped(printable(text));
+}
+
+std::string heading(const char* text) {
+    return "<h2>" + std::string(text) + "</h2>\n";
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::vector<const StudentGrade*> read_ones(const std::vector<StudentGrade>& grades) {
+    std::vector<const StudentGrade*> read;
+    for (const StudentGrade& grade : grades)
+        if (grade.error.empty()) read.push_back(&grade);
+    return read;
+}
+
+std::string title(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
+    std::set<std::string> courses;
+    const std::vector<const StudentGrade*> read = read_ones(grades);
+    for (const StudentGrade* const grade : read) courses.insert(grade->hand_in.course);
+    std::string of_courses;
+    for (const std::string& course : courses)
+        if (!course.empty()) of_courses += (of_courses.empty() ? "" : ", ") + foreign(course);
+    int points = 0;
+    for (const Exercise& exercise : exercises) points += exercise.points;
+    std::string text = "<h1>Exercises" + (of_courses.empty() ? "" : ": " + of_courses) + "</h1>\n<p>" +
+                       counted(read.size(), "student", "students") + ", " +
+                       counted(exercises.size(), "exercise", "exercises") + ", " + std::to_string(points) +
+                       " points</p>\n";
+    for (const StudentGrade& grade : grades)
+        if (!grade.error.empty()) text += "<p>Not read: " + foreign(grade.error) + "</p>\n";
+    return text;
+}
+
+// ---- points --------------------------------------------------------------------------------------------------------
+
+/// How many students have so many points, in bars of `width` points each.
+struct Histogram {
+    int width = 1;
+    std::vector<int> bars;
+
+    std::string label(std::size_t bar) const {
+        const int first = static_cast<int>(bar) * width;
+        return std::to_string(first) + (width == 1 ? "" : "–" + std::to_string(first + width - 1));
+    }
+};
+
+Histogram histogram_of(const std::vector<const StudentGrade*>& grades) {
+    constexpr int most_bars = 16;
+    int of = 0;
+    for (const StudentGrade* const grade : grades) of = std::max(of, grade->of());
+    Histogram histogram;
+    histogram.width = of / most_bars + 1;
+    histogram.bars.assign(static_cast<std::size_t>(of / histogram.width + 1), 0);
+    for (const StudentGrade* const grade : grades)
+        ++histogram.bars[static_cast<std::size_t>(grade->points() / histogram.width)];
+    return histogram;
+}
+
+std::string points_chart(const std::vector<StudentGrade>& grades) {
+    constexpr double width = 680.0, height = 150.0, top = 18.0, below = 38.0, gap = 3.0;
+    const Histogram histogram = histogram_of(read_ones(grades));
+    const int most = std::max(1, *std::max_element(histogram.bars.begin(), histogram.bars.end()));
+    const double step = width / static_cast<double>(histogram.bars.size());
+    std::string svg = fmt::format(
+        "<svg class=\"histogram\" role=\"img\" aria-label=\"Students by points\" "
+        "viewBox=\"0 0 {0:g} {1:g}\" width=\"{0:g}\" height=\"{1:g}\" "
+        "text-anchor=\"middle\">\n",
+        width, top + height + below);
+    for (std::size_t bar = 0; bar < histogram.bars.size(); ++bar) {
+        const int count = histogram.bars[bar];
+        const double tall = height * count / most, middle = (static_cast<double>(bar) + 0.5) * step;
+        svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#2f7de1\"/>",
+                           middle - step / 2 + gap / 2, top + height - tall, step - gap, tall);
+        if (count > 0)
+            svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>", middle, top + height - tall - 4.0, count);
+        svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#5a6470\">{}</text>\n", middle, top + height + 15.0,
+                           histogram.label(bar));
+    }
+    svg += fmt::format("<path d=\"M0 {0:g}H{1:g}\" stroke=\"#8a94a0\"/>\n", top + height, width);
+    return svg + fmt::format("<text x=\"{:g}\" y=\"{:g}\" fill=\"#5a6470\">points</text>\n</svg>\n", width / 2,
+                             top + height + 33.0);
+}
+
+// ---- misconceptions ------------------------------------------------------------------------------------------------
+
+std::string share_cell(int students, int of) {
+    constexpr double width = 110.0;
+    const double part = share(students, of);
+    return fmt::format(
+        "<td><svg width=\"{0:g}\" height=\"12\"><rect width=\"{0:g}\" height=\"12\" fill=\"#eef2f6\"/>"
+        "<rect width=\"{1:.1f}\" height=\"12\" fill=\"#cf5a3c\"/></svg>{2}</td>",
+        width, width * part, escaped(percent(part, 0)));
+}
+
+std::string misconceptions(const std::vector<TagCount>& tags) {
+    if (tags.empty()) return "<p>None was shown.</p>\n";
+    std::string table =
+        "<table>\n<tr><th></th><th>misconception</th><th>shown by</th><th>at the last attempt</th>"
+        "<th class=\"number\">of students</th></tr>\n";
+    for (const TagCount& tag : tags)
+        table += "<tr><td>" + escaped(tag.tag) + "</td><td>" + escaped(tag.text.in_english()) + "</td>" +
+                 share_cell(tag.students, tag.students_of) + share_cell(tag.at_last, tag.students_of) +
+                 "<td class=\"number\">" + std::to_string(tag.students_of) + "</td></tr>\n";
+    return table + "</table>\n";
+}
+
+// ---- exercises -----------------------------------------------------------------------------------------------------
+
+/// How an exercise went for somebody, as the bars tell it apart.
+enum class Outcome { at_once, later, partly, wrong, set_aside, missing };
+struct OutcomeLook {
+    const char *name, *color;
+};
+constexpr std::array<OutcomeLook, 6> outcome_looks{{{"right at once", "#2e7d4f"},
+                                                    {"right later", "#86bf9a"},
+                                                    {"partly right", "#e3b341"},
+                                                    {"wrong", "#cf5a3c"},
+                                                    {"not theirs, not judged", "#8a63b8"},
+                                                    {"missing", "#d5dae0"}}};
+using OutcomeCounts = std::array<int, outcome_looks.size()>;
+
+Outcome outcome_of(const ItemGrade& item) {
+    switch (item.standing) {
+        case Standing::right:
+            return item.at_first_try ? Outcome::at_once : Outcome::later;
+        case Standing::partly:
+            return Outcome::partly;
+        case Standing::wrong:
+            return Outcome::wrong;
+        case Standing::missing:
+            return Outcome::missing;
+        case Standing::other_variant:
+        case Standing::not_judged:
+            break;
+    }
+    return Outcome::set_aside;
+}
+
+std::string stacked_bar(const OutcomeCounts& counts, std::size_t students) {
+    constexpr double width = 190.0;
+    std::string svg = fmt::format("<svg width=\"{:g}\" height=\"12\">", width);
+    double x = 0.0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double part = width * share(counts[i], static_cast<int>(students));
+        if (counts[i] > 0)
+            svg += fmt::format("<rect x=\"{:.1f}\" width=\"{:.1f}\" height=\"12\" fill=\"{}\"/>", x, part,
+                               outcome_looks[i].color);
+        x += part;
+    }
+    return svg + "</svg>";
+}
+
+std::string exercises_table(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
+    const std::vector<const StudentGrade*> read = read_ones(grades);
+    std::string table = "<table>\n<tr><th>exercise</th><th></th>";
+    for (const OutcomeLook& look : outcome_looks)
+        table += fmt::format(
+            "<th class=\"number\"><svg class=\"swatch\"><rect width=\"10\" height=\"10\" "
+            "fill=\"{}\"/></svg> {}</th>",
+            look.color, look.name);
+    table += "</tr>\n";
+    for (std::size_t i = 0; i < exercises.size(); ++i) {
+        OutcomeCounts counts{};
+        for (const StudentGrade* const grade : read) ++counts[static_cast<std::size_t>(outcome_of(grade->items[i]))];
+        table += "<tr><td>" + escaped(exercises[i].short_id()) + " " + escaped(exercises[i].title.in_english()) +
+                 "</td><td>" + stacked_bar(counts, read.size()) + "</td>";
+        for (const int count : counts) table += "<td class=\"number\">" + std::to_string(count) + "</td>";
+        table += "</tr>\n";
+    }
+    return table + "</table>\n";
+}
+
+// ---- what was answered ---------------------------------------------------------------------------------------------
+
+constexpr int answer_digits = 6;
+
+std::string matrix_table(const std::vector<double>& numbers, std::size_t columns) {
+    std::string table = "<table class=\"matrix\">";
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i % columns == 0) table += i == 0 ? "<tr>" : "</tr><tr>";
+        table += "<td>" + figures(numbers[i], answer_digits) + "</td>";
+    }
+    return table + "</tr></table>";
+}
+
+std::string list_of(const std::vector<double>& numbers) {
+    std::string list;
+    for (const double number : numbers) list += (list.empty() ? "" : ", ") + figures(number, answer_digits);
+    return numbers.size() == 1 ? list : "(" + list + ")";
+}
+
+std::string names_of_items(const Answer& answer, const Ask& ask) {
+    std::string list;
+    for (const int item : answer.items) {
+        const auto at = static_cast<std::size_t>(item);
+        const LessonText& text = ask.kind == AskKind::choice ? ask.choices[at].say : ask.items[at];
+        list += (list.empty() ? "" : " | ") + escaped(text.in_english());
+    }
+    return list;
+}
+
+/// As a person reads it; without the question, or where it cannot be an answer to it, in numbers.
+std::string answer_cell(const Attempt& attempt, const Ask* ask) {
+    if (attempt.is_goal) {
+        std::string lines;
+        for (const std::string& setting : attempt.settings) lines += (lines.empty() ? "" : "<br>") + foreign(setting);
+        return lines.empty() ? "nothing changed" : lines;
+    }
+    if (!attempt.answer) return "";
+    const std::optional<Answer> answer = ask ? answer_in(attempt, *ask) : std::nullopt;
+    if (answer && !answer->items.empty()) return names_of_items(*answer, *ask);
+    if (answer && ask->columns > 1) return matrix_table(answer->numbers, static_cast<std::size_t>(ask->columns));
+    return list_of(*attempt.answer);
+}
+
+std::string told_cell(const Verdict& verdict) {
+    if (verdict.right) return "right";
+    std::string text = verdict.points > 0 ? "partly right. " : "";
+    text += verdict.say.empty() ? "wrong" : escaped(verdict.say.in_english());
+    return verdict.tag.empty() ? text : text + " (" + escaped(verdict.tag) + ")";
+}
+
+// ---- students ------------------------------------------------------------------------------------------------------
+
+/// The question that was answered; none for another variant, or one that cannot be made.
+const LessonStep* step_of(Grader& grader, const ItemGrade& item, std::size_t exercise) {
+    if (item.standing == Standing::other_variant || item.standing == Standing::missing) return nullptr;
+    const Result<LessonStep>& step = grader.step(exercise, item.variant);
+    return step ? &*step : nullptr;
+}
+
+/// What is said where no verdict is.
+std::string why_not_judged(const ItemGrade& item) {
+    return item.standing == Standing::other_variant ? "not this student's variant" : foreign(item.trouble);
+}
+
+std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t exercise) {
+    const ItemGrade& item = grade.items[exercise];
+    const HandInItem* const handed_in = grade.hand_in.find(item.exercise);
+    const std::string begin = "<tr><td>" + escaped(item.exercise) + "</td><td class=\"number\">";
+    if (!handed_in || handed_in->attempts.empty()) return begin + "</td><td></td><td></td><td>missing</td></tr>\n";
+    const LessonStep* const step = step_of(grader, item, exercise);
+    std::string rows;
+    std::size_t answers = 0;
+    for (const Attempt& attempt : handed_in->attempts) {
+        rows += begin + std::to_string(handed_in->variant) + "</td><td>" + foreign(attempt.at) + "</td><td>";
+        if (attempt.hint > 0) {
+            rows += "</td><td>hint " + std::to_string(attempt.hint) + "</td></tr>\n";
+            continue;
+        }
+        rows += answer_cell(attempt, step ? &step->ask : nullptr) + "</td><td>";
+        rows += answers < item.verdicts.size() ? told_cell(item.verdicts[answers]) : why_not_judged(item);
+        rows += "</td></tr>\n";
+        ++answers;
+    }
+    return rows;
+}
+
+std::string student_details(Grader& grader, const StudentGrade& grade) {
+    std::string text =
+        "<details><summary><b>" + foreign(grade.hand_in.student) + "</b> " + foreign(grade.hand_in.name) +
+        fmt::format(" · {}/{} points · {}/{} at the first try · {}", grade.points(), grade.of(), grade.at_first_try(),
+                    grade.tried(), counted(static_cast<std::size_t>(grade.hints()), "hint", "hints"));
+    text += "</summary>\n<p>" + escaped(grade.file) + "</p>\n";
+    for (const std::string& note : grade.notes) text += "<p>Note: " + foreign(note) + "</p>\n";
+    text +=
+        "<table>\n<tr><th>exercise</th><th class=\"number\">variant</th>"
+        "<th>time</th><th>answer</th><th>told</th></tr>\n";
+    for (std::size_t exercise = 0; exercise < grade.items.size(); ++exercise)
+        text += attempts_rows(grader, grade, exercise);
+    return text + "</table>\n</details>\n";
+}
+
+// ---- what their matrices do ----------------------------------------------------------------------------------------
+
+constexpr std::size_t most_pictures = 24;
+constexpr glm::ivec2 picture_px{320, 180};
+
+/// A wrong answer that a picture can be drawn with.
+struct WrongMatrix {
+    std::size_t exercise = 0, variant = 0;
+    std::vector<double> numbers;
+    auto operator<=>(const WrongMatrix&) const = default;
+};
+struct Givers {
+    Verdict verdict;
+    std::set<std::string> students;
+};
+using WrongMatrices = std::map<WrongMatrix, Givers>;
+
+void collect(Grader& grader, const StudentGrade& grade, std::size_t exercise, WrongMatrices& found) {
+    const ItemGrade& item = grade.items[exercise];
+    const HandInItem* const handed_in = grade.hand_in.find(item.exercise);
+    if (!handed_in || item.verdicts.empty()) return;
+    const LessonStep* const step = step_of(grader, item, exercise);
+    if (!step || step->ask.shows_as.empty() || step->ask.rows * step->ask.columns != 16) return;
+    std::size_t answers = 0;
+    for (const Attempt& attempt : handed_in->attempts) {
+        if (attempt.hint > 0 || answers == item.verdicts.size()) continue;
+        const Verdict& verdict = item.verdicts[answers++];
+        const std::optional<Answer> answer = answer_in(attempt, step->ask);
+        if (verdict.right || !answer) continue;
+        Givers& givers = found[{exercise, item.variant, answer->numbers}];
+        givers.verdict = verdict;
+        givers.students.insert(grade.hand_in.student);
+    }
+}
+
+/// The most frequent first.
+std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const std::vector<StudentGrade>& grades) {
+    WrongMatrices found;
+    for (const StudentGrade* const grade : read_ones(grades))
+        for (std::size_t exercise = 0; exercise < grade->items.size(); ++exercise)
+            collect(grader, *grade, exercise, found);
+    std::vector<std::pair<WrongMatrix, Givers>> sorted(found.begin(), found.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](const auto& a, const auto& b) { return a.second.students.size() > b.second.students.size(); });
+    return sorted;
+}
+
+/// The step's start with a matrix by hand; "" where its field refuses the numbers.
+std::string picture_with(Headless& headless, const LessonStep& step, const std::string& path,
+                         const std::vector<double>& numbers) {
+    Json rows = Json::array();
+    for (auto row = numbers.begin(); row != numbers.end(); row += 4) rows.push_back(std::vector<double>(row, row + 4));
+    const std::vector<std::string> settings{path + "=" + rows.dump()};
+    const Result<Params> params = apply_settings(step.start.params, settings);
+    if (!params) return "";
+    LoadedState state = step.start;
+    state.params = *params;
+    state.params.ui.theme = Theme::light;  // paper
+    PictureRequest request;
+    request.view = PictureView::camera;
+    request.size_px = picture_px;
+    const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
+    return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", picture_px.x,
+                       picture_px.y, base64(encode_png(image)));
+}
+
+std::string right_picture(Headless& headless, const LessonStep& step, const std::string& path) {
+    const Result<Surroundings> numbers = numbers_of(step.start, step.start.params, &headless.renderer());
+    if (!numbers) return "";
+    const Result<Answer> right = model_answer(step.ask, *numbers);
+    return right ? picture_with(headless, step, path, right->numbers) : "";
+}
+
+std::string captioned(const std::string& picture, const std::string& caption) {
+    return "<figure>" + picture + "<figcaption>" + caption + "</figcaption></figure>";
+}
+
+std::string matrix_pictures(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades) {
+    std::string section;
+    std::size_t count = 0;
+    for (const auto& [wrong, givers] : wrong_matrices(grader, grades)) {
+        if (count == most_pictures) break;
+        const Exercise& exercise = grader.exercises()[wrong.exercise];
+        const LessonStep& step = *grader.step(wrong.exercise, wrong.variant);
+        const std::string& path = step.ask.shows_as;
+        const std::string typed = picture_with(headless, step, path, wrong.numbers);
+        if (typed.empty()) continue;
+        ++count;
+        section += "<div class=\"pair\">" +
+                   captioned(typed, escaped(exercise.short_id()) + ", variant " + std::to_string(wrong.variant) +
+                                        ": typed by " + counted(givers.students.size(), "student", "students")) +
+                   captioned(right_picture(headless, step, path), "the right one") + "<div>" +
+                   matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
+    }
+    return section.empty() ? "" : heading("What their matrices do") + section;
+}
+
+}  // namespace
+
+std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
+                         const std::vector<TagCount>& tags) {
+    std::string page =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Exercises, graded</title>\n"
+        "<style>" +
+        std::string(style) + "</style>\n";
+    page += title(grader.exercises(), grades);
+    page += heading("Points") + points_chart(grades);
+    page += heading("Misconceptions") + misconceptions(tags);
+    page += heading("Exercises") + exercises_table(grader.exercises(), grades);
+    page += matrix_pictures(headless, grader, grades);
+    page += heading("Students");
+    for (const StudentGrade* const grade : read_ones(grades)) page += student_details(grader, *grade);
+    return page + "</html>\n";
+}
+
+}  // namespace viewing

@@ -1,0 +1,216 @@
+#include "cli/grade_tables.h"
+
+#include <algorithm>
+
+#include "state/document.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// As a table has it: "3", "p1", "w:M33", "-".
+std::string cell(const ItemGrade& item) {
+    switch (item.standing) {
+        case Standing::right:
+            return std::to_string(item.points);
+        case Standing::partly:
+            return "p" + std::to_string(item.points);
+        case Standing::wrong:
+            return item.last_tag().empty() ? "w" : "w:" + item.last_tag();
+        case Standing::missing:
+            return "-";
+        case Standing::other_variant:
+            return "v!";
+        case Standing::not_judged:
+            return "?";
+    }
+    return "";
+}
+
+const char* name_of(Standing standing) {
+    constexpr const char* names[] = {"right", "partly", "wrong", "missing", "other_variant", "not_judged"};
+    return names[static_cast<std::size_t>(standing)];
+}
+
+/// The notes, and why an exercise could not be judged.
+std::vector<std::string> remarks(const StudentGrade& grade) {
+    std::vector<std::string> all;
+    for (const std::string& note : grade.notes) all.push_back(printable(note));
+    for (const ItemGrade& item : grade.items)
+        if (!item.trouble.empty()) all.push_back(item.exercise + " not judged: " + printable(item.trouble));
+    return all;
+}
+
+std::string remarks_in_one(const StudentGrade& grade) {
+    std::string text;
+    for (const std::string& remark : remarks(grade)) text += (text.empty() ? "" : "; ") + remark;
+    return text;
+}
+
+// ---- for a terminal ------------------------------------------------------------------------------------------------
+
+/// Aligned to the right but for the first and the last column. A row of one cell is a sentence that no column fits.
+std::string aligned(const std::vector<Row>& rows) {
+    const std::size_t columns = rows.front().size();
+    std::vector<std::size_t> widths(columns, 0);
+    for (const Row& row : rows)
+        for (std::size_t i = 0; row.size() == columns && i < columns; ++i)
+            widths[i] = std::max(widths[i], character_count(row[i]));
+    const auto gap = [columns](std::size_t column) {
+        constexpr std::size_t wide = 3;  // columns of several words, at the end
+        return column == 0 ? "" : column == 1 || column + wide >= columns ? "  " : " ";
+    };
+    std::string text;
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool is_text = i == 0 || i + 1 == columns;
+            const std::string blanks(row.size() < columns ? 0 : widths[i] - character_count(row[i]), ' ');
+            line += gap(i) + (is_text ? row[i] + blanks : blanks + row[i]);
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + "\n";
+    }
+    return text;
+}
+
+Row text_row(const StudentGrade& grade) {
+    if (!grade.error.empty()) return {printable(grade.error)};
+    Row row{excerpt(grade.hand_in.student)};
+    for (const ItemGrade& item : grade.items) row.push_back(cell(item));
+    row.push_back(std::to_string(grade.points()) + "/" + std::to_string(grade.of()));
+    row.push_back(std::to_string(grade.at_first_try()) + "/" + std::to_string(grade.tried()));
+    row.push_back(std::to_string(grade.hints()));
+    row.push_back(remarks_in_one(grade));
+    return row;
+}
+
+// ---- for a spreadsheet ---------------------------------------------------------------------------------------------
+
+std::string csv_cell(std::string text) {
+    constexpr const char* beginnings_of_formulas = "=+-@";
+    if (text.find_first_of(beginnings_of_formulas) == 0) text.insert(0, 1, '\'');
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + '"';
+}
+
+std::string csv_line(const Row& row) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) line += (i == 0 ? "" : ",") + csv_cell(row[i]);
+    return line + "\r\n";
+}
+
+Row csv_row(const std::vector<Exercise>& exercises, const StudentGrade& grade) {
+    if (!grade.error.empty()) {
+        Row row(exercises.size() + 8);
+        row[2] = grade.file;
+        row.back() = printable(grade.error);
+        return row;
+    }
+    Row row{printable(grade.hand_in.student), printable(grade.hand_in.name), grade.file};
+    for (const ItemGrade& item : grade.items) row.push_back(item.standing == Standing::missing ? "" : cell(item));
+    for (const int number : {grade.points(), grade.of(), grade.at_first_try(), grade.hints()})
+        row.push_back(std::to_string(number));
+    row.push_back(remarks_in_one(grade));
+    return row;
+}
+
+// ---- for a program -------------------------------------------------------------------------------------------------
+
+Json item_as_json(const ItemGrade& item) {
+    Json json = {{"exercise", item.exercise},
+                 {"variant", item.variant},
+                 {"standing", name_of(item.standing)},
+                 {"points", item.points},
+                 {"of", item.of},
+                 {"tries", item.tries},
+                 {"hints", item.hints},
+                 {"at_first_try", item.at_first_try},
+                 {"tags", Json::array()},
+                 {"told", Json::array()},
+                 {"trouble", printable(item.trouble)}};
+    for (const Verdict& verdict : item.verdicts) {
+        json["tags"].push_back(verdict.tag);
+        json["told"].push_back(verdict.say.in_english());
+    }
+    return json;
+}
+
+Json student_as_json(const StudentGrade& grade) {
+    if (!grade.error.empty()) return {{"file", grade.file}, {"error", printable(grade.error)}};
+    Json json = {{"file", grade.file},
+                 {"student", grade.hand_in.student},
+                 {"name", grade.hand_in.name},
+                 {"course", grade.hand_in.course},
+                 {"points", grade.points()},
+                 {"of", grade.of()},
+                 {"first_try", grade.at_first_try()},
+                 {"hints", grade.hints()},
+                 {"notes", remarks(grade)},
+                 {"items", Json::array()}};
+    for (const ItemGrade& item : grade.items) json["items"].push_back(item_as_json(item));
+    return json;
+}
+
+}  // namespace
+
+std::string grades_as_text(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
+    Row header{"student"};
+    for (const Exercise& exercise : exercises) header.push_back(exercise.short_id());
+    header.insert(header.end(), {"points", "first try", "hints", "notes"});
+    std::vector<Row> rows{std::move(header)};
+    for (const StudentGrade& grade : grades) rows.push_back(text_row(grade));
+    return aligned(rows);
+}
+
+std::string tags_as_text(const std::vector<TagCount>& tags) {
+    std::string text;
+    for (const TagCount& tag : tags)
+        text += tag.tag + " " + tag.text.in_english() + ": " + percent(share(tag.students, tag.students_of), 0) +
+                " of " + std::to_string(tag.students_of) + (tag.students_of == 1 ? " student, " : " students, ") +
+                percent(share(tag.at_last, tag.students_of), 0) + " at the last attempt\n";
+    return text;
+}
+
+std::string grades_as_csv(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
+    Row header{"student", "name", "file"};
+    for (const Exercise& exercise : exercises) header.push_back(exercise.id);
+    header.insert(header.end(), {"points", "of", "first_try", "hints", "notes"});
+    std::string text = csv_line(header);
+    for (const StudentGrade& grade : grades) text += csv_line(csv_row(exercises, grade));
+    return text;
+}
+
+std::string tags_as_csv(const std::vector<TagCount>& tags) {
+    std::string text = csv_line({"tag", "text", "students", "at_last", "students_of"});
+    for (const TagCount& tag : tags)
+        text += csv_line({tag.tag, tag.text.in_english(), std::to_string(tag.students), std::to_string(tag.at_last),
+                          std::to_string(tag.students_of)});
+    return text;
+}
+
+std::string grades_as_json(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
+                           const std::vector<TagCount>& tags) {
+    Json json = {{"exercises", Json::array()}, {"students", Json::array()}, {"tags", Json::array()}};
+    for (const Exercise& exercise : exercises)
+        json["exercises"].push_back({{"id", exercise.id}, {"points", exercise.points}});
+    for (const StudentGrade& grade : grades) json["students"].push_back(student_as_json(grade));
+    for (const TagCount& tag : tags)
+        json["tags"].push_back({{"tag", tag.tag},
+                                {"text", tag.text.in_english()},
+                                {"students", tag.students},
+                                {"at_last", tag.at_last},
+                                {"students_of", tag.students_of}});
+    return print_document(json) + "\n";
+}
+
+double share(int students, int of) {
+    return of > 0 ? std::min(1.0, static_cast<double>(students) / of) : 0.0;
+}
+
+}  // namespace viewing

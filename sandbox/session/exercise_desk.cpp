@@ -1,0 +1,285 @@
+#include "session/exercise_desk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "lesson/allowed.h"
+#include "lesson/variants.h"
+#include "platform/file.h"
+#include "state/json.h"
+
+namespace viewing {
+namespace {
+
+constexpr double least_between_writes_s = 0.3;
+
+std::string local_time() {
+    const std::time_t now = std::time(nullptr);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", std::localtime(&now));
+    return text;
+}
+
+bool is_said_right(const Attempt& attempt) {
+    return attempt.told == "right";
+}
+
+}  // namespace
+
+std::string answers_file_name(const Student& student) {
+    std::string name;
+    for (const char c : student.course + "|" + student.number) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                              (byte >= '0' && byte <= '9') || byte == '-' || byte == '_';
+        constexpr char digits[] = "0123456789ABCDEF";
+        if (is_plain)
+            name += c;
+        else
+            name += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
+    }
+    constexpr std::size_t longest = 200;
+    if (name.size() > longest) name = name.substr(0, longest) + "-" + std::to_string(fnv1a(name));
+    return name + ".json";
+}
+
+void ExerciseDesk::keep_in(std::filesystem::path folder, std::string program) {
+    folder_ = std::move(folder);
+    program_ = std::move(program);
+}
+
+std::filesystem::path ExerciseDesk::file() const {
+    return folder_.empty() ? folder_ : folder_ / answers_file_name(student_);
+}
+
+void ExerciseDesk::open() {
+    if (is_read_) return;
+    is_read_ = true;
+    for (Result<Exercise>& exercise : exercises()) {
+        if (exercise)
+            entries_.push_back({*std::move(exercise), 0, std::nullopt});
+        else if (trouble_)
+            trouble_ = Error{exercise.error()};
+    }
+    sit_down(student_);
+}
+
+void ExerciseDesk::choose_variants() {
+    for (Entry& entry : entries_) {
+        entry.variant = variant_of(student_.course, student_.number, entry.exercise.id, entry.exercise.variants.size());
+        entry.step.reset();
+    }
+    followed_.clear();
+}
+
+void ExerciseDesk::sit_down(const Student& student) {
+    if (Status done = finish(); !done) trouble_ = std::move(done);
+    student_ = student;
+    hand_in_ = {};
+    choose_variants();
+    std::error_code unknown;
+    if (const std::filesystem::path kept = file(); is_read_ && !kept.empty() && std::filesystem::exists(kept, unknown))
+        reading_.start([kept](WorkProgress&) { return load_hand_in(kept); });
+}
+
+void ExerciseDesk::open_hand_in(const std::filesystem::path& file) {
+    if (Status done = finish(); !done) trouble_ = std::move(done);
+    is_another_ = true;
+    reading_.start([file](WorkProgress&) { return load_hand_in(file); });
+}
+
+void ExerciseDesk::take_hand_in(HandIn hand_in) {
+    open();
+    reading_.drop();
+    student_ = {hand_in.course, hand_in.student, hand_in.name};
+    hand_in_ = std::move(hand_in);
+    choose_variants();
+}
+
+Status ExerciseDesk::update(double now_s) {
+    if (std::optional<Result<HandIn>> read = reading_.take()) {
+        if (!*read) {
+            is_another_ = false;
+            return Error{read->error()};
+        }
+        if (std::exchange(is_another_, false)) {
+            take_hand_in(**std::move(read));
+            has_changed_ = true;
+        } else {
+            hand_in_ = **std::move(read);
+        }
+    }
+    Status ended = std::monostate{};
+    if (const auto written = writing_.take())
+        if (!*written) ended = Error{written->error()};
+    const bool is_time = written_s_ < 0.0 || now_s - written_s_ >= least_between_writes_s;
+    if (has_changed_ && !writing_.is_running() && !reading_.is_running() && !folder_.empty() && is_time) {
+        has_changed_ = false;
+        written_s_ = now_s;
+        writing_.start([kept = file(), text = hand_in_as_text(hand_in_)](WorkProgress&) -> Status {
+            std::error_code failed;
+            std::filesystem::create_directories(kept.parent_path(), failed);
+            if (failed) return Error{kept.parent_path().string() + ": " + failed.message()};
+            return write_file(kept, text);
+        });
+    }
+    return ended;
+}
+
+Status ExerciseDesk::finish() {
+    Status last = std::monostate{};
+    for (int turn = 0; turn < 2; ++turn) {
+        writing_.wait(-1.0);
+        written_s_ = -1.0;
+        if (Status done = update(0.0); !done) last = std::move(done);
+    }
+    writing_.wait(-1.0);
+    if (const auto written = writing_.take(); written && !*written) last = Error{written->error()};
+    return last;
+}
+
+std::optional<std::size_t> ExerciseDesk::next_to_make() const {
+    if (reading_.is_running()) return std::nullopt;
+    const auto at = std::find_if(entries_.begin(), entries_.end(), [](const Entry& entry) { return !entry.step; });
+    return at == entries_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - entries_.begin()));
+}
+
+LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
+    Lesson lesson;
+    lesson.id = "exercises";
+    lesson.title.by_language = {"Exercises", "연습 문제"};
+    lesson.sheet = Sheet{student_.course, student_.number, {}};
+    std::vector<const HandInItem*> known;
+    for (const std::size_t place : places) {
+        const Entry& entry = entries_[place];
+        if (!entry.step || !*entry.step) continue;
+        lesson.steps.push_back(**entry.step);
+        lesson.sheet->items.push_back(
+            {entry.exercise.id, entry.exercise.title, entry.variant, entry.exercise.points});
+        known.push_back(hand_in_.find(entry.exercise.id));
+    }
+    LessonRun run(std::move(lesson));
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const HandInItem* const item = known[i];
+        if (!item || item->variant != run.lesson().sheet->items[i].variant) continue;
+        const LessonStep& step = run.lesson().steps[i];
+        Attempt latest;
+        latest.answer = item->draft;
+        latest.settings = item->draft_settings;
+        int hints = 0;
+        bool is_done = false;
+        for (const Attempt& attempt : item->attempts) {
+            hints = std::max(hints, attempt.hint);
+            if (attempt.hint > 0 || is_done) continue;
+            is_done = is_said_right(attempt);
+            if (is_done || !item->draft) latest.answer = attempt.answer;
+            if (is_done || item->draft_settings.empty()) latest.settings = attempt.settings;
+        }
+        std::optional<Params> reached;
+        if (!latest.settings.empty())
+            if (const Result<Params> changed = apply_settings(step.start.params, latest.settings);
+                changed && changed_without_leave(step.start.params, *changed, step.ask.allow).empty())
+                reached = *changed;
+        run.restore(i, answer_in(latest, step.ask).value_or(Answer{}), hints, is_done, std::move(reached));
+    }
+    return run;
+}
+
+bool ExerciseDesk::is_right(const std::string& exercise) const {
+    const HandInItem* const item = hand_in_.find(exercise);
+    return item && std::any_of(item->attempts.begin(), item->attempts.end(), is_said_right);
+}
+
+bool ExerciseDesk::is_tried(const std::string& exercise) const {
+    const HandInItem* const item = hand_in_.find(exercise);
+    return item && std::any_of(item->attempts.begin(), item->attempts.end(),
+                               [](const Attempt& attempt) { return attempt.hint == 0; });
+}
+
+int ExerciseDesk::points() const {
+    int points = 0;
+    for (const Entry& entry : entries_) points += is_right(entry.exercise.id) ? entry.exercise.points : 0;
+    return points;
+}
+
+int ExerciseDesk::points_of() const {
+    int points = 0;
+    for (const Entry& entry : entries_) points += entry.exercise.points;
+    return points;
+}
+
+HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant) {
+    hand_in_.program = program_;
+    hand_in_.course = student_.course;
+    hand_in_.student = student_.number;
+    hand_in_.name = student_.name;
+    HandInItem* item = hand_in_.find(exercise);
+    if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // it was another's
+    if (item) return *item;
+    return hand_in_.items.emplace_back(HandInItem{exercise, variant, {}, {}, {}, {}});
+}
+
+void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Params& params) {
+    const Sheet::Item& asked = run.lesson().sheet->items[run.index()];
+    HandInItem& item = this->item(asked.exercise, asked.variant);
+    Attempt attempt;
+    attempt.at = local_time();
+    attempt.told = verdict.right ? "right" : verdict.tag;
+    if (run.step().ask.kind == AskKind::goal) {
+        attempt.is_goal = true;
+        attempt.settings = settings_between(run.step().start.params, params);
+    } else {
+        attempt.answer = answer_numbers(run.answer());
+    }
+    // A goal is watched: the same mistake on the way is one attempt.
+    const bool is_same_mistake = attempt.is_goal && !verdict.right && !item.attempts.empty() &&
+                                 item.attempts.back().is_goal && item.attempts.back().told == attempt.told;
+    if (is_same_mistake) item.attempts.pop_back();
+    if (item.attempts.size() >= most_attempts) item.attempts.erase(item.attempts.begin());
+    item.attempts.push_back(std::move(attempt));
+    has_changed_ = true;
+}
+
+void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s) {
+    const Sheet::Item& asked = run.lesson().sheet->items[run.index()];
+    const LessonStep& step = run.step();
+    if (followed_ != asked.exercise) {
+        followed_ = asked.exercise;
+        followed_since_s_ = now_s;
+        last_.reset();
+    }
+    const HandInItem* const known = hand_in_.find(asked.exercise);
+    int hints = 0;
+    if (known)
+        for (const Attempt& attempt : known->attempts) hints = std::max(hints, attempt.hint);
+    for (int hint = hints + 1; hint <= run.hints_shown(); ++hint) {
+        Attempt attempt;
+        attempt.at = local_time();
+        attempt.hint = hint;
+        item(asked.exercise, asked.variant).attempts.push_back(std::move(attempt));
+        has_changed_ = true;
+    }
+    if (run.is_revealed()) return;
+    if (step.ask.kind != AskKind::goal) {
+        const std::vector<double> typed = answer_numbers(run.answer());
+        const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
+        if (typed.empty() || (is_blank && (!known || !known->draft))) return;
+        if (known && known->draft == typed) return;
+        item(asked.exercise, asked.variant).draft = typed;
+        has_changed_ = true;
+        return;
+    }
+    if (!is_at_rest || last_ == params) return;
+    last_ = params;
+    const std::vector<std::string> settings = settings_between(step.start.params, params);
+    if (settings == (known ? known->draft_settings : std::vector<std::string>())) return;
+    HandInItem& noted = item(asked.exercise, asked.variant);
+    noted.draft_settings = settings;
+    noted.replay.push_back({std::round((now_s - followed_since_s_) * 10.0) / 10.0, settings});
+    thin(noted.replay);
+    has_changed_ = true;
+}
+
+}  // namespace viewing

@@ -1,0 +1,92 @@
+// A student's exercises in the window: whose they are, the sheet with the numbers that are theirs, and every attempt,
+// kept in a file from the moment it is made. Read lesson/exercise.h for the exercises, lesson/hand_in.h for the file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/exercise.h"
+#include "lesson/hand_in.h"
+#include "lesson/run.h"
+#include "platform/background.h"
+#include "session/session.h"
+#include "state/lesson_progress.h"
+
+namespace viewing {
+
+class ExerciseDesk {
+public:
+    struct Entry {
+        Exercise exercise;
+        std::size_t variant = 0;
+        std::optional<Result<LessonStep>> step;  ///< none until it is made
+    };
+
+    /// Where answers are kept; empty: nowhere, as in a picture.
+    void keep_in(std::filesystem::path folder, std::string program);
+    /// Reads the exercises when they are wanted first; an error is one that cannot be read.
+    void open();
+    bool is_open() const { return is_read_; }
+    const Status& trouble() const { return trouble_; }
+
+    const Student& student() const { return student_; }
+    /// Another one's sheet; what was answered at it before comes back.
+    void sit_down(const Student& student);
+    /// Goes on with answers that were saved, as update() tells.
+    void open_hand_in(const std::filesystem::path& file);
+    /// A hand-in that was opened from a file: its student's sheet with its attempts.
+    void take_hand_in(HandIn hand_in);
+
+    /// Called once a frame: what was read is taken over, what has changed is written beside the window. The error is
+    /// that of a file.
+    Status update(double now_s);
+    /// All that waits is written, now.
+    Status finish();
+
+    const std::vector<Entry>& entries() const { return entries_; }
+    /// The place of the variant that is to be made next: by whoever knows its numbers. None: all are there.
+    std::optional<std::size_t> next_to_make() const;
+    void take_step(std::size_t entry, Result<LessonStep> step) { entries_[entry].step = std::move(step); }
+    bool is_ready() const { return is_read_ && !reading_.is_running() && !next_to_make(); }
+
+    /// The exercises at these places as something that leads, with what was done at each.
+    LessonRun sheet(const std::vector<std::size_t>& places) const;
+    const HandIn& hand_in() const { return hand_in_; }
+    bool is_right(const std::string& exercise) const;
+    bool is_tried(const std::string& exercise) const;
+    int points() const, points_of() const;
+
+    /// An answer that was judged.
+    void record(const LessonRun& run, const Verdict& verdict, const Params& params);
+    /// Called once a frame while a sheet leads: hints that were looked at, what is typed, what is changed on the way to
+    /// a goal. `is_at_rest`: nothing is held.
+    void follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s);
+
+private:
+    HandInItem& item(const std::string& exercise, std::size_t variant);
+    void choose_variants();
+    std::filesystem::path file() const;
+
+    bool is_read_ = false, has_changed_ = false;
+    Status trouble_ = std::monostate{};
+    std::filesystem::path folder_;
+    std::string program_;
+    Student student_;
+    std::vector<Entry> entries_;
+    HandIn hand_in_;
+    BackgroundTask<HandIn> reading_;
+    bool is_another_ = false;  ///< what is being read says itself whose it is
+    BackgroundTask<std::monostate> writing_;
+    double written_s_ = -1.0;
+
+    std::string followed_;         ///< the exercise that is being done
+    double followed_since_s_ = 0.0;
+    std::optional<Params> last_;   ///< its latest state that was noted
+};
+
+/// The file's name in which a student's answers to a course are kept: letters, digits, - and _, others as %XX.
+std::string answers_file_name(const Student& student);
+
+}  // namespace viewing

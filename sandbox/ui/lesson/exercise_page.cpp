@@ -1,0 +1,210 @@
+#include "ui/lesson/exercise_page.h"
+
+#include <imgui.h>
+//
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+
+#include "state/json.h"
+#include "text/catalogue.h"
+#include "text/words.h"
+#include "ui/lesson/page.h"
+#include "ui/parts/look.h"
+
+namespace viewing {
+namespace {
+
+/// A set's name in its file, and in the window.
+struct SetName {
+    const char *name, *label;
+};
+constexpr std::array sets{SetName{"", marked("all")},
+                          SetName{"camera", marked("camera")},
+                          SetName{"hidden", marked("hidden surfaces")},
+                          SetName{"depth", marked("depth")},
+                          SetName{"shadow", marked("shadow")},
+                          SetName{"mirror", marked("mirror")}};
+
+constexpr glm::ivec2 compared_px{960, 540};
+
+std::string key_of(const ExerciseDesk::Entry& entry) {
+    return "exercise/" + entry.exercise.id + "/" + std::to_string(entry.variant);
+}
+
+/// A field with its name in front of it; true when what is typed is to count.
+bool text_field(const char* label, std::string& text, float width, const char* tip) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr(label));
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(px(width));
+    ImGui::InputText(("##" + std::string(label)).c_str(), &text);
+    widgets::Record(label);
+    const bool is_done = ImGui::IsItemDeactivatedAfterEdit();
+    widgets::Tooltip(label, tip);
+    return is_done;
+}
+
+std::string rows_of(const std::vector<double>& numbers) {
+    std::string rows;
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        rows += std::string(i == 0 ? "[[" : i % 4 == 0 ? "], [" : ", ") + format_number(numbers[i]);
+    return rows + "]]";
+}
+
+}  // namespace
+
+void ExercisePage::open(ExerciseDesk& desk) {
+    desk.open();
+    typed_ = desk.student();
+    is_open_ = true;
+}
+
+std::vector<std::size_t> ExercisePage::shown(const ExerciseDesk& desk) const {
+    std::vector<std::size_t> places;
+    const std::string set = sets[static_cast<std::size_t>(set_)].name;
+    for (std::size_t i = 0; i < desk.entries().size(); ++i)
+        if (set.empty() || desk.entries()[i].exercise.is_in(set)) places.push_back(i);
+    return places;
+}
+
+std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk) const {
+    std::vector<CardPicture> wanted;
+    if (!is_open_) return wanted;
+    for (const std::size_t place : shown(desk)) {
+        const ExerciseDesk::Entry& entry = desk.entries()[place];
+        if (entry.step && *entry.step)
+            wanted.push_back({key_of(entry), [start = (*entry.step)->start]() -> Result<LoadedState> { return start; }});
+    }
+    return wanted;
+}
+
+void ExercisePage::draw_student(ExerciseDesk& desk) {
+    bool is_done = text_field("Student number", typed_.number, 110.0F,
+                              marked("Says together with the course which numbers the questions have."));
+    ImGui::SameLine(0.0F, px(18.0F));
+    is_done |= text_field("Course", typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
+    ImGui::SameLine(0.0F, px(18.0F));
+    is_done |= text_field("Name", typed_.name, 130.0F, marked("Stands in what is handed in, and changes nothing else."));
+    if (is_done && typed_ != desk.student()) desk.sit_down(typed_);
+}
+
+ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures) {
+    Wishes wishes;
+    if (!is_open_) return wishes;
+    const Page page("exercise page");
+    const widgets::Group group("exercises");
+    if (!ImGui::IsAnyItemActive()) typed_ = desk.student();
+    page_heading(say("Exercises: {points} of {of} points", "points"_a = desk.points(), "of"_a = desk.points_of()),
+                 "title");
+    if (button_at_right("Close")) is_open_ = false;
+    draw_student(desk);
+    widgets::Note("Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
+                  "in is one file.");
+    static const std::array<const char*, sets.size()> labels = [] {
+        std::array<const char*, sets.size()> names{};
+        for (std::size_t i = 0; i < sets.size(); ++i) names[i] = sets[i].label;
+        return names;
+    }();
+    widgets::Segments("##set", set_, labels, 0);
+    wishes.save = widgets::Button("Save answers…", !desk.hand_in().items.empty(), marked("nothing is answered yet"));
+    widgets::Tooltip("Save answers", "The one file to hand in.");
+    ImGui::SameLine();
+    wishes.open_answers = widgets::Button("Open answers…");
+    widgets::Tooltip("Open answers", "Goes on with a file that was saved, here or on another computer.");
+    if (!desk.trouble()) widgets::Trouble(printable(desk.trouble().error()).c_str());
+    ImGui::Dummy({0.0F, px(4.0F)});
+    ImGui::BeginChild("cards");
+    std::vector<Card> cards;
+    const std::vector<std::size_t> places = shown(desk);
+    for (const std::size_t place : places) {
+        const ExerciseDesk::Entry& entry = desk.entries()[place];
+        const Exercise& exercise = entry.exercise;
+        const bool is_right = desk.is_right(exercise.id);
+        const std::string points = say_count(exercise.points, "one point", "{count} points");
+        const std::string note = entry.step && !*entry.step ? printable(entry.step->error())
+                                 : !is_right && desk.is_tried(exercise.id)
+                                     ? say("{points} · begun, not right yet", "points"_a = points)
+                                     : points;
+        cards.push_back({key_of(entry), exercise.short_id() + " · " + exercise.title.shown(), note, is_right, false});
+    }
+    if (cards.empty()) widgets::Note("There are no exercises: the folder assets/exercises was not found.");
+    const int clicked = draw_cards(
+        cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
+    ImGui::EndChild();
+    if (clicked < 0 || !desk.is_ready()) return wishes;
+    std::vector<std::size_t> made;
+    std::optional<std::size_t> step;
+    for (const std::size_t place : places) {
+        const auto& one = desk.entries()[place].step;
+        if (!one || !*one) continue;
+        if (place == places[static_cast<std::size_t>(clicked)]) step = made.size();
+        made.push_back(place);
+    }
+    if (!step) return wishes;
+    LessonRun run = desk.sheet(made);
+    run.go_to(*step);
+    guide.begin(std::move(run), session);
+    is_open_ = false;
+    return wishes;
+}
+
+bool TypedMatrix::can_show(const LessonRun& run) {
+    return !run.step().ask.shows_as.empty() && run.answer().numbers.size() == 16;
+}
+
+void TypedMatrix::open(const LessonRun& run) {
+    const LessonStep& step = run.step();
+    trouble_.clear();
+    const std::string setting = step.ask.shows_as + "=" + rows_of(run.answer().numbers);
+    LoadedState typed = step.start;
+    if (Result<Params> changed = apply_settings(typed.params, std::vector<std::string>{setting}))
+        typed.params = *std::move(changed);
+    else
+        trouble_ = changed.error();
+    mine_ = CardPicture{"typed/" + step.id + setting, [typed]() -> Result<LoadedState> { return typed; }, compared_px};
+    right_ = CardPicture{"right/" + step.id + setting, [start = step.start]() -> Result<LoadedState> { return start; },
+                         compared_px};
+}
+
+std::vector<CardPicture> TypedMatrix::wanted_pictures() const {
+    if (!mine_) return {};
+    if (!trouble_.empty()) return {*right_};
+    return {*mine_, *right_};
+}
+
+void TypedMatrix::draw(const Pictures& pictures) {
+    if (!mine_) return;
+    const Page page("typed matrix");
+    const widgets::Group group("typed matrix");
+    page_heading(tr("What your matrix does"), "title");
+    if (button_at_right("Close")) return close();
+    ImGui::Dummy({0.0F, px(8.0F)});
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = px(18.0F), label = ImGui::GetTextLineHeightWithSpacing();
+    const bool are_beside = room.x > room.y;
+    const float widest = are_beside ? (room.x - gap) * 0.5F : room.x;
+    const float highest = are_beside ? room.y - label : (room.y - gap) * 0.5F - label;
+    const float width = std::floor(std::min(widest, highest * 16.0F / 9.0F));
+    const ImVec2 size(width, std::floor(width * 9.0F / 16.0F));
+    const auto show = [&](const CardPicture& card, const char* name) {
+        ImGui::BeginGroup();
+        ImGui::TextUnformatted(tr(name));
+        widgets::Record(name);
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        ImGui::Dummy(size);
+        const ImVec2 end(corner.x + size.x, corner.y + size.y);
+        ImDrawList* draw = ImGui::GetWindowDrawList();
+        draw->AddRectFilled(corner, end, palette().view_ground, px(6.0F));
+        if (const ImTextureID texture = texture_in(pictures, card.key))
+            draw->AddImageRounded(texture, corner, end, {0.0F, 1.0F}, {1.0F, 0.0F}, IM_COL32_WHITE, px(6.0F));
+        ImGui::EndGroup();
+    };
+    show(*mine_, marked("with your matrix"));
+    if (are_beside) ImGui::SameLine(0.0F, gap);
+    show(*right_, marked("with the right one"));
+    if (!trouble_.empty()) widgets::Trouble(printable(trouble_).c_str());
+}
+
+}  // namespace viewing
