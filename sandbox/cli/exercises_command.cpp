@@ -12,7 +12,7 @@
 #include "lesson/exercise.h"
 #include "lesson/notes.h"
 #include "lesson/variants.h"
-#include "report/lesson_check.h"
+#include "report/exercise_check.h"
 #include "report/state_numbers.h"
 #include "state/json.h"
 #include "state/scene.h"
@@ -59,20 +59,15 @@ struct Question {
     std::string solution;  ///< "" unless it was asked for
 };
 
-std::vector<LessonText> offered(const Ask& ask) {
-    std::vector<LessonText> list = ask.items;
-    for (const LessonChoice& choice : ask.choices) list.push_back(choice.say);
-    return list;
-}
-
 std::string as_text(const Question& question) {
     const Ask& ask = question.step.ask;
     std::string text = question.exercise.id + " · " + question.exercise.title.shown() + " · " +
                        points_text(question.exercise.points) + "\n";
     text += wrapped(question.step.say.shown(), 2);
     text += wrapped(ask.question.shown(), 2);
-    for (std::size_t i = 0; const LessonText& item : offered(ask))
-        text += wrapped(std::string(1, static_cast<char>('A' + i++)) + ". " + item.shown(), 4);
+    for (std::size_t i = 0; i < ask.choices.size(); ++i)
+        text += wrapped(std::string(1, static_cast<char>('A' + i)) + ". " + ask.choices[i].say.shown(), 4);
+    for (const LessonText& item : ask.items) text += wrapped("· " + item.shown(), 4);
     if (!question.solution.empty()) text += wrapped("→ " + question.solution, 2);
     return text + "\n";
 }
@@ -85,7 +80,8 @@ Json as_json(const Question& question) {
                  {"values", constants_of(ask)},
                  {"say", question.step.say.shown()},
                  {"question", ask.question.shown()}};
-    for (const LessonText& item : offered(ask)) json["offered"].push_back(item.shown());
+    for (const LessonChoice& choice : ask.choices) json["choices"].push_back(choice.say.shown());
+    for (const LessonText& item : ask.items) json["items"].push_back(item.shown());
     if (!question.solution.empty()) json["solution"] = question.solution;
     return json;
 }
@@ -162,21 +158,6 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
     return findings;
 }
 
-/// A variant's findings; what it counts goes into `wrong_answers`.
-LessonFindings check_variant(const Exercise& exercise, std::size_t variant, Headless& headless, int& wrong_answers) {
-    Result<LessonStep> step = variant_step(exercise, variant, numbers_at_start(&headless.renderer()));
-    if (!step) return {step.error()};
-    step->id = "variant " + std::to_string(variant);
-    wrong_answers += static_cast<int>(step->ask.wrong.size());
-    Lesson lesson;
-    lesson.id = exercise.id;
-    lesson.tags = exercise.tags;
-    LessonFindings findings = check_step(lesson, *step, headless.renderer());
-    if (exercise.visible_px > 0 && findings.empty()) findings = check_visible(exercise, *step, headless);
-    headless.require_no_errors();
-    return findings;
-}
-
 ExitStatus test(const std::vector<Exercise>& exercises, const std::string& device) {
     Headless headless(device);
     std::string lines;
@@ -186,9 +167,13 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
         int wrong_answers = 0;
         std::size_t failed = 0;
         for (std::size_t variant = 0; variant < exercise.variants.size(); ++variant) {
-            const LessonFindings findings = check_variant(exercise, variant, headless, wrong_answers);
-            for (const std::string& finding : findings) found += finding + "\n";
-            failed += findings.empty() ? 0 : 1;
+            VariantCheck check = check_variant(exercise, variant, headless.renderer());
+            if (exercise.visible_px > 0 && check.findings.empty())
+                check.findings = check_visible(exercise, *check.step, headless);
+            headless.require_no_errors();
+            for (const std::string& finding : check.findings) found += finding + "\n";
+            wrong_answers += check.wrong_answers;
+            failed += check.findings.empty() ? 0 : 1;
         }
         lines += found + exercise.id + ": " + std::to_string(exercise.variants.size()) + " deployed, " +
                  std::to_string(wrong_answers) + " wrong answers told apart, " + std::to_string(failed) +

@@ -22,7 +22,7 @@ constexpr const char* shadow_exercise =
     R"json({"exercise": 1, "id": "M02-shadow", "title": "The shadow matrix",
     "sets": ["shadow"], "points": 3, "tags": {"M33": "rows and columns"}, "pick": {"L": [[1, 4, 1, 1]]},
     "step": {"state": {"set": {"light.position": "=L"}},
-             "ask": {"kind": "matrix", "question": "L = {L}. Type S.", "expect": "=S", "up_to_factor": true,
+             "ask": {"kind": "matrix", "question": "L = {L}. Type S.", "expect": "=S", "up_to_factor": true, "shows_as": "overrides.shadow_from_world",
                      "tol": 0.01, "wrong": [{"value": "=transpose(S)", "tag": "M33", "say": "Rows are columns."}]}}})json";
 
 constexpr const char* near_exercise =

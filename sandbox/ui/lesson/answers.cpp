@@ -13,7 +13,7 @@ namespace {
 
 constexpr float padding_x = 10.0F, padding_y = 4.0F, gap = 5.0F;  ///< design pixels
 constexpr float letter_room = 24.0F;                              ///< in front of a choice, for its letter
-constexpr float number_width = 92.0F;
+constexpr float number_width = 92.0F, widest_matrix = 460.0F;
 constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
 
 bool is_typed(AskKind kind) {
@@ -176,7 +176,8 @@ void draw_numbers(LessonRun& run, const AnswerStyle& style) {
     if (ask.kind == AskKind::matrix && ask.rows == 4) {
         glm::dmat4 matrix(0.0);
         for (int i = 0; i < 16; ++i) matrix[i % 4][i / 4] = answer.numbers[static_cast<std::size_t>(i)];
-        widgets::Matrix("answer", matrix, {.editable = style.is_open});
+        const float room = ImGui::GetContentRegionAvail().x;
+        widgets::Matrix("answer", matrix, {.editable = style.is_open}, std::min(room, px(widest_matrix)));
         for (int i = 0; i < 16; ++i) answer.numbers[static_cast<std::size_t>(i)] = matrix[i % 4][i / 4];
     } else {
         const std::size_t columns = numbers_in_a_row(ask);
