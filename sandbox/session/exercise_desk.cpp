@@ -22,6 +22,13 @@ std::string local_time() {
     return text;
 }
 
+/// What was checked last; empty where nothing was.
+std::vector<double> latest_answer(const HandInItem& item) {
+    const auto latest = std::find_if(item.attempts.rbegin(), item.attempts.rend(),
+                                     [](const Attempt& attempt) { return attempt.answer.has_value(); });
+    return latest == item.attempts.rend() ? std::vector<double>() : *latest->answer;
+}
+
 bool is_said_right(const Attempt& attempt) {
     return attempt.told == "right";
 }
@@ -239,6 +246,7 @@ void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Pa
     if (is_same_mistake) item.attempts.pop_back();
     if (item.attempts.size() >= most_attempts) item.attempts.erase(item.attempts.begin());
     item.attempts.push_back(std::move(attempt));
+    item.draft.reset();
     has_changed_ = true;
 }
 
@@ -266,7 +274,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
         const std::vector<double> typed = answer_numbers(run.answer());
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
         if (typed.empty() || (is_blank && (!known || !known->draft))) return;
-        if (known && known->draft == typed) return;
+        if (known && (known->draft ? *known->draft : latest_answer(*known)) == typed) return;
         item(asked.exercise, asked.variant).draft = typed;
         has_changed_ = true;
         return;

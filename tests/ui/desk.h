@@ -95,7 +95,7 @@ public:
         widgets::Context& context = workbench.widgets;
         context.palette = palette_of(looks.theme);
         const float scale = static_cast<float>(looks.scale) * context.palette.type_scale;
-        context.scale = scale * enlargement(ImGui::GetIO().DisplaySize, scale, workbench.arrangement);
+        context.scale = scale * enlargement(ImGui::GetIO().DisplaySize, scale, workbench.arranged(session));
         if (looks.language != spoken_language()) {
             if (const Status spoken = speak(looks.language); !spoken) throw std::runtime_error(spoken.error());
             workbench.korean.want(spoken_texts());

@@ -113,9 +113,7 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     ImGui::SameLine();
     wishes.open_answers = widgets::Button("Open answers…");
     widgets::Tooltip("Open answers", "Goes on with a file that was saved, here or on another computer.");
-    if (!desk.trouble()) widgets::Trouble(printable(desk.trouble().error()).c_str());
-    ImGui::Dummy({0.0F, px(4.0F)});
-    ImGui::BeginChild("cards");
+    std::string trouble = desk.trouble() ? "" : desk.trouble().error();
     std::vector<Card> cards;
     const std::vector<std::size_t> places = shown(desk);
     for (const std::size_t place : places) {
@@ -123,12 +121,16 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
         const Exercise& exercise = entry.exercise;
         const bool is_right = desk.is_right(exercise.id);
         const std::string points = say_count(exercise.points, "one point", "{count} points");
-        const std::string note = entry.step && !*entry.step ? printable(entry.step->error())
+        if (entry.step && !*entry.step && trouble.empty()) trouble = entry.step->error();
+        const std::string note = entry.step && !*entry.step ? tr("it cannot be shown here")
                                  : !is_right && desk.is_tried(exercise.id)
                                      ? say("{points} · begun, not right yet", "points"_a = points)
                                      : points;
         cards.push_back({key_of(entry), exercise.short_id() + " · " + exercise.title.shown(), note, is_right, false});
     }
+    if (!trouble.empty()) widgets::Trouble(printable(trouble).c_str());
+    ImGui::Dummy({0.0F, px(4.0F)});
+    ImGui::BeginChild("cards");
     if (cards.empty()) widgets::Note("There are no exercises: the folder assets/exercises was not found.");
     const int clicked = draw_cards(
         cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
@@ -159,13 +161,16 @@ void TypedMatrix::open(const LessonRun& run) {
     trouble_.clear();
     const std::string setting = step.ask.shows_as + "=" + rows_of(run.answer().numbers);
     LoadedState typed = step.start;
+    // A shadow that falls beside the plane is to be seen.
+    typed.params.shadow.clip_to_receiver = false;
+    const LoadedState right = typed;
     if (Result<Params> changed = apply_settings(typed.params, std::vector<std::string>{setting}))
         typed.params = *std::move(changed);
     else
         trouble_ = changed.error();
-    mine_ = CardPicture{"typed/" + step.id + setting, [typed]() -> Result<LoadedState> { return typed; }, compared_px};
-    right_ = CardPicture{"right/" + step.id + setting, [start = step.start]() -> Result<LoadedState> { return start; },
-                         compared_px};
+    const std::string key = step.id + "/" + step.ask.constants;
+    mine_ = CardPicture{"typed/" + key + setting, [typed]() -> Result<LoadedState> { return typed; }, compared_px};
+    right_ = CardPicture{"right/" + key, [right]() -> Result<LoadedState> { return right; }, compared_px};
 }
 
 std::vector<CardPicture> TypedMatrix::wanted_pictures() const {
@@ -188,6 +193,8 @@ void TypedMatrix::draw(const Pictures& pictures) {
     const float highest = are_beside ? room.y - label : (room.y - gap) * 0.5F - label;
     const float width = std::floor(std::min(widest, highest * 16.0F / 9.0F));
     const ImVec2 size(width, std::floor(width * 9.0F / 16.0F));
+    const float height = are_beside ? size.y + label : 2.0F * (size.y + label) + gap;
+    ImGui::Dummy({0.0F, std::max(0.0F, (room.y - height) * 0.4F)});
     const auto show = [&](const CardPicture& card, const char* name) {
         ImGui::BeginGroup();
         ImGui::TextUnformatted(tr(name));

@@ -25,6 +25,8 @@ public:
     /// Over everything. Begins what is chosen.
     Wishes draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures);
     std::vector<CardPicture> wanted_pictures(const ExerciseDesk& desk) const;
+    /// What stands in the fields.
+    const Student& typed() const { return typed_; }
 
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;

@@ -33,6 +33,11 @@ void Workbench::want_korean(const Session& session) {
         for (const LessonFile& file : start_page.lessons()) korean.want(file.title.shown());
         for (const std::string& file : recent) korean.want(file);
     }
+    if (exercise_page.is_open()) {
+        for (const ExerciseDesk::Entry& entry : exercises.entries()) korean.want(entry.exercise.title.shown());
+        const Student& typed = exercise_page.typed();
+        for (const std::string& text : {typed.number, typed.course, typed.name}) korean.want(text);
+    }
     if (korean_scene_version_ != session.scene_version()) {
         korean_scene_version_ = session.scene_version();
         for (const SceneObject& object : session.scene().objects) korean.want(object.description.name);

@@ -1,16 +1,24 @@
-// Where every control of the opening window is: `ui-where WIDTH HEIGHT` prints "x y label" lines, the middle of each.
-// The window test clicks there; the layout is the same with a window as without.
+// Where every control of the window is: `ui-where WIDTH HEIGHT [page | EXERCISE]` prints "x y label" lines, the middle of
+// each; of the opening window, the page of exercises, or an exercise. The window tests click there; the layout is the
+// same with a window as without.
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
-#include "ui/desk.h"
+#include "ui/exercise_desk.h"
 
 int main(int argc, char** argv) {
-    if (argc != 3) {
-        std::fprintf(stderr, "usage: ui-where WIDTH HEIGHT\n");
+    if (argc != 3 && argc != 4) {
+        std::fprintf(stderr, "usage: ui-where WIDTH HEIGHT [page | EXERCISE]\n");
         return 2;
     }
-    const viewing::test::Desk desk({std::strtof(argv[1], nullptr), std::strtof(argv[2], nullptr)});
+    viewing::test::ExerciseSheetDesk desk({std::strtof(argv[1], nullptr), std::strtof(argv[2], nullptr)});
+    if (argc == 4 && std::strcmp(argv[3], "page") == 0) {
+        desk.workbench.exercise_page.open(desk.workbench.exercises);
+        desk.ui.frames(4);
+    } else if (argc == 4) {
+        desk.begin(argv[3]);
+    }
     for (const widgets::RecordedItem& item : desk.recorded())
         std::printf("%.0f %.0f %s\n", (item.min.x + item.max.x) * 0.5F, (item.min.y + item.max.y) * 0.5F,
                     item.label.c_str());

@@ -1,0 +1,45 @@
+// A desk with a student's sheet of exercises that is made, as the studio makes it, but without pictures: what is measured
+// in them is left out.
+#pragma once
+
+#include "desk.h"
+#include "report/state_numbers.h"
+
+namespace viewing::test {
+
+class ExerciseSheetDesk : public Desk {
+public:
+    explicit ExerciseSheetDesk(ImVec2 size, const Student& student = {"viewing-2026", "32201234", "Kim"}) : Desk(size) {
+        workbench.exercises.sit_down(student);
+        workbench.exercises.open();
+        make();
+    }
+    /// Until every variant is there; one that is measured stays an error.
+    void make() {
+        ExerciseDesk& desk = workbench.exercises;
+        while (const std::optional<std::size_t> next = desk.next_to_make())
+            desk.take_step(*next, variant_step(desk.entries()[*next].exercise, desk.entries()[*next].variant,
+                                               numbers_at_start(nullptr)));
+    }
+    void begin(const std::string& id) {
+        workbench.go_to_exercise(id, false);
+        settle();
+        apply_looks();
+        ui.move_to({-1, -1});
+        ui.frames(3);
+    }
+    LessonRun& run() { return *workbench.guide.run(); }
+    /// What the studio does when Check is pressed, for what needs no picture.
+    void check() {
+        const LessonStep& step = run().step();
+        const Params& judged = step.ask.kind == AskKind::goal ? session.params : step.start.params;
+        LessonNumbers numbers(judged, step.start.params, session.scene(), nullptr);
+        const Result<Verdict> verdict = judge(step.ask, run().answer(), numbers.surroundings());
+        if (!verdict) throw std::runtime_error(verdict.error());
+        run().take(*verdict);
+        workbench.exercises.record(run(), *verdict, session.params);
+        ui.frames(3);
+    }
+};
+
+}  // namespace viewing::test

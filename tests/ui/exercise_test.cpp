@@ -1,0 +1,187 @@
+// Exercises as the window shows them: every question can be read, what is typed comes from fields and clipboards, and
+// nothing but a right answer shows what is covered.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "exercise_desk.h"
+#include "readable.h"
+
+namespace viewing::test {
+namespace {
+
+struct Screen {
+    ImVec2 size;
+    Theme theme = Theme::dark;
+    Language language = Language::en;
+};
+std::ostream& operator<<(std::ostream& out, const Screen& screen) {
+    return out << screen.size.x << "x" << screen.size.y << " " << name_of(screen.theme) << " "
+               << name_of(screen.language);
+}
+const Screen screens[] = {{{1600, 900}},
+                          {{1280, 720}, Theme::projector},
+                          {{1024, 768}},
+                          {{1280, 720}, Theme::dark, Language::ko},
+                          {{1024, 768}, Theme::projector, Language::ko}};
+
+class ExerciseScreensSlowTest : public ::testing::TestWithParam<Screen> {
+protected:
+    void SetUp() override {
+        desk.params().ui.theme = GetParam().theme;
+        desk.params().ui.language = GetParam().language;
+        desk.apply_looks();
+    }
+    ExerciseSheetDesk desk{GetParam().size};
+};
+
+/// Before an answer, and after each wrong one that is known; every other exercise on each screen.
+TEST_P(ExerciseScreensSlowTest, EveryQuestionCanBeRead) {
+    std::map<std::string, std::string> wrong;
+    std::size_t count = GetParam().size.x > 1100.0F ? 0 : 1;
+    for (const ExerciseDesk::Entry& entry : desk.workbench.exercises.entries()) {
+        if (!*entry.step || count++ % 2 != 0) continue;
+        desk.begin(entry.exercise.id);
+        for (const std::string& text : unreadable(desk)) wrong.emplace(text, entry.exercise.id);
+        for (const WrongAnswer& known : desk.run().step().ask.wrong) {
+            Verdict verdict;
+            verdict.say = known.say;
+            desk.run().take(verdict);
+            desk.ui.frames(2);
+            for (const std::string& text : unreadable(desk)) wrong.emplace(text, entry.exercise.id + ", told");
+        }
+    }
+    for (const auto& [text, where] : wrong) ADD_FAILURE() << where << ", " << text;
+}
+
+TEST_P(ExerciseScreensSlowTest, ThePageCanBeRead) {
+    desk.workbench.exercise_page.open(desk.workbench.exercises);
+    desk.ui.frames(4);
+    for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Screens, ExerciseScreensSlowTest, ::testing::ValuesIn(screens));
+
+class ExercisesInTheWindow : public ::testing::Test {
+protected:
+    ExerciseSheetDesk desk{{1600, 900}};
+    widgets::test::Harness& ui = desk.ui;
+};
+
+TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardItsExercise) {
+    desk.click("top/Exercises");
+    ui.frames(3);
+    ASSERT_TRUE(ui.has("exercises/card 1"));
+    desk.click("exercises/card 16");
+    ui.frames(3);
+    desk.settle();
+    EXPECT_FALSE(desk.workbench.exercise_page.is_open());
+    ASSERT_TRUE(desk.workbench.guide.is_sheet());
+    EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
+}
+
+TEST_F(ExercisesInTheWindow, PageDownGoesOnAndNeverShowsAnAnswer) {
+    desk.begin("E16-shadow-matrix");
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(desk.run().step().id, "E17-shadow-point");
+    for (int i = 0; i < 30; ++i) desk.press(Key::page_down);
+    EXPECT_TRUE(desk.run().is_last());
+    for (int i = 0; i < 40; ++i) {
+        EXPECT_FALSE(desk.run().is_revealed()) << desk.run().step().id;
+        desk.press(Key::page_up);
+    }
+    EXPECT_TRUE(desk.run().is_first());
+}
+
+TEST_F(ExercisesInTheWindow, NumbersOfTheClipboardAreTheAnswer) {
+    desk.begin("E16-shadow-matrix");
+    desk.clipboard = "array([[1., 2, 3, 4],\n [5, 6, 7, 8], [9, 10, 11, −12], [1/4, 0, 0, 1e-3]], dtype=float64)";
+    desk.press_with(Key::ctrl, Key::v);
+    const std::vector<double> wanted{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, -12, 0.25, 0, 0, 0.001};
+    EXPECT_EQ(desk.run().answer().numbers, wanted);
+    desk.clipboard = "1 2 3";
+    desk.click("lesson strip/Paste");
+    EXPECT_EQ(desk.run().answer().numbers, wanted) << "three numbers are no matrix";
+    EXPECT_NE(desk.session.message.text.find("3 numbers"), std::string::npos) << desk.session.message.text;
+}
+
+TEST_F(ExercisesInTheWindow, AMisconceptionIsToldAndARightAnswerUncovers) {
+    desk.begin("E16-shadow-matrix");
+    const Result<Surroundings> numbers =
+        numbers_of(desk.run().step().start, desk.run().step().start.params, nullptr);
+    ASSERT_TRUE(numbers);
+    const Answer right = *model_answer(desk.run().step().ask, *numbers);
+    Answer transposed = right;
+    for (std::size_t i = 0; i < 16; ++i) transposed.numbers[i] = right.numbers[i % 4 * 4 + i / 4];
+    desk.run().answer() = transposed;
+    desk.check();
+    EXPECT_EQ(desk.run().verdict()->tag, "M33");
+    EXPECT_EQ(ui.text_of("matrices/S"), "?");
+    EXPECT_FALSE(desk.workbench.exercises.is_right("E16-shadow-matrix"));
+    desk.run().answer() = right;
+    desk.run().answer().numbers[5] += 1.0;
+    desk.check();
+    EXPECT_EQ(desk.run().verdict()->place, 2) << "the row with the largest difference";
+    desk.run().answer() = right;
+    for (double& number : desk.run().answer().numbers) number *= -2.5;  // any multiple is the same map
+    desk.check();
+    EXPECT_TRUE(desk.run().is_revealed());
+    desk.settle();
+    EXPECT_TRUE(ui.has("matrices/S/r0c0")) << "what was covered is shown";
+    EXPECT_EQ(desk.workbench.exercises.points(), 3);
+    EXPECT_EQ(desk.workbench.exercises.hand_in().find("E16-shadow-matrix")->attempts.size(), 3U);
+}
+
+TEST_F(ExercisesInTheWindow, WhatAMatrixDoesIsShownAndEscapeLeaves) {
+    desk.begin("E16-shadow-matrix");
+    desk.run().answer().numbers.assign(16, 1.0);
+    desk.check();
+    desk.click("lesson strip/What my matrix does");
+    ui.frames(3);
+    ASSERT_TRUE(ui.has("typed matrix/with your matrix"));
+    const std::vector<CardPicture> wanted = desk.workbench.wanted_cards();
+    ASSERT_EQ(wanted.size(), 2U);
+    const Result<LoadedState> typed = wanted[0].load(), right = wanted[1].load();
+    ASSERT_TRUE(typed && right);
+    EXPECT_TRUE(typed->params.overrides != right->params.overrides);
+    EXPECT_TRUE(right->params.overrides == Params{}.overrides);
+    for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
+    desk.press(Key::escape);
+    EXPECT_FALSE(ui.has("typed matrix/with your matrix"));
+}
+
+TEST_F(ExercisesInTheWindow, OnesOwnWayToAGoalIsKeptFromExerciseToExercise) {
+    desk.begin("E18-place-the-light");
+    desk.session.params.lights.front().position = {1.0, 9.0, 2.0, 1.0};
+    desk.ui.frames(3);
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_NE(desk.run().step().id, "E18-place-the-light");
+    desk.press(Key::page_up);
+    desk.settle();
+    EXPECT_EQ(desk.session.params.lights.front().position, glm::dvec4(1.0, 9.0, 2.0, 1.0));
+    const HandInItem* const item = desk.workbench.exercises.hand_in().find("E18-place-the-light");
+    ASSERT_TRUE(item);
+    EXPECT_EQ(item->draft_settings, std::vector<std::string>{"light.position=[1.0,9.0,2.0,1.0]"});
+    EXPECT_EQ(item->replay.size(), 1U);
+}
+
+TEST_F(ExercisesInTheWindow, AnotherNumberHasAnotherSheetAndTheFirstComesBack) {
+    desk.begin("E16-shadow-matrix");
+    const std::size_t variant = desk.run().lesson().sheet->items[desk.run().index()].variant;
+    desk.click("lesson strip/All exercises");
+    ui.frames(3);
+    std::set<std::size_t> variants;
+    for (const char* number : {"1", "2", "3", "4", "5", "6"}) {
+        desk.workbench.exercises.sit_down({"viewing-2026", number, ""});
+        variants.insert(desk.workbench.exercises.entries()[15].variant);
+    }
+    EXPECT_GT(variants.size(), 2U);
+    desk.workbench.exercises.sit_down({"viewing-2026", "32201234", "Kim"});
+    EXPECT_EQ(desk.workbench.exercises.entries()[15].variant, variant);
+}
+
+}  // namespace
+}  // namespace viewing::test
