@@ -81,12 +81,12 @@ std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk)
 }
 
 void ExercisePage::draw_student(ExerciseDesk& desk) {
-    bool is_done = text_field("Student number", typed_.number, 110.0F,
+    bool is_done = text_field(marked("Student number"), typed_.number, 110.0F,
                               marked("Says together with the course which numbers the questions have."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |= text_field("Course", typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
+    is_done |= text_field(marked("Course"), typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |= text_field("Name", typed_.name, 130.0F, marked("Stands in what is handed in, and changes nothing else."));
+    is_done |= text_field(marked("Name"), typed_.name, 130.0F, marked("Stands in what is handed in, and changes nothing else."));
     if (is_done && typed_ != desk.student()) desk.sit_down(typed_);
 }
 
