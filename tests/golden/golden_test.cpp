@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/picture.h"
+#include "report/exercise_picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"
 #include "image/png.h"
@@ -135,6 +136,16 @@ constexpr StepCase steps[] = {
     {"lesson-korean-on-stage", "depth-fighting", 1, false, true, Theme::projector, Language::ko},
 };
 
+struct ExerciseCase {
+    const char *name, *exercise;
+    Theme theme = Theme::dark;
+    Language language = Language::en;
+};
+constexpr ExerciseCase exercise_cases[] = {
+    {"exercise-matrix", "E16"},
+    {"exercise-korean", "E20", Theme::projector, Language::ko},
+};
+
 class Golden : public testing::GlTest {
 protected:
     /// The tests after it in this process speak English.
@@ -207,6 +218,21 @@ TEST_F(Golden, LessonSteps) {
     }
 }
 
+TEST_F(Golden, Exercises) {
+    for (const ExerciseCase& shown : exercise_cases) {
+        const HandIn nobody{{}, "viewing-2026", "32201234", {}, {}};
+        Result<ExercisePicture> exercise = exercise_picture(nobody, shown.exercise, renderer());
+        ASSERT_TRUE(exercise) << exercise.error();
+        LoadedState state = exercise->lesson.steps.front().start;
+        state.params.ui.theme = shown.theme;
+        state.params.ui.language = shown.language;
+        PictureRequest request{PictureView::window, {1280, 720}, std::nullopt};
+        request.lesson = std::make_shared<const LessonPicture>(
+            LessonPicture{std::move(exercise->lesson), 0, false, false, true});
+        check(shown.name, picture_of(state, request));
+    }
+}
+
 TEST_F(Golden, OtherViews) {
     const Result<LoadedState> state = load_state("opening");
     ASSERT_TRUE(state) << state.error();
@@ -224,6 +250,7 @@ TEST(GoldenReferences, EachBelongsToAPicture) {
     for (const NamedFile& scene : scenes()) known.insert("scene-" + scene.name);
     for (const WindowCase& window : windows) known.insert(window.name);
     for (const StepCase& step : steps) known.insert(step.name);
+    for (const ExerciseCase& shown : exercise_cases) known.insert(shown.name);
     for (const Loosened& each : loosened) EXPECT_TRUE(known.contains(each.name)) << each.name << ": " << each.reason;
     for (const fs::directory_entry& file : fs::directory_iterator(references()))
         if (file.path().extension() == ".png") {

@@ -208,6 +208,8 @@ TEST_F(PassesView, FitsEverywhereAndChangesNothing) {
     params.reflection.bounces = 3;
     for (const Theme theme : {Theme::dark, Theme::projector}) {
         params.ui.theme = theme;
+        params.view.layout.big = BigView::none;
+        ImGui::GetIO().DisplaySize = {1600, 900};
         desk.apply_looks();
         for (const ImVec2 size : {ImVec2{1600, 900}, ImVec2{800, 600}, ImVec2{420, 320}, ImVec2{250, 200},
                                   ImVec2{90, 120}, ImVec2{20, 20}, ImVec2{2, 2}}) {

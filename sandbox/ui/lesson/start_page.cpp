@@ -42,14 +42,18 @@ std::vector<CardPicture> StartPage::wanted_pictures() {
     return wanted;
 }
 
-void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& progress,
+bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& progress,
                      const std::vector<std::string>& recent, const Pictures& pictures) {
-    if (!is_open_) return;
+    if (!is_open_) return false;
     const Page page("start page");
     const widgets::Group group("start");
     page_heading(tr("Viewing: a lecture in pictures that answer back"), "title");
     if (button_at_right("Explore freely")) is_open_ = false;
     widgets::Note("Each lesson asks before it shows. Leave one at any point and come back to the step.");
+    if (button_at_right("Exercises")) {
+        is_open_ = false;
+        return true;
+    }
     for (std::size_t i = 0; i < std::min<std::size_t>(recent.size(), 3); ++i) {
         if (i > 0) ImGui::SameLine();
         const std::filesystem::path file(recent[i]);
@@ -78,11 +82,12 @@ void StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     const int clicked = draw_cards(
         cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
     ImGui::EndChild();
-    if (clicked < 0) return;
+    if (clicked < 0) return false;
     const LessonFile& file = lessons()[static_cast<std::size_t>(clicked)];
     const auto known = progress.find(file.id);
     guide.open(file.path.string(), known == progress.end() ? 0 : known->second.step);
     is_open_ = false;
+    return false;
 }
 
 std::vector<CardPicture> overview_pictures(const Guide& guide) {

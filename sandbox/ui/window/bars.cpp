@@ -171,16 +171,24 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const bool narrow = layout.top_bar.width() < px(1100.0F);
     const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
     const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
-    for (const char* label : {lesson, "Exercises", "File", "Look", "?"}) buttons += button_room(label);
+    for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
+    const float exercises_room = button_room("Exercises");
     // In a narrow bar long buttons take their room from the lists.
     const float whole_titles = layout.top_bar.width() > px(1300.0F) ? 320.0F : 220.0F;
+    const float undo = button_room("Undo") + button_room("Redo");
+    const float names = px(190.0F) + ImGui::CalcTextSize(tr("Scene")).x + ImGui::CalcTextSize(tr("Preset")).x;
+    const float wide_lists = px(170.0F + whole_titles) + step_buttons_room();
+    const bool narrow = layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
-    const float lists = scene_width + px(6.0F) + preset_width, undo = button_room("Undo") + button_room("Redo");
-    // Where the lists would be too short to be read, there are Ctrl+Z and Ctrl+Shift+Z.
+    const float lists = scene_width + px(6.0F) + preset_width;
+    // Where the lists would be too short to be read, there is the way by the page of lessons,
+    const bool has_exercises =
+        !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
+    if (has_exercises) buttons += exercises_room;
+    // and Ctrl+Z and Ctrl+Shift+Z.
     const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;
     if (has_undo) buttons += undo;
     const float room = layout.top_bar.width() - px(20.0F) - buttons;
@@ -216,6 +224,11 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     }
     draw_lesson_button(session);
     ImGui::SameLine();
+    if (has_exercises) {
+        if (widgets::Button("Exercises")) exercise_page.open(exercises);
+        widgets::Tooltip("Exercises", marked("Questions with numbers of one's own, which check themselves."));
+        ImGui::SameLine();
+    }
     if (has_undo) {
         if (widgets::Button("Undo", session.can_undo(), "nothing to undo")) session.undo();
         ImGui::SameLine();

@@ -100,7 +100,7 @@ void Workbench::draw_lesson(Session& session, const Layout& layout, const Pictur
         if (wishes.leave) guide.leave();
     }
     draw_overview(presenter, guide, session, pictures);
-    start_page.draw(guide, session, progress, recent, pictures);
+    if (start_page.draw(guide, session, progress, recent, pictures)) exercise_page.open(exercises);
     draw_exercises(session, pictures);
     requests.full_screen = presenter.take_wish_for_full_screen();
     if (guide.run()) presenter.draw(guide.run()->index());
@@ -135,9 +135,6 @@ void Workbench::draw_lesson_button(Session& session) {
     }
     widgets::Tooltip("Lesson", waits ? marked("The step that was left, as it was written.")
                                      : marked("The lessons of the lecture: each step asks before it shows."));
-    ImGui::SameLine();
-    if (widgets::Button("Exercises")) exercise_page.open(exercises);
-    widgets::Tooltip("Exercises", marked("Questions with numbers of one's own, which check themselves."));
 }
 
 void Workbench::go_to_exercise(const std::string& id, bool replays) {
