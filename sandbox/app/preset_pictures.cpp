@@ -55,7 +55,8 @@ PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm:
     if (!preparing_.is_running()) {
         wanted_ = name;
         const bool clip_control = renderer_.capabilities().clip_control;
-        preparing_.start([name, load, size_px, clip_control](WorkProgress&) { return prepare(name, load, size_px, clip_control); });
+        preparing_.start(
+            [name, load, size_px, clip_control](WorkProgress&) { return prepare(name, load, size_px, clip_control); });
     }
     return {name, nullptr};
 }

@@ -43,8 +43,7 @@ std::string list_of(const std::vector<Exercise>& exercises) {
         for (const std::string& set : exercise.sets) sets += (sets.empty() ? "" : ", ") + set;
         points += exercise.points;
         lines += exercise.id + " — " + exercise.title.in_english() + " (" + sets + "; slides " + slides + "; " +
-                 points_text(exercise.points) + "; " +
-                 std::to_string(exercise.variants.size()) + " variants)\n";
+                 points_text(exercise.points) + "; " + std::to_string(exercise.variants.size()) + " variants)\n";
     }
     return lines + std::to_string(exercises.size()) + " exercises, " + points_text(points) + "\n";
 }
@@ -74,12 +73,9 @@ std::string as_text(const Question& question) {
 
 Json as_json(const Question& question) {
     const Ask& ask = question.step.ask;
-    Json json = {{"exercise", question.exercise.id},
-                 {"variant", question.variant},
-                 {"points", question.exercise.points},
-                 {"values", constants_of(ask)},
-                 {"say", question.step.say.shown()},
-                 {"question", ask.question.shown()}};
+    Json json = {{"exercise", question.exercise.id},   {"variant", question.variant},
+                 {"points", question.exercise.points}, {"values", constants_of(ask)},
+                 {"say", question.step.say.shown()},   {"question", ask.question.shown()}};
     for (const LessonChoice& choice : ask.choices) json["choices"].push_back(choice.say.shown());
     for (const LessonText& item : ask.items) json["items"].push_back(item.shown());
     if (!question.solution.empty()) json["solution"] = question.solution;
@@ -90,8 +86,8 @@ std::vector<Question> questions(const Typed& typed, const std::vector<Exercise>&
     const NumbersAt numbers_at = numbers_at_start(&headless.renderer());
     std::vector<Question> list;
     for (const Exercise& exercise : exercises) {
-        const std::size_t variant = variant_of(typed.course.value_or(""), *typed.student, exercise.id,
-                                               exercise.variants.size());
+        const std::size_t variant =
+            variant_of(typed.course.value_or(""), *typed.student, exercise.id, exercise.variants.size());
         LessonStep step = value_or_end(variant_step(exercise, variant, numbers_at));
         std::string solution;
         if (typed.solutions) solution = answer_in_words(step.ask, value_or_end(numbers_at(step.start)));
@@ -106,8 +102,8 @@ void print_sheet(const Options& options, const Typed& typed, const std::vector<E
     const bool is_json = choice_option(options, "--format", typed.format.value_or("text"), formats) == 1;
     Headless headless(device_option(options, typed.device));
     if (typed.language)
-        value_or_end(speak(
-            static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()))));
+        value_or_end(
+            speak(static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()))));
     const std::vector<Question> list = questions(typed, exercises, headless);
     if (!is_json) {
         std::string text;
@@ -205,7 +201,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Typed typed;
     options.group("Exercises");
     options.positionals("FILE|DIR", typed.files, "A lecturer's own exercises; left out, the program's");
-    options.text("--set", "NAME|ID,ID", typed.set, "Only those of a set (camera, hidden, depth, shadow, mirror), or these");
+    options.text("--set", "NAME|ID,ID", typed.set,
+                 "Only those of a set (camera, hidden, depth, shadow, mirror), or these");
     options.group("A student's sheet");
     options.text("--student", "ID", typed.student, "Prints this student's questions, each with numbers of its own");
     options.text("--course", "C", typed.course, "Another course gives other numbers");

@@ -10,9 +10,7 @@
 #include "cli/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
-#include "report/state_numbers.h"
-#include "state/document.h"
-#include "state/json.h"
+#include "lesson/typed_matrix.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 
@@ -368,16 +366,7 @@ std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const
     return sorted;
 }
 
-/// The step's start with a matrix by hand; "" where its field refuses the numbers.
-std::string picture_with(Headless& headless, const LessonStep& step, const std::string& path,
-                         const std::vector<double>& numbers) {
-    Json rows = Json::array();
-    for (auto row = numbers.begin(); row != numbers.end(); row += 4) rows.push_back(std::vector<double>(row, row + 4));
-    const std::vector<std::string> settings{path + "=" + rows.dump()};
-    const Result<Params> params = apply_settings(step.start.params, settings);
-    if (!params) return "";
-    LoadedState state = step.start;
-    state.params = *params;
+std::string picture_of(Headless& headless, LoadedState state) {
     state.params.ui.theme = Theme::light;  // paper
     PictureRequest request;
     request.view = PictureView::camera;
@@ -385,13 +374,6 @@ std::string picture_with(Headless& headless, const LessonStep& step, const std::
     const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
     return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", picture_px.x,
                        picture_px.y, base64(encode_png(image)));
-}
-
-std::string right_picture(Headless& headless, const LessonStep& step, const std::string& path) {
-    const Result<Surroundings> numbers = numbers_of(step.start, step.start.params, &headless.renderer());
-    if (!numbers) return "";
-    const Result<Answer> right = model_answer(step.ask, *numbers);
-    return right ? picture_with(headless, step, path, right->numbers) : "";
 }
 
 std::string captioned(const std::string& picture, const std::string& caption) {
@@ -405,14 +387,14 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         if (count == most_pictures) break;
         const Exercise& exercise = grader.exercises()[wrong.exercise];
         const LessonStep& step = *grader.step(wrong.exercise, wrong.variant);
-        const std::string& path = step.ask.shows_as;
-        const std::string typed = picture_with(headless, step, path, wrong.numbers);
-        if (typed.empty()) continue;
+        const Result<LoadedState> typed = with_typed_matrix(step, wrong.numbers);
+        if (!typed) continue;  // its field refuses such numbers
         ++count;
         section += "<div class=\"pair\">" +
-                   captioned(typed, escaped(exercise.short_id()) + ", variant " + std::to_string(wrong.variant) +
-                                        ": typed by " + counted(givers.students.size(), "student", "students")) +
-                   captioned(right_picture(headless, step, path), "the right one") + "<div>" +
+                   captioned(picture_of(headless, *typed), escaped(exercise.short_id()) + ", variant " +
+                                                               std::to_string(wrong.variant) + ": typed by " +
+                                                               counted(givers.students.size(), "student", "students")) +
+                   captioned(picture_of(headless, with_right_matrix(step)), "the right one") + "<div>" +
                    matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
     return section.empty() ? "" : heading("What their matrices do") + section;

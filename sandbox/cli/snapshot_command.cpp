@@ -13,8 +13,8 @@
 #include "cli/values.h"
 #include "gl/facts.h"
 #include "image/png.h"
-#include "report/exercise_picture.h"
 #include "report/as_json.h"
+#include "report/exercise_picture.h"
 
 namespace viewing {
 namespace {
@@ -117,7 +117,11 @@ LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
 /// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
 LoadedState take_exercise(const Options& options, const Typed& typed, const StateArguments& arguments, Wish& wish) {
     if (typed.lesson) options.refuse("--lesson and --exercise cannot both be");
-    HandIn hand_in{.program = {}, .course = typed.course.value_or(""), .student = typed.student.value_or(""), .name = {}, .items = {}};
+    HandIn hand_in{.program = {},
+                   .course = typed.course.value_or(""),
+                   .student = typed.student.value_or(""),
+                   .name = {},
+                   .items = {}};
     const std::string file = arguments.as_typed();
     if (!file.empty()) {
         if (typed.student || typed.course) options.refuse("a hand-in says itself whose it is");
@@ -131,7 +135,8 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     state.params = shown.params;
     state.params.ui = looks;
     if (wish.picture.view == PictureView::window && file.empty())
-        wish.picture.lesson = std::make_shared<const LessonPicture>(LessonPicture{std::move(shown.lesson), 0, false, false, true});
+        wish.picture.lesson =
+            std::make_shared<const LessonPicture>(LessonPicture{std::move(shown.lesson), 0, false, false, true});
     return state;
 }
 

@@ -90,8 +90,8 @@ LoadedState StateArguments::load() const {
 
 bool StateArguments::set_only_looks() const {
     return !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
-               return is_in(setting.substr(0, setting.find('=')), "ui");
-           });
+        return is_in(setting.substr(0, setting.find('=')), "ui");
+    });
 }
 
 bool StateArguments::say_only_looks() const {

@@ -1,6 +1,6 @@
 // An exercise: a step of a lesson with parameters, so that each student has numbers of their own. A variant is made a
-// plain step (variant_step), and everything that leads, asks and judges in lessons does so here. Read variants.h for who
-// gets which variant, hand_in.h for what is handed in.
+// plain step (variant_step), and everything that leads, asks and judges in lessons does so here. Read variants.h for
+// who gets which variant, hand_in.h for what is handed in.
 #pragma once
 
 #include <functional>

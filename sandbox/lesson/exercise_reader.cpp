@@ -1,5 +1,6 @@
 // Exercise files, and how the lists of their constants become variants.
 #include <algorithm>
+#include <set>
 
 #include "lesson/exercise.h"
 #include "lesson/step_reader.h"
@@ -21,7 +22,9 @@ const Json& read_picks(const Json& document, const Where& where) {
     require_object(document["pick"], inside, "an object of names and lists of values");
     if (document["pick"].empty()) inside.refuse("must have one name or more");
     for (const auto& [name, values] : document["pick"].items()) {
-        if (!is_constant_name(name)) inside.refuse("\"" + excerpt(name) + "\" is no name: letters, digits and _");
+        if (!is_constant_name(name))
+            inside.refuse("\"" + excerpt(name) +
+                          "\" is no name: it has other signs than letters, digits and _, or means something already");
         require_array(values, inside.key(name), most_entries, "a list of values");
         if (values.empty()) inside.key(name).refuse("must have one value or more");
     }
@@ -65,6 +68,7 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
             where.key("pick").refuse("has more than " + std::to_string(most_combinations) + " combinations");
     }
     std::vector<std::string> kept;
+    std::set<std::string> seen;
     for (std::size_t place = 0; place < count; ++place) {
         const Json constants = combination(picks, place);
         const Surroundings surroundings = constants_alone(constants);
@@ -74,7 +78,7 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
             if (!fine) where.key("require").at(i).refuse(fine.error());
             passes = *fine;
         }
-        if (passes) kept.push_back(constants.dump());
+        if (std::string text = constants.dump(); passes && seen.insert(text).second) kept.push_back(std::move(text));
     }
     if (kept.empty()) where.key("require").refuse("lets no combination pass");
     std::vector<std::string> in_order;
@@ -85,6 +89,7 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
 /// The stored ones, each with a value for every constant.
 std::vector<std::string> read_deployed(const Json& document, const Where& where) {
     const std::vector<std::string> names = names_in(read_picks(document, where));
+    expressions_at(document, "require", where, names);
     const Where inside = where.key("deployed");
     require_array(document["deployed"], inside, most_entries, "a list of variants");
     std::vector<std::string> variants;
@@ -108,6 +113,7 @@ Exercise read_exercise(const Json& document, const std::string& source, const Wh
     Exercise exercise;
     exercise.source = source;
     exercise.id = name_at(document, "id", where);
+    if (exercise.id.find_first_of("|,/") != std::string::npos) where.key("id").refuse("must have no | , or /");
     exercise.title = text_at(document, "title", where, true);
     exercise.sets = names_at(document, "sets", where);
     exercise.slides = read_slides(document, where);
@@ -227,7 +233,9 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
             std::string known;
             for (const std::string& other : sets) known += (known.empty() ? "" : ", ") + other;
             return Error{"\"" + excerpt(name) + "\" is neither a set (" + known + ") nor an exercise" +
-                         suggestion(name, sets)};
+                         (suggestion(name, sets).empty()
+                              ? at.error().substr(std::min(at.error().find(';'), at.error().size()))
+                              : suggestion(name, sets))};
         }
         const auto is_there = [&](const Exercise& one) { return one.id == exercises[*at].id; };
         if (std::none_of(kept.begin(), kept.end(), is_there)) kept.push_back(exercises[*at]);

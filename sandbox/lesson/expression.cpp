@@ -317,8 +317,12 @@ Status protectedly(Evaluation& evaluation, lua_CFunction function) {
 }  // namespace
 
 bool is_constant_name(const std::string& word) {
+    static const std::set<std::string, std::less<>> reserved = {
+        "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
+        "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
+    const ExpressionName* const name = name_of(word);
     return !word.empty() && starts_word(word.front()) && std::all_of(word.begin(), word.end(), continues_word) &&
-           !words_of_lua().contains(word);
+           !reserved.contains(word) && !(name && name->kind == NameKind::mathematics);
 }
 
 Status check_expression(const std::string& expression, std::span<const std::string> constants) {

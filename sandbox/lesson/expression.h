@@ -42,7 +42,8 @@ Status check_expression(const std::string& expression, std::span<const std::stri
 /// Whether it names something that is measured, which may take a second.
 bool is_measured(const std::string& expression);
 
-/// Whether a word can stand for a constant: a letter, then letters, digits and _; no word of Lua's own.
+/// Whether a word can stand for a constant: a letter, then letters, digits and _; no word of Lua's own and no name of
+/// the mathematics.
 bool is_constant_name(const std::string& word);
 
 }  // namespace viewing

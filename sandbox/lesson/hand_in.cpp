@@ -9,19 +9,21 @@
 namespace viewing {
 namespace {
 
+constexpr std::size_t longest_text = 16384;  // bytes
+constexpr double largest_number = 1e300;
 constexpr std::size_t most_items = 200, most_numbers = 64, most_settings = 64;
 
 std::string text_in(const Json& object, const char* key, const Where& where) {
     if (!has(object, key)) return "";
     if (!object[key].is_string()) refuse_value(object[key], where.key(key), "a text");
     std::string text = object[key].get<std::string>();
-    if (text.size() > 1024) where.key(key).refuse("longer than 1024 bytes");
+    if (text.size() > longest_text) where.key(key).refuse("longer than " + std::to_string(longest_text) + " bytes");
     return text;
 }
 
 void append_numbers(const Json& value, std::vector<double>& numbers, const Where& where) {
     if (value.is_number()) {
-        numbers.push_back(read_number(value, where, {-1e300, 1e300}));
+        numbers.push_back(read_number(value, where, {-largest_number, largest_number}));
         return;
     }
     require_array(value, where, most_numbers, "a number or a list of numbers");
@@ -90,7 +92,8 @@ HandIn read_hand_in(const Json& document, const Where& where) {
     HandIn hand_in;
     hand_in.program = text_in(document, "program", where);
     hand_in.course = text_in(document, "course", where);
-    hand_in.student = name_at(document, "student", where);
+    if (!has(document, "student")) where.key("student").refuse("is missing: a text");
+    hand_in.student = text_in(document, "student", where);
     hand_in.name = text_in(document, "name", where);
     if (!has(document, "items")) return hand_in;
     const Where inside = where.key("items");
@@ -136,7 +139,8 @@ Json attempt_as_json(const Attempt& attempt) {
 }  // namespace
 
 HandInItem* HandIn::find(const std::string& exercise) {
-    const auto at = std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.exercise == exercise; });
+    const auto at =
+        std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.exercise == exercise; });
     return at == items.end() ? nullptr : &*at;
 }
 
@@ -158,12 +162,9 @@ Result<HandIn> load_hand_in(const std::filesystem::path& file) {
 }
 
 std::string hand_in_as_text(const HandIn& hand_in) {
-    Json document = {{"answers", 1},
-                     {"program", hand_in.program},
-                     {"course", hand_in.course},
-                     {"student", hand_in.student},
-                     {"name", hand_in.name},
-                     {"items", Json::array()}};
+    Json document = {
+        {"answers", 1},         {"program", hand_in.program}, {"course", hand_in.course}, {"student", hand_in.student},
+        {"name", hand_in.name}, {"items", Json::array()}};
     for (const HandInItem& item : hand_in.items) {
         Json object = {{"exercise", item.exercise}, {"variant", item.variant}, {"attempts", Json::array()}};
         for (const Attempt& attempt : item.attempts) object["attempts"].push_back(attempt_as_json(attempt));
@@ -195,7 +196,37 @@ std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask) {
 }
 
 std::vector<double> answer_numbers(const Answer& answer) {
-    return answer.items.empty() ? answer.numbers : std::vector<double>(answer.items.begin(), answer.items.end());
+    if (!answer.items.empty()) return {answer.items.begin(), answer.items.end()};
+    std::vector<double> numbers = answer.numbers;
+    for (double& number : numbers)
+        number = std::isnan(number) ? 0.0 : std::clamp(number, -largest_number, largest_number);
+    return numbers;
+}
+
+bool are_same_settings(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+    return settings_as_json(a) == settings_as_json(b);
+}
+
+HandIn merged(HandIn kept, const HandIn& other) {
+    for (const HandInItem& item : other.items) {
+        HandInItem* const mine = kept.find(item.exercise);
+        if (!mine) {
+            kept.items.push_back(item);
+            continue;
+        }
+        if (mine->variant != item.variant) continue;
+        for (const Attempt& attempt : item.attempts)
+            if (std::find(mine->attempts.begin(), mine->attempts.end(), attempt) == mine->attempts.end())
+                mine->attempts.push_back(attempt);
+        std::stable_sort(mine->attempts.begin(), mine->attempts.end(),
+                         [](const Attempt& a, const Attempt& b) { return a.at < b.at; });
+        if (mine->attempts.size() > most_attempts)
+            mine->attempts.erase(mine->attempts.begin(), mine->attempts.end() - most_attempts);
+        if (item.replay.size() > mine->replay.size()) mine->replay = item.replay;
+        if (!mine->draft) mine->draft = item.draft;
+        if (mine->draft_settings.empty()) mine->draft_settings = item.draft_settings;
+    }
+    return kept;
 }
 
 void thin(std::vector<ReplayStep>& replay) {

@@ -12,12 +12,12 @@
 namespace viewing {
 
 struct Attempt {
-    std::string at;                              ///< local time, "2026-11-21T10:03:12"
-    std::optional<std::vector<double>> answer;   ///< what was typed, row by row, or the places of what was chosen
-    std::vector<std::string> settings;           ///< of a goal: what was changed, PATH=VALUE
-    bool is_goal = false;                        ///< `settings` is the answer, though it may be empty
-    int hint = 0;                                ///< 1 and more: this hint was looked at, and nothing answered
-    std::string told;                            ///< "right", the tag of a misconception, or ""
+    std::string at;                             ///< local time, "2026-11-21T10:03:12"
+    std::optional<std::vector<double>> answer;  ///< what was typed, row by row, or the places of what was chosen
+    std::vector<std::string> settings;          ///< of a goal: what was changed, PATH=VALUE
+    bool is_goal = false;                       ///< `settings` is the answer, though it may be empty
+    int hint = 0;                               ///< 1 and more: this hint was looked at, and nothing answered
+    std::string told;                           ///< "right", the tag of a misconception, or ""
     bool operator==(const Attempt&) const = default;
 };
 
@@ -58,8 +58,14 @@ std::string hand_in_as_text(const HandIn& hand_in);
 /// An attempt's answer as judge() takes it; none where it cannot be one to this question: places beyond the list.
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask);
 
-/// The same as an attempt has it.
+/// The same as an attempt has it; what is no number is 0 there, and infinity a large one.
 std::vector<double> answer_numbers(const Answer& answer);
+
+/// Whatever the way in which their numbers are written.
+bool are_same_settings(const std::vector<std::string>& a, const std::vector<std::string>& b);
+
+/// The attempts of two files of one student, each once and in the order of their times; else `kept` wins.
+HandIn merged(HandIn kept, const HandIn& other);
 
 /// Every second one left out until there are not more than most_replay_steps; the last one stays.
 void thin(std::vector<ReplayStep>& replay);

@@ -59,7 +59,10 @@ std::string answer_in_words(const Ask& ask, const Surroundings& surroundings) {
             parts.back() += ", " + number_text(model->numbers[i], 3);
     for (const int item : model->items) parts.push_back(ask.items[static_cast<std::size_t>(item)].shown());
     const bool is_one_after_another = ask.kind == AskKind::order || ask.kind == AskKind::sequence;
-    return joined_texts(parts, is_one_after_another ? " → " : ask.kind == AskKind::product ? " · " : columns > 1 ? "; " : ", ");
+    return joined_texts(parts, is_one_after_another           ? " → "
+                               : ask.kind == AskKind::product ? " · "
+                               : columns > 1                  ? "; "
+                                                              : ", ");
 }
 
 Notes notes_of(const LessonRun& run, StepPhase phase, const Surroundings& surroundings, double presented_s) {

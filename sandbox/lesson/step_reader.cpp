@@ -36,8 +36,7 @@ std::string as_expression(const Json& value, const Where& where) {
     if (value.is_number()) return value.dump();
     require_array(value, where, most_entries, "an expression, a number or a list of numbers");
     std::string list;
-    for (std::size_t i = 0; i < value.size(); ++i)
-        list += (i == 0 ? "" : ", ") + as_expression(value[i], where.at(i));
+    for (std::size_t i = 0; i < value.size(); ++i) list += (i == 0 ? "" : ", ") + as_expression(value[i], where.at(i));
     return "{" + list + "}";
 }
 
@@ -274,7 +273,9 @@ void read_typed(const Json& object, Ask& ask, const std::vector<std::string>& co
 std::string read_constants(const Json& object, const Where& where) {
     require_object(object, where, "an object of names and values");
     for (const auto& [name, value] : object.items())
-        if (!is_constant_name(name)) where.refuse("\"" + excerpt(name) + "\" is no name: letters, digits and _");
+        if (!is_constant_name(name))
+            where.refuse("\"" + excerpt(name) +
+                         "\" is no name: it has other signs than letters, digits and _, or means something already");
     return object.dump();
 }
 
@@ -346,9 +347,9 @@ void read_reveal(const Json& object, LessonStep& step, const Where& where) {
 }  // namespace
 
 LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& presets, const Where& where) {
-    require_keys(
-        object, where,
-        {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims", "claims_before", "note"});
+    require_keys(object, where,
+                 {"id", "state", "layout", "let", "say", "cover", "highlight", "ask", "reveal", "claims",
+                  "claims_before", "note"});
     LessonStep step;
     step.id = name_at(object, "id", where);
     const Where inside{where.prefix + "step " + excerpt(step.id) + ": ", ""};

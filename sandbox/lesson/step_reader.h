@@ -26,8 +26,7 @@ LoadedState state_at(const Json& object, const char* key, const std::filesystem:
 LoadedState read_start(const Json& object, const std::filesystem::path& folder, PresetShelf& presets,
                        const Where& where);
 
-LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets,
-                     const Where& where);
+LessonStep read_step(const Json& object, const std::filesystem::path& folder, PresetShelf& presets, const Where& where);
 
 /// An expression of a file, checked: it names only what there is, and `constants`.
 std::string expression_in(const Json& value, const Where& where, const std::vector<std::string>& constants);

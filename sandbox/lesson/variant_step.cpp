@@ -30,7 +30,7 @@ std::string in_words(const Json& value) {
     constexpr int digits = 6;
     if (value.is_number()) return figures(value.get<double>(), digits);
     if (value.is_string()) return value.get<std::string>();
-    if (!value.is_array()) return value.dump();
+    if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
     std::string list;
     for (const Json& entry : value) list += (list.empty() ? "" : ", ") + in_words(entry);
     return "(" + list + ")";
@@ -75,7 +75,9 @@ private:
             const std::size_t close = text.find('}', open);
             if (close == std::string::npos) where.refuse("has a { without its }");
             result += text.substr(at, open - at);
-            result += in_words(computed(text.substr(open + 1, close - open - 1), where));
+            const Json value = computed(text.substr(open + 1, close - open - 1), where);
+            if (value.is_null()) where.refuse(excerpt(text.substr(open, close + 1 - open)) + " has no value");
+            result += in_words(value);
             at = close + 1;
         }
         return result + text.substr(at);
@@ -131,8 +133,7 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     const auto title = [&] {
         Json text = Json::object();
         for (std::size_t i = 0; i < language_count; ++i)
-            if (!exercise.title.by_language[i].empty())
-                text[names_of<Language>()[i]] = exercise.title.by_language[i];
+            if (!exercise.title.by_language[i].empty()) text[names_of<Language>()[i]] = exercise.title.by_language[i];
         return text;
     };
     if (!has(step, "say")) step["say"] = title();

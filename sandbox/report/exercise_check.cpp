@@ -72,7 +72,6 @@ VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Render
         return check;
     }
     check.step->id = "variant " + std::to_string(variant);
-    check.wrong_answers = static_cast<int>(check.step->ask.wrong.size());
     Lesson lesson;
     lesson.id = exercise.id;
     lesson.tags = exercise.tags;
@@ -80,6 +79,7 @@ VariantCheck check_variant(const Exercise& exercise, std::size_t variant, Render
     if (check.findings.empty())
         for (const std::string& found : AnswerCheck(*check.step, renderer).all())
             check.findings.push_back(exercise.id + ", step " + check.step->id + ": " + found);
+    if (check.findings.empty()) check.wrong_answers = static_cast<int>(check.step->ask.wrong.size());
     return check;
 }
 

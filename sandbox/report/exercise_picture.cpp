@@ -22,8 +22,7 @@ Result<ExercisePicture> exercise_picture(const HandIn& hand_in, const std::strin
         if (!attempt.is_goal) continue;
         const Result<Params> changed = apply_settings(step.start.params, attempt.settings, "set ");
         if (!changed) return Error{changed.error()};
-        const std::vector<std::string> others =
-            changed_without_leave(step.start.params, *changed, step.ask.allow);
+        const std::vector<std::string> others = changed_without_leave(step.start.params, *changed, step.ask.allow);
         if (!others.empty()) return Error{"the file changes " + others.front() + ", which the exercise does not allow"};
         picture.params = *changed;
     }

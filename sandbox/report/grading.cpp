@@ -18,7 +18,8 @@ constexpr double least_thought_s = 5.0;  // between two exercises, for a person 
 
 template <typename Of>
 int sum(const std::vector<ItemGrade>& items, const Of& of) {
-    return std::accumulate(items.begin(), items.end(), 0, [&](int total, const ItemGrade& item) { return total + of(item); });
+    return std::accumulate(items.begin(), items.end(), 0,
+                           [&](int total, const ItemGrade& item) { return total + of(item); });
 }
 
 /// Told apart by their lengths too: names in a file may hold any character.

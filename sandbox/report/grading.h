@@ -59,9 +59,9 @@ struct StudentGrade {
 struct TagCount {
     std::string tag;
     LessonText text;
-    int students = 0;      ///< who showed it at all
-    int at_last = 0;       ///< for whom it was the last answer to an exercise
-    int students_of = 0;   ///< who tried an exercise that knows it
+    int students = 0;     ///< who showed it at all
+    int at_last = 0;      ///< for whom it was the last answer to an exercise
+    int students_of = 0;  ///< who tried an exercise that knows it
 };
 
 class Grader {

@@ -72,9 +72,8 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
     if (const Status affordable = check_hidden_budget(scene, true); !affordable) return Error{affordable.error()};
     const SceneSurface surface = surface_of(scene);
-    const BspTree tree =
-        build_bsp(surface.polygons, {.splitter = params.visibility.splitter,
-                                     .epsilon = params.visibility.epsilon * surface.diagonal});
+    const BspTree tree = build_bsp(surface.polygons, {.splitter = params.visibility.splitter,
+                                                      .epsilon = params.visibility.epsilon * surface.diagonal});
     if (!tree.problem.empty()) return Error{tree.problem};
     const Viewpoint viewpoint = hidden_request(params, derive(params, scene, Viewport{size_px}), size_px).viewpoint;
     Json order = Json::array();

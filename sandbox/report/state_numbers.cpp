@@ -21,8 +21,8 @@ public:
 }  // namespace
 
 Result<Surroundings> numbers_of(const LoadedState& now, const Params& start, Renderer* renderer) {
-    Result<Scene> scene = load_scene(now.params.scene, now.base, now.params.coplanar,
-                                     {.origin = now.scene_origin, .reach = now.reach});
+    Result<Scene> scene =
+        load_scene(now.params.scene, now.base, now.params.coplanar, {.origin = now.scene_origin, .reach = now.reach});
     if (!scene) return Error{scene.error()};
     const auto kept = std::make_shared<Kept>(now, start, *std::move(scene), renderer);
     return Surroundings{[kept](const std::string& name, std::span<const double> arguments) {

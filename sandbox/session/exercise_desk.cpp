@@ -36,17 +36,21 @@ bool is_said_right(const Attempt& attempt) {
 }  // namespace
 
 std::string answers_file_name(const Student& student) {
-    std::string name;
-    for (const char c : student.course + "|" + student.number) {
-        const auto byte = static_cast<unsigned char>(c);
-        const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-                              (byte >= '0' && byte <= '9') || byte == '-' || byte == '_';
-        constexpr char digits[] = "0123456789ABCDEF";
-        if (is_plain)
-            name += c;
-        else
-            name += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
-    }
+    const auto plain = [](const std::string& text) {
+        std::string name;
+        for (const char c : text) {
+            const auto byte = static_cast<unsigned char>(c);
+            const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                                  (byte >= '0' && byte <= '9') || byte == '-' || byte == '_';
+            constexpr char digits[] = "0123456789ABCDEF";
+            if (is_plain)
+                name += c;
+            else
+                name += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
+        }
+        return name;
+    };
+    std::string name = plain(student.course) + "~" + plain(student.number);
     constexpr std::size_t longest = 200;
     if (name.size() > longest) name = name.substr(0, longest) + "-" + std::to_string(fnv1a(name));
     return name + ".json";
@@ -83,6 +87,8 @@ void ExerciseDesk::choose_variants() {
 
 void ExerciseDesk::sit_down(const Student& student) {
     if (Status done = finish(); !done) trouble_ = std::move(done);
+    reading_.drop();
+    is_another_ = is_unreadable_ = false;
     student_ = student;
     hand_in_ = {};
     choose_variants();
@@ -91,10 +97,18 @@ void ExerciseDesk::sit_down(const Student& student) {
         reading_.start([kept](WorkProgress&) { return load_hand_in(kept); });
 }
 
-void ExerciseDesk::open_hand_in(const std::filesystem::path& file) {
+void ExerciseDesk::open_hand_in(const std::filesystem::path& opened) {
     if (Status done = finish(); !done) trouble_ = std::move(done);
     is_another_ = true;
-    reading_.start([file](WorkProgress&) { return load_hand_in(file); });
+    reading_.start([opened, folder = folder_](WorkProgress&) -> Result<HandIn> {
+        Result<HandIn> read = load_hand_in(opened);
+        if (!read || folder.empty()) return read;
+        const std::filesystem::path kept = folder / answers_file_name({read->course, read->student, read->name});
+        std::error_code unknown;
+        if (!std::filesystem::exists(kept, unknown)) return read;
+        Result<HandIn> known = load_hand_in(kept);
+        return known ? merged(*std::move(known), *read) : read;
+    });
 }
 
 void ExerciseDesk::take_hand_in(HandIn hand_in) {
@@ -105,45 +119,54 @@ void ExerciseDesk::take_hand_in(HandIn hand_in) {
     choose_variants();
 }
 
+Status ExerciseDesk::take_what_was_read() {
+    std::optional<Result<HandIn>> read = reading_.take();
+    if (!read) return std::monostate{};
+    const bool is_another = std::exchange(is_another_, false);
+    if (*read && is_another) {
+        take_hand_in(**std::move(read));
+        has_changed_ = true;
+    } else if (*read) {
+        hand_in_ = **std::move(read);
+    } else {
+        is_unreadable_ = !is_another;
+        return Error{read->error()};
+    }
+    return std::monostate{};
+}
+
+void ExerciseDesk::write_what_changed() {
+    if (!has_changed_ || writing_.is_running() || folder_.empty()) return;
+    has_changed_ = false;
+    const bool is_unreadable = std::exchange(is_unreadable_, false);
+    writing_.start([kept = file(), text = hand_in_as_text(hand_in_), is_unreadable](WorkProgress&) -> Status {
+        std::error_code failed;
+        // What could not be read is not written over: a person may still mend it.
+        if (is_unreadable) std::filesystem::rename(kept, kept.string() + ".unreadable", failed);
+        std::filesystem::create_directories(kept.parent_path(), failed);
+        if (failed) return Error{kept.parent_path().string() + ": " + failed.message()};
+        return write_file(kept, text);
+    });
+}
+
 Status ExerciseDesk::update(double now_s) {
-    if (std::optional<Result<HandIn>> read = reading_.take()) {
-        if (!*read) {
-            is_another_ = false;
-            return Error{read->error()};
-        }
-        if (std::exchange(is_another_, false)) {
-            take_hand_in(**std::move(read));
-            has_changed_ = true;
-        } else {
-            hand_in_ = **std::move(read);
-        }
-    }
-    Status ended = std::monostate{};
-    if (const auto written = writing_.take())
-        if (!*written) ended = Error{written->error()};
+    Status status = take_what_was_read();
+    if (const auto written = writing_.take(); written && !*written) status = Error{written->error()};
     const bool is_time = written_s_ < 0.0 || now_s - written_s_ >= least_between_writes_s;
-    if (has_changed_ && !writing_.is_running() && !reading_.is_running() && !folder_.empty() && is_time) {
-        has_changed_ = false;
+    if (has_changed_ && is_time && !reading_.is_running() && !writing_.is_running()) {
         written_s_ = now_s;
-        writing_.start([kept = file(), text = hand_in_as_text(hand_in_)](WorkProgress&) -> Status {
-            std::error_code failed;
-            std::filesystem::create_directories(kept.parent_path(), failed);
-            if (failed) return Error{kept.parent_path().string() + ": " + failed.message()};
-            return write_file(kept, text);
-        });
+        write_what_changed();
     }
-    return ended;
+    return status;
 }
 
 Status ExerciseDesk::finish() {
     Status last = std::monostate{};
-    for (int turn = 0; turn < 2; ++turn) {
+    for (int turn = 0; turn < 2; ++turn) {  // what is being written, then what has changed since
         writing_.wait(-1.0);
-        written_s_ = -1.0;
-        if (Status done = update(0.0); !done) last = std::move(done);
+        if (const auto written = writing_.take(); written && !*written) last = Error{written->error()};
+        if (turn == 0) write_what_changed();
     }
-    writing_.wait(-1.0);
-    if (const auto written = writing_.take(); written && !*written) last = Error{written->error()};
     return last;
 }
 
@@ -163,8 +186,7 @@ LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
         const Entry& entry = entries_[place];
         if (!entry.step || !*entry.step) continue;
         lesson.steps.push_back(**entry.step);
-        lesson.sheet->items.push_back(
-            {entry.exercise.id, entry.exercise.title, entry.variant, entry.exercise.points});
+        lesson.sheet->items.push_back({entry.exercise.id, entry.exercise.title, entry.variant, entry.exercise.points});
         known.push_back(hand_in_.find(entry.exercise.id));
     }
     LessonRun run(std::move(lesson));
@@ -194,13 +216,20 @@ LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
     return run;
 }
 
-bool ExerciseDesk::is_right(const std::string& exercise) const {
+const HandInItem* ExerciseDesk::own_item(const std::string& exercise) const {
     const HandInItem* const item = hand_in_.find(exercise);
+    const auto is_its = [&](const Entry& entry) { return entry.exercise.id == exercise; };
+    const auto entry = std::find_if(entries_.begin(), entries_.end(), is_its);
+    return item && entry != entries_.end() && item->variant == entry->variant ? item : nullptr;
+}
+
+bool ExerciseDesk::is_right(const std::string& exercise) const {
+    const HandInItem* const item = own_item(exercise);
     return item && std::any_of(item->attempts.begin(), item->attempts.end(), is_said_right);
 }
 
 bool ExerciseDesk::is_tried(const std::string& exercise) const {
-    const HandInItem* const item = hand_in_.find(exercise);
+    const HandInItem* const item = own_item(exercise);
     return item && std::any_of(item->attempts.begin(), item->attempts.end(),
                                [](const Attempt& attempt) { return attempt.hint == 0; });
 }
@@ -228,7 +257,19 @@ HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant)
     return hand_in_.items.emplace_back(HandInItem{exercise, variant, {}, {}, {}, {}});
 }
 
+bool ExerciseDesk::is_of_student(const LessonRun& run) const {
+    const std::optional<Sheet>& sheet = run.lesson().sheet;
+    return sheet && sheet->course == student_.course && sheet->student == student_.number;
+}
+
+void ExerciseDesk::add(HandInItem& item, Attempt attempt) {
+    if (item.attempts.size() >= most_attempts) item.attempts.erase(item.attempts.begin());
+    item.attempts.push_back(std::move(attempt));
+    has_changed_ = true;
+}
+
 void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Params& params) {
+    if (!is_of_student(run)) return;
     const Sheet::Item& asked = run.lesson().sheet->items[run.index()];
     HandInItem& item = this->item(asked.exercise, asked.variant);
     Attempt attempt;
@@ -244,13 +285,12 @@ void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Pa
     const bool is_same_mistake = attempt.is_goal && !verdict.right && !item.attempts.empty() &&
                                  item.attempts.back().is_goal && item.attempts.back().told == attempt.told;
     if (is_same_mistake) item.attempts.pop_back();
-    if (item.attempts.size() >= most_attempts) item.attempts.erase(item.attempts.begin());
-    item.attempts.push_back(std::move(attempt));
+    add(item, std::move(attempt));
     item.draft.reset();
-    has_changed_ = true;
 }
 
 void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s) {
+    if (!is_of_student(run)) return;
     const Sheet::Item& asked = run.lesson().sheet->items[run.index()];
     const LessonStep& step = run.step();
     if (followed_ != asked.exercise) {
@@ -266,8 +306,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
         Attempt attempt;
         attempt.at = local_time();
         attempt.hint = hint;
-        item(asked.exercise, asked.variant).attempts.push_back(std::move(attempt));
-        has_changed_ = true;
+        add(item(asked.exercise, asked.variant), std::move(attempt));
     }
     if (run.is_revealed()) return;
     if (step.ask.kind != AskKind::goal) {
@@ -282,7 +321,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
     if (!is_at_rest || last_ == params) return;
     last_ = params;
     const std::vector<std::string> settings = settings_between(step.start.params, params);
-    if (settings == (known ? known->draft_settings : std::vector<std::string>())) return;
+    if (are_same_settings(settings, known ? known->draft_settings : std::vector<std::string>())) return;
     HandInItem& noted = item(asked.exercise, asked.variant);
     noted.draft_settings = settings;
     noted.replay.push_back({std::round((now_s - followed_since_s_) * 10.0) / 10.0, settings});

@@ -34,7 +34,7 @@ public:
     const Student& student() const { return student_; }
     /// Another one's sheet; what was answered at it before comes back.
     void sit_down(const Student& student);
-    /// Goes on with answers that were saved, as update() tells.
+    /// Goes on with answers that were saved, as update() tells; with those that are kept here for the same student.
     void open_hand_in(const std::filesystem::path& file);
     /// A hand-in that was opened from a file: its student's sheet with its attempts.
     void take_hand_in(HandIn hand_in);
@@ -65,7 +65,12 @@ public:
     void follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s);
 
 private:
+    Status take_what_was_read();
+    void write_what_changed();
+    bool is_of_student(const LessonRun& run) const;  ///< a sheet that still leads may be another's
+    void add(HandInItem& item, Attempt attempt);
     HandInItem& item(const std::string& exercise, std::size_t variant);
+    const HandInItem* own_item(const std::string& exercise) const;  ///< null where its variant is another's
     void choose_variants();
     std::filesystem::path file() const;
 
@@ -77,16 +82,18 @@ private:
     std::vector<Entry> entries_;
     HandIn hand_in_;
     BackgroundTask<HandIn> reading_;
-    bool is_another_ = false;  ///< what is being read says itself whose it is
+    bool is_unreadable_ = false;  ///< the file that is kept is set aside before another is written
+    bool is_another_ = false;     ///< what is being read says itself whose it is
     BackgroundTask<std::monostate> writing_;
     double written_s_ = -1.0;
 
-    std::string followed_;         ///< the exercise that is being done
+    std::string followed_;  ///< the exercise that is being done
     double followed_since_s_ = 0.0;
-    std::optional<Params> last_;   ///< its latest state that was noted
+    std::optional<Params> last_;  ///< its latest state that was noted
 };
 
-/// The file's name in which a student's answers to a course are kept: letters, digits, - and _, others as %XX.
+/// The file's name in which a student's answers to a course are kept: letters, digits, - and _, others as %XX, and a
+/// tilde between the two.
 std::string answers_file_name(const Student& student);
 
 }  // namespace viewing

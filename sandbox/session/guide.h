@@ -36,8 +36,8 @@ public:
     /// Ends the lesson; nothing waits any more.
     void close();
 
-    /// Whether what leads is a student's sheet of exercises: they are gone through in any order, and only a right answer
-    /// shows what is covered.
+    /// Whether what leads is a student's sheet of exercises: they are gone through in any order, and only a right
+    /// answer shows what is covered.
     bool is_sheet() const { return run_ && run_->lesson().sheet.has_value(); }
     /// The next thing: the question's answer, then the next step's question. Nothing after the last one.
     void next(Session& session);

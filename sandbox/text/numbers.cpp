@@ -244,6 +244,8 @@ std::optional<double> parse_double(std::string_view text) {
 
 namespace {
 
+constexpr std::string_view real_minus = "−";
+
 bool is_of_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
@@ -267,10 +269,20 @@ double take_number(std::string_view text, std::size_t& at) {
     const std::size_t mantissa_end = at;
     if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
         ++at;
-        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+        const bool is_real = text.substr(at).starts_with(real_minus);
+        const bool is_negative = is_real || (at < text.size() && text[at] == '-');
+        if (is_real)
+            at += real_minus.size();
+        else if (is_negative || (at < text.size() && text[at] == '+'))
+            ++at;
         const std::size_t exponent = at;
         digits();
-        if (at == exponent) at = mantissa_end;
+        if (at > exponent) {
+            const std::string mantissa(text.substr(begin, mantissa_end - begin));
+            const std::string power(text.substr(exponent, at - exponent));
+            return parse_double(mantissa + (is_negative ? "e-" : "e") + power).value_or(is_negative ? 0.0 : HUGE_VAL);
+        }
+        at = mantissa_end;
     }
     return parse_double(text.substr(begin, at - begin)).value_or(0.0);
 }
@@ -279,14 +291,14 @@ double take_number(std::string_view text, std::size_t& at) {
 
 std::vector<double> numbers_in(std::string_view text) {
     constexpr std::size_t most = 1000;
-    constexpr std::string_view real_minus = "−";
     std::vector<double> numbers;
     double sign = 1.0;
     for (std::size_t at = 0; at < text.size() && numbers.size() < most;) {
         if (begins_number(text, at)) {
             double value = sign * take_number(text, at);
-            if (at + 1 < text.size() && text[at] == '/' && begins_number(text, at + 1)) value /= take_number(text, ++at);
-            numbers.push_back(value);
+            if (at + 1 < text.size() && text[at] == '/' && begins_number(text, at + 1))
+                value /= take_number(text, ++at);
+            if (std::isfinite(value)) numbers.push_back(value);
             while (at < text.size() && is_of_word(text[at])) ++at;  // a unit, or an f behind it
             sign = 1.0;
         } else if (is_of_word(text[at])) {

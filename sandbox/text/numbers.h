@@ -59,7 +59,8 @@ std::string plain_number(double value);
 std::optional<double> parse_double(std::string_view text);
 
 /// All numbers of a text in their order, whatever stands between them: "array([[1., -2e-3], [3, 4]], dtype=float64)",
-/// "[1 2; 3 4]", "1 & 1/3 \\\\". A minus may be the real one; 1/3 is a quotient; digits in a word are none. At most 1000.
+/// "[1 2; 3 4]", "1 & 1/3 \\\\". A minus may be the real one; 1/3 is a quotient; digits in a word are none. At most
+/// 1000.
 std::vector<double> numbers_in(std::string_view text);
 
 // ---- where room is short -------------------------------------------------------------------------------------------

@@ -23,8 +23,7 @@ Scene scene_of(int around, int up) {
     ObjectDescription description;
     description.name = "ball";
     description.position = {0.0, 1.0, 0.0};
-    SceneObject ball{std::move(description),
-                     std::make_shared<const Mesh>(sphere_mesh(around, up)),
+    SceneObject ball{std::move(description), std::make_shared<const Mesh>(sphere_mesh(around, up)),
                      world_from_model({0.0, 1.0, 0.0}, {}, glm::dvec3(1.0))};
     for (const glm::vec3& position : ball.mesh->positions)
         scene.bounds_world.add(glm::dvec3(ball.world_from_model * glm::dvec4(position, 1.0)));

@@ -7,10 +7,10 @@
 #include <set>
 
 #include "app/picture.h"
-#include "report/exercise_picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"
 #include "image/png.h"
+#include "report/exercise_picture.h"
 #include "state/json.h"
 #include "state/language.h"
 
@@ -227,8 +227,8 @@ TEST_F(Golden, Exercises) {
         state.params.ui.theme = shown.theme;
         state.params.ui.language = shown.language;
         PictureRequest request{PictureView::window, {1280, 720}, std::nullopt};
-        request.lesson = std::make_shared<const LessonPicture>(
-            LessonPicture{std::move(exercise->lesson), 0, false, false, true});
+        request.lesson =
+            std::make_shared<const LessonPicture>(LessonPicture{std::move(exercise->lesson), 0, false, false, true});
         check(shown.name, picture_of(state, request));
     }
 }

@@ -1,5 +1,5 @@
-// A desk with a student's sheet of exercises that is made, as the studio makes it, but without pictures: what is measured
-// in them is left out.
+// A desk with a student's sheet of exercises that is made, as the studio makes it, but without pictures: what is
+// measured in them is left out.
 #pragma once
 
 #include "desk.h"

@@ -109,8 +109,7 @@ TEST_F(ExercisesInTheWindow, NumbersOfTheClipboardAreTheAnswer) {
 
 TEST_F(ExercisesInTheWindow, AMisconceptionIsToldAndARightAnswerUncovers) {
     desk.begin("E16-shadow-matrix");
-    const Result<Surroundings> numbers =
-        numbers_of(desk.run().step().start, desk.run().step().start.params, nullptr);
+    const Result<Surroundings> numbers = numbers_of(desk.run().step().start, desk.run().step().start.params, nullptr);
     ASSERT_TRUE(numbers);
     const Answer right = *model_answer(desk.run().step().ask, *numbers);
     Answer transposed = right;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "state/json.h"
+#include "lesson/typed_matrix.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/lesson/page.h"
@@ -46,13 +46,6 @@ bool text_field(const char* label, std::string& text, float width, const char* t
     return is_done;
 }
 
-std::string rows_of(const std::vector<double>& numbers) {
-    std::string rows;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-        rows += std::string(i == 0 ? "[[" : i % 4 == 0 ? "], [" : ", ") + format_number(numbers[i]);
-    return rows + "]]";
-}
-
 }  // namespace
 
 void ExercisePage::open(ExerciseDesk& desk) {
@@ -75,19 +68,24 @@ std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk)
     for (const std::size_t place : shown(desk)) {
         const ExerciseDesk::Entry& entry = desk.entries()[place];
         if (entry.step && *entry.step)
-            wanted.push_back({key_of(entry), [start = (*entry.step)->start]() -> Result<LoadedState> { return start; }});
+            wanted.push_back(
+                {key_of(entry), [start = (*entry.step)->start]() -> Result<LoadedState> { return start; }});
     }
     return wanted;
 }
 
-void ExercisePage::draw_student(ExerciseDesk& desk) {
+void ExercisePage::draw_student(ExerciseDesk& desk, Guide& guide) {
     bool is_done = text_field(marked("Student number"), typed_.number, 110.0F,
                               marked("Says together with the course which numbers the questions have."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |= text_field(marked("Course"), typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
+    is_done |=
+        text_field(marked("Course"), typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |= text_field(marked("Name"), typed_.name, 130.0F, marked("Stands in what is handed in, and changes nothing else."));
-    if (is_done && typed_ != desk.student()) desk.sit_down(typed_);
+    is_done |= text_field(marked("Name"), typed_.name, 130.0F,
+                          marked("Stands in what is handed in, and changes nothing else."));
+    if (!is_done || typed_ == desk.student()) return;
+    if (guide.is_sheet()) guide.close();  // it is another one's
+    desk.sit_down(typed_);
 }
 
 ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures) {
@@ -99,9 +97,10 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     page_heading(say("Exercises: {points} of {of} points", "points"_a = desk.points(), "of"_a = desk.points_of()),
                  "title");
     if (button_at_right("Close")) is_open_ = false;
-    draw_student(desk);
-    widgets::Note("Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
-                  "in is one file.");
+    draw_student(desk, guide);
+    widgets::Note(
+        "Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
+        "in is one file.");
     static const std::array<const char*, sets.size()> labels = [] {
         std::array<const char*, sets.size()> names{};
         for (std::size_t i = 0; i < sets.size(); ++i) names[i] = sets[i].label;
@@ -159,17 +158,13 @@ bool TypedMatrix::can_show(const LessonRun& run) {
 void TypedMatrix::open(const LessonRun& run) {
     const LessonStep& step = run.step();
     trouble_.clear();
-    const std::string setting = step.ask.shows_as + "=" + rows_of(run.answer().numbers);
-    LoadedState typed = step.start;
-    // A shadow that falls beside the plane is to be seen.
-    typed.params.shadow.clip_to_receiver = false;
-    const LoadedState right = typed;
-    if (Result<Params> changed = apply_settings(typed.params, std::vector<std::string>{setting}))
-        typed.params = *std::move(changed);
-    else
-        trouble_ = changed.error();
+    const Result<LoadedState> typed = with_typed_matrix(step, run.answer().numbers);
+    if (!typed) trouble_ = typed.error();
+    std::string numbers;
+    for (const double number : run.answer().numbers) numbers += " " + format_number(number);
     const std::string key = step.id + "/" + step.ask.constants;
-    mine_ = CardPicture{"typed/" + key + setting, [typed]() -> Result<LoadedState> { return typed; }, compared_px};
+    const LoadedState right = with_right_matrix(step);
+    mine_ = CardPicture{"typed/" + key + numbers, [typed] { return typed; }, compared_px};
     right_ = CardPicture{"right/" + key, [right]() -> Result<LoadedState> { return right; }, compared_px};
 }
 

@@ -30,11 +30,11 @@ public:
 
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;
-    void draw_student(ExerciseDesk& desk);
+    void draw_student(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;
-    int set_ = 0;     ///< 0: all
-    Student typed_;   ///< in the fields, not yet anybody's
+    int set_ = 0;    ///< 0: all
+    Student typed_;  ///< in the fields, not yet anybody's
 };
 
 /// Two pictures, larger: what a typed S or R makes of the scene, and what the right one does.

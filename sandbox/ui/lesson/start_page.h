@@ -31,8 +31,8 @@ public:
     /// Reads the list of lessons when it is wanted first.
     const std::vector<LessonFile>& lessons();
 
-    /// Over everything. Opens what is chosen; true: the exercises, by whoever has them. `recent`: files that were opened
-    /// before, the latest first.
+    /// Over everything. Opens what is chosen; true: the exercises, by whoever has them. `recent`: files that were
+    /// opened before, the latest first.
     bool draw(Guide& guide, Session& session, const LessonsProgress& progress, const std::vector<std::string>& recent,
               const Pictures& pictures);
     /// Pictures that it shows.

@@ -166,15 +166,15 @@ void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishe
     } else {
         wishes.previous = button(!run.is_first() || is_revealed, marked("this is where the lesson begins"),
                                  marked("Back: the question again, then the step before."));
-        wishes.next = is_revealed ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
-                                  : button(true, "", marked("What one would see, and why. Answering first teaches more."));
+        wishes.next = is_revealed
+                          ? button(!run.is_last(), marked("this was the last step"), marked("The next step."))
+                          : button(true, "", marked("What one would see, and why. Answering first teaches more."));
     }
     if (place + 2 + (look.departs ? 1U : 0U) < labels.size() && button(true, "", marked("A step towards the answer.")))
         run.show_hint();
     if (look.departs) wishes.again = button(true, "", marked("The step's state again. Ctrl+Z takes that back."));
-    wishes.overview = button(true, "",
-                             is_sheet ? marked("The list, with what is done.")
-                                      : marked("The steps of this lesson as pictures."));
+    wishes.overview = button(
+        true, "", is_sheet ? marked("The list, with what is done.") : marked("The steps of this lesson as pictures."));
     wishes.leave = button(
         true, "", marked("Leaves the lesson with everything as it is; the button Lesson comes back to this step."));
 }
@@ -244,13 +244,13 @@ void draw_right(LessonRun& run, const StripLook& look, float width, StripWishes&
         if (step.ask.rows > 1) {
             ImGui::SameLine(0.0F, px(button_gap));
             wishes.paste = widgets::Button("Paste", is_open, marked("the answer is shown already"));
-            widgets::Tooltip("Paste", "The numbers in the clipboard, row by row, however they are written: NumPy, MATLAB, text.");
+            widgets::Tooltip(
+                "Paste", "The numbers in the clipboard, row by row, however they are written: NumPy, MATLAB, text.");
         }
         if (!step.ask.shows_as.empty()) {
             ImGui::SameLine(0.0F, px(button_gap));
-            wishes.show_matrix =
-                widgets::Button("What my matrix does", run.verdict().has_value() || run.is_revealed(),
-                                marked("check it first"));
+            wishes.show_matrix = widgets::Button("What my matrix does", run.verdict().has_value() || run.is_revealed(),
+                                                 marked("check it first"));
             widgets::Tooltip("What my matrix does", "The picture that it makes, beside the right one.");
         }
     }

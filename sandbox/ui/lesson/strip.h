@@ -11,10 +11,10 @@
 namespace viewing {
 
 struct StripLook {
-    bool presents = false;  ///< to a room: larger than what is around it, and without buttons
-    bool departs = false;   ///< the state is no longer the step's: a dot says so
-    std::string clock;      ///< of the timer; empty: none
-    std::string trouble;    ///< why an answer could not be judged; empty: it could
+    bool presents = false;     ///< to a room: larger than what is around it, and without buttons
+    bool departs = false;      ///< the state is no longer the step's: a dot says so
+    std::string clock;         ///< of the timer; empty: none
+    std::string trouble;       ///< why an answer could not be judged; empty: it could
     bool is_checking = false;  ///< what is measured takes a moment
 };
 

@@ -181,12 +181,12 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     const float undo = button_room("Undo") + button_room("Redo");
     const float names = px(190.0F) + ImGui::CalcTextSize(tr("Scene")).x + ImGui::CalcTextSize(tr("Preset")).x;
     const float wide_lists = px(170.0F + whole_titles) + step_buttons_room();
-    const bool narrow = layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
+    const bool narrow =
+        layout.top_bar.width() < std::max(px(1100.0F), names + wide_lists + buttons + exercises_room + undo);
     const float scene_width = px(narrow ? 130.0F : 170.0F), preset_width = px(narrow ? 150.0F : whole_titles);
     const float lists = scene_width + px(6.0F) + preset_width;
     // Where the lists would be too short to be read, there is the way by the page of lessons,
-    const bool has_exercises =
-        !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
+    const bool has_exercises = !narrow || layout.top_bar.width() - px(20.0F) - buttons - exercises_room >= lists;
     if (has_exercises) buttons += exercises_room;
     // and Ctrl+Z and Ctrl+Shift+Z.
     const bool has_undo = !narrow || layout.top_bar.width() - px(20.0F) - buttons - undo >= lists;

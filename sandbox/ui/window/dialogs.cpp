@@ -206,8 +206,7 @@ void FileDialog::draw(Session& session) {
         ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
     if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
-    chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(),
-                              "choose or type a name first");
+    chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(), "choose or type a name first");
     ImGui::SameLine();
     const bool cancelled = widgets::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (chosen && !waits_ && !is_done) {

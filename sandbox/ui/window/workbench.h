@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "frame/problems.h"
-#include "state/presets.h"
 #include "session/replay.h"
+#include "state/presets.h"
 #include "ui/lesson/exercise_page.h"
 #include "ui/lesson/presenter.h"
 #include "ui/lesson/start_page.h"
@@ -56,8 +56,8 @@ public:
     StartPage start_page;
     ExerciseDesk exercises;  ///< of the student who sits here
     ExercisePage exercise_page;
-    Replay replay;             ///< of a hand-in, while it plays
-    bool is_checking = false;  ///< an answer is judged in the next frame
+    Replay replay;                    ///< of a hand-in, while it plays
+    bool is_checking = false;         ///< an answer is judged in the next frame
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "" when it could

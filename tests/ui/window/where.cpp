@@ -1,6 +1,6 @@
-// Where every control of the window is: `ui-where WIDTH HEIGHT [page | EXERCISE]` prints "x y label" lines, the middle of
-// each; of the opening window, the page of exercises, or an exercise. The window tests click there; the layout is the
-// same with a window as without.
+// Where every control of the window is: `ui-where WIDTH HEIGHT [page | EXERCISE]` prints "x y label" lines, the middle
+// of each; of the opening window, the page of exercises, or an exercise. The window tests click there; the layout is
+// the same with a window as without.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace viewing {
 namespace {
@@ -81,6 +83,90 @@ TEST(Numbers, OnlyAWholeFiniteNumberIsOne) {
     for (const char* text : {"", " 1", "1 ", "+1", "1,5", "1.5x", "0x10", "inf", "nan", "1e999", "--1"}) {
         EXPECT_EQ(parse_double(text), std::nullopt) << text;
     }
+}
+
+// ---- numbers of a text that somebody pastes
+// --------------------------------------------------------------------------
+
+using Doubles = std::vector<double>;
+
+TEST(NumbersIn, TakesAMatrixFromWhereverItIsPasted) {
+    EXPECT_EQ(numbers_in("array([[ 1., -2e-3,  0. ],\n       [3.5, 4., -0.25]], dtype=float64)"),
+              (Doubles{1, -0.002, 0, 3.5, 4, -0.25}));
+    EXPECT_EQ(numbers_in("np.array([[1, 2], [3, 4]], dtype=np.float32)"), (Doubles{1, 2, 3, 4}));
+    EXPECT_EQ(numbers_in("[1 2 -3; 4 5.5 6]"), (Doubles{1, 2, -3, 4, 5.5, 6}));
+    EXPECT_EQ(numbers_in("1.0e+00  -2.5E-01\r\n\t3"), (Doubles{1, -0.25, 3}));
+    EXPECT_EQ(numbers_in("\\begin{pmatrix} 1 & -2 \\\\ 1/3 & .5 \\end{pmatrix}"), (Doubles{1, -2, 1.0 / 3.0, 0.5}));
+    EXPECT_EQ(numbers_in("GLfloat m[] = {1.0f, -0.5f, 3.f, .25F, 7u};"), (Doubles{1, -0.5, 3, 0.25, 7}));
+    EXPECT_EQ(numbers_in("{{1, 0}, {0, -1}}"), (Doubles{1, 0, 0, -1}));
+    EXPECT_EQ(numbers_in("(1,2,3)"), (Doubles{1, 2, 3}));
+    EXPECT_EQ(numbers_in("1\t2\n3\n"), (Doubles{1, 2, 3}));
+}
+
+TEST(NumbersIn, KnowsBothMinusSigns) {
+    EXPECT_EQ(numbers_in("−3.5, −1/4, 1e−2"), (Doubles{-3.5, -0.25, 0.01})) << "a real minus, wherever a minus may be";
+    EXPECT_EQ(numbers_in("-3.5 -1/4 1e-2 2E+1"), (Doubles{-3.5, -0.25, 0.01, 20}));
+    EXPECT_EQ(numbers_in("+4"), Doubles{4});
+}
+
+TEST(NumbersIn, AMinusBelongsToWhatFollows) {
+    EXPECT_EQ(numbers_in("- 2"), Doubles{-2});
+    EXPECT_EQ(numbers_in("3 - 4"), (Doubles{3, -4}));
+    EXPECT_EQ(numbers_in("3-4"), (Doubles{3, -4}));
+    EXPECT_EQ(numbers_in("-, 5"), Doubles{5}) << "a dash by itself";
+    EXPECT_EQ(numbers_in("−\n5"), Doubles{5});
+}
+
+TEST(NumbersIn, DigitsInAWordAreNone) {
+    EXPECT_EQ(numbers_in("float64"), Doubles{});
+    EXPECT_EQ(numbers_in("x1 = 2"), Doubles{2});
+    EXPECT_EQ(numbers_in("m_00: 3, v2.x: 4"), (Doubles{3, 4}));
+    EXPECT_EQ(numbers_in("vec3(1, 2, 3)"), (Doubles{1, 2, 3}));
+    EXPECT_EQ(numbers_in("그림자3 4"), (Doubles{3, 4})) << "only Latin words swallow digits";
+    EXPECT_EQ(numbers_in("30° 5px"), (Doubles{30, 5}));
+}
+
+TEST(NumbersIn, WhatIsHalfANumberIsNoMoreThanThat) {
+    EXPECT_EQ(numbers_in("1e"), Doubles{1});
+    EXPECT_EQ(numbers_in("1e+"), Doubles{1});
+    EXPECT_EQ(numbers_in("1."), Doubles{1});
+    EXPECT_EQ(numbers_in("1.2.3"), (Doubles{1.2, 0.3})) << "two numbers";
+    EXPECT_EQ(numbers_in("."), Doubles{});
+    EXPECT_EQ(numbers_in("-"), Doubles{});
+    EXPECT_EQ(numbers_in("1/"), Doubles{1});
+    EXPECT_EQ(numbers_in(""), Doubles{});
+    EXPECT_EQ(numbers_in("nothing at all"), Doubles{});
+    EXPECT_EQ(numbers_in(std::string_view("1\0002", 4)), (Doubles{1, 2}));
+}
+
+TEST(NumbersIn, EveryOneIsFinite) {
+    for (const char* const text :
+         {"1e999", "-1e999", "1/0", "0/0", "-5/0", "1e-999", "1e308/1e-308", "inf nan Infinity"})
+        for (const double number : numbers_in(text)) EXPECT_TRUE(std::isfinite(number)) << text;
+}
+
+TEST(NumbersIn, ThereIsAnEnd) {
+    std::string text;
+    for (int i = 0; i < 10'000; ++i) text += std::to_string(i) + " ";
+    const Doubles numbers = numbers_in(text);
+    ASSERT_EQ(numbers.size(), 1000U);
+    for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], static_cast<double>(i));
+    EXPECT_EQ(numbers_in(std::string(1'000'000, '-') + "1"), Doubles{-1});
+    EXPECT_EQ(numbers_in(std::string(1'000'000, 'x')).size(), 0U);
+}
+
+TEST(NumbersIn, WhatTheProgramWritesReadsBack) {
+    std::mt19937_64 random(11);
+    std::string plain, code;
+    Doubles values;
+    for (int i = 0; i < 1000; ++i) {
+        values.push_back(std::ldexp(std::uniform_real_distribution(-1.0, 1.0)(random),
+                                    std::uniform_int_distribution(-60, 60)(random)));
+        plain += format_number(values.back()) + ", ";
+        code += shortest_number(values.back()) + " ";
+    }
+    EXPECT_EQ(numbers_in(plain), values);
+    EXPECT_EQ(numbers_in(code), values);
 }
 
 }  // namespace

@@ -1,0 +1,695 @@
+// The desk: every student's own sheet, and answers that are on the disk before anybody can lose them. The steps are
+// made by hand: what an exercise asks does not matter here.
+#include "session/exercise_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "lesson/judge.h"
+#include "lesson/variants.h"
+#include "platform/text_file.h"
+#include "session/guide.h"
+#include "state/json.h"
+#include "unit/state/scratch_folder.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char *number_id = "E06-radians", *matrix_id = "E16-shadow-matrix", *goal_id = "E18-place-the-light",
+                     *order_id = "E08-bsp-order";
+const Student anna{"viewing-2026", "32201234", "김학생"}, ben{"viewing-2026", "32201235", "Ben"};
+
+/// A matrix, a list, a goal, else a number; the right number is 7.
+LessonStep step_of(const std::string& id) {
+    LessonStep step;
+    step.id = id;
+    step.start = *load_state("");
+    step.revealed = step.start.params;
+    step.say = {{"Look.", ""}};
+    step.ask.hints = {{{"one", ""}}, {{"two", ""}}, {{"three", ""}}};
+    step.ask.kind = AskKind::number;
+    step.ask.expect = "7";
+    if (id == matrix_id) {
+        step.ask.kind = AskKind::matrix;
+        step.ask.rows = step.ask.columns = 4;
+    } else if (id == order_id) {
+        step.ask.kind = AskKind::subset;
+        step.ask.items.resize(4);
+        step.ask.expected_items = {{0, 2}};
+    } else if (id == goal_id) {
+        step.ask.kind = AskKind::goal;
+        step.ask.until = "true";
+        step.ask.allow = {"light.position"};
+        step.revealed.lights[0].position = {9, 9, 9, 1};
+    }
+    return step;
+}
+
+Params with_light(Params params, double x) {
+    params.lights[0].position = {x, 4.5, -0.25, 1.0};
+    return params;
+}
+
+Verdict right() {
+    Verdict verdict;
+    verdict.right = true;
+    return verdict;
+}
+
+Verdict wrong(const std::string& tag = "") {
+    Verdict verdict;
+    verdict.tag = tag;
+    return verdict;
+}
+
+class ExerciseDeskTest : public testing::ScratchFolder {
+protected:
+    /// A desk with this student at it and every step made.
+    std::unique_ptr<ExerciseDesk> desk_of(const Student& student) {
+        auto desk = std::make_unique<ExerciseDesk>();
+        desk->keep_in(answers_, "viewing-sandbox test");
+        desk->open();
+        desk->sit_down(student);
+        settle(*desk);
+        return desk;
+    }
+    /// Until what is being read is there and the steps are made.
+    void settle(ExerciseDesk& desk) {
+        for (int turn = 0; turn < 600; ++turn) {
+            update(desk);
+            while (const std::optional<std::size_t> next = desk.next_to_make())
+                desk.take_step(*next, step_of(desk.entries()[*next].exercise.id));
+            if (desk.is_ready()) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        ADD_FAILURE() << "the desk is never ready";
+    }
+    /// What a window does for a while.
+    void wait(ExerciseDesk& desk, double seconds = 0.6) {
+        for (const double end_s = now_s() + seconds; now_s() < end_s;) {
+            update(desk);
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    }
+    void update(ExerciseDesk& desk) { hear(desk.update(now_s())); }
+    void finish(ExerciseDesk& desk) { hear(desk.finish()); }
+    void hear(const Status& status) {
+        if (!status) told_ = status.error();
+    }
+    double now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count(); }
+
+    static std::size_t place(const ExerciseDesk& desk, const std::string& id) {
+        for (std::size_t i = 0; i < desk.entries().size(); ++i)
+            if (desk.entries()[i].exercise.id == id) return i;
+        ADD_FAILURE() << id;
+        return 0;
+    }
+    /// All exercises, at that one.
+    static LessonRun run_at(const ExerciseDesk& desk, const std::string& id) {
+        std::vector<std::size_t> places;
+        for (std::size_t i = 0; i < desk.entries().size(); ++i) places.push_back(i);
+        LessonRun run = desk.sheet(places);
+        run.go_to(place(desk, id));
+        return run;
+    }
+    void type(ExerciseDesk& desk, const std::string& id, std::vector<double> numbers) {
+        LessonRun run = run_at(desk, id);
+        run.answer() = {std::move(numbers), {}};
+        desk.follow(run, run.step().start.params, true, now_s());
+    }
+    static void check(ExerciseDesk& desk, const std::string& id, const Answer& answer, const Verdict& verdict) {
+        LessonRun run = run_at(desk, id);
+        run.answer() = answer;
+        run.take(verdict);
+        desk.record(run, verdict, run.step().start.params);
+    }
+
+    fs::path file_of(const Student& student) const { return answers_ / answers_file_name(student); }
+    HandIn written(const Student& student) const {
+        const Result<HandIn> read = load_hand_in(file_of(student));
+        EXPECT_TRUE(read) << (read ? "" : read.error());
+        return read ? *read : HandIn{};
+    }
+    std::vector<fs::path> files() const {
+        std::vector<fs::path> found;
+        for (const auto& entry : fs::recursive_directory_iterator(folder_))
+            if (entry.is_regular_file()) found.push_back(entry.path());
+        return found;
+    }
+
+    std::string told_;  ///< the latest error
+    fs::path answers_ = folder_ / "deep" / "answers";
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+TEST_F(ExerciseDeskTest, EachStudentHasVariantsOfTheirOwn) {
+    ExerciseDesk desk;
+    desk.keep_in(answers_, "p");
+    EXPECT_FALSE(desk.is_open());
+    EXPECT_TRUE(desk.entries().empty());
+    desk.open();
+    EXPECT_TRUE(desk.is_open());
+    ASSERT_EQ(desk.entries().size(), 24U);
+    EXPECT_TRUE(desk.trouble());
+    for (const Student& student : {anna, ben, Student{"그래픽스", "../..", ""}}) {
+        desk.sit_down(student);
+        EXPECT_EQ(desk.student(), student);
+        EXPECT_FALSE(desk.is_ready());
+        EXPECT_EQ(desk.next_to_make(), 0U) << "everything is made anew";
+        for (const ExerciseDesk::Entry& entry : desk.entries()) {
+            EXPECT_FALSE(entry.step);
+            EXPECT_EQ(entry.variant,
+                      variant_of(student.course, student.number, entry.exercise.id, entry.exercise.variants.size()));
+        }
+        settle(desk);
+        EXPECT_TRUE(desk.is_ready());
+    }
+    EXPECT_EQ(desk.points(), 0);
+    EXPECT_EQ(desk.points_of(), 50);
+    EXPECT_TRUE(files().empty()) << "nothing was answered";
+}
+
+TEST_F(ExerciseDeskTest, AStepThatCannotBeMadeIsLeftOut) {
+    ExerciseDesk desk;
+    desk.open();
+    while (const std::optional<std::size_t> next = desk.next_to_make())
+        if (*next == 1)
+            desk.take_step(*next, Error{"no"});
+        else
+            desk.take_step(*next, step_of(desk.entries()[*next].exercise.id));
+    EXPECT_TRUE(desk.is_ready());
+    const LessonRun run = desk.sheet({0, 1, 2});
+    ASSERT_EQ(run.lesson().steps.size(), 2U);
+    EXPECT_EQ(run.lesson().sheet->items[1].exercise, desk.entries()[2].exercise.id);
+}
+
+TEST_F(ExerciseDeskTest, WhatIsTypedIsOnTheDiskWithinASecond) {
+    const auto desk = desk_of(anna);
+    type(*desk, number_id, {0.125});
+    wait(*desk);
+    EXPECT_EQ(told_, "");
+    const HandIn read = written(anna);  // the desk lives on: as after a kill
+    EXPECT_EQ(read.student, anna.number);
+    EXPECT_EQ(read.course, anna.course);
+    EXPECT_EQ(read.name, anna.name);
+    EXPECT_EQ(read.program, "viewing-sandbox test");
+    ASSERT_TRUE(read.find(number_id));
+    EXPECT_EQ(read.find(number_id)->draft, std::optional(std::vector{0.125}));
+    EXPECT_EQ(read.find(number_id)->variant, desk->entries()[place(*desk, number_id)].variant);
+    EXPECT_TRUE(read.find(number_id)->attempts.empty());
+    // What comes while the file is being written is written too.
+    for (int i = 1; i <= 50; ++i) {
+        type(*desk, number_id, {static_cast<double>(i)});
+        wait(*desk, 0.01);
+    }
+    wait(*desk);
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{50.0}));
+    EXPECT_EQ(files().size(), 1U) << "no other file is left";
+}
+
+TEST_F(ExerciseDeskTest, FinishWritesAtOnce) {
+    const auto desk = desk_of(anna);
+    for (int i = 1; i <= 5; ++i) {
+        type(*desk, number_id, {static_cast<double>(i)});
+        update(*desk);
+    }
+    type(*desk, number_id, {6.0});
+    finish(*desk);
+    EXPECT_EQ(told_, "");
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{6.0}));
+}
+
+TEST_F(ExerciseDeskTest, NothingComesBackChanged) {
+    std::vector<double> matrix(16);
+    for (std::size_t i = 0; i < 16; ++i) matrix[i] = static_cast<double>(i) / 3.0 - 1.0;
+    {
+        const auto desk = desk_of(anna);
+        check(*desk, number_id, {{6.5}, {}}, wrong("M02"));
+        check(*desk, number_id, {{7.0}, {}}, right());
+        check(*desk, order_id, {{}, {3, 1}}, wrong());
+        type(*desk, matrix_id, matrix);
+        LessonRun run = run_at(*desk, matrix_id);
+        run.show_hint();
+        run.show_hint();
+        desk->follow(run, run.step().start.params, true, now_s());
+        desk->follow(run, run.step().start.params, true, now_s());
+        LessonRun goal = run_at(*desk, goal_id);
+        desk->follow(goal, goal.step().start.params, true, 10.0);
+        desk->follow(goal, with_light(goal.step().start.params, 1.5), true, 12.0);
+        desk->follow(goal, with_light(goal.step().start.params, 99.0), false, 13.0);
+        desk->follow(goal, with_light(goal.step().start.params, 2.5), true, 14.5);
+        EXPECT_TRUE(desk->is_right(number_id));
+        EXPECT_FALSE(desk->is_right(order_id));
+        EXPECT_TRUE(desk->is_tried(order_id));
+        EXPECT_FALSE(desk->is_tried(matrix_id)) << "a hint is no try";
+        finish(*desk);
+        EXPECT_EQ(told_, "");
+    }
+    const auto desk = desk_of(anna);
+    const HandInItem* const item = desk->hand_in().find(number_id);
+    ASSERT_TRUE(item);
+    ASSERT_EQ(item->attempts.size(), 2U);
+    EXPECT_EQ(item->attempts[0].answer, std::optional(std::vector{6.5}));
+    EXPECT_EQ(item->attempts[0].told, "M02");
+    EXPECT_EQ(item->attempts[0].at.size(), std::string("2026-11-21T10:03:12").size());
+    EXPECT_EQ(item->attempts[1].told, "right");
+    LessonRun run = run_at(*desk, number_id);
+    EXPECT_TRUE(run.is_revealed());
+    EXPECT_TRUE(run.is_done(run.index()));
+    EXPECT_EQ(run.answer().numbers, std::vector{7.0});
+    EXPECT_EQ(run.done_count(), 1);
+    EXPECT_EQ(desk->points(), desk->entries()[place(*desk, number_id)].exercise.points);
+    run.go_to(place(*desk, order_id));
+    EXPECT_FALSE(run.is_revealed());
+    EXPECT_EQ(run.answer().items, (std::vector{3, 1}));
+    run.go_to(place(*desk, matrix_id));
+    EXPECT_EQ(run.answer().numbers, matrix);
+    EXPECT_EQ(run.hints_shown(), 2);
+    const std::vector<Attempt>& hints = desk->hand_in().find(matrix_id)->attempts;
+    ASSERT_EQ(hints.size(), 2U) << "each hint once";
+    EXPECT_EQ(hints[0].hint, 1);
+    EXPECT_EQ(hints[1].hint, 2);
+    run.go_to(place(*desk, goal_id));
+    EXPECT_FALSE(run.is_revealed());
+    ASSERT_TRUE(run.reached());
+    EXPECT_EQ(*run.reached(), with_light(run.step().start.params, 2.5));
+    const std::vector<ReplayStep>& replay = desk->hand_in().find(goal_id)->replay;
+    ASSERT_EQ(replay.size(), 2U) << "what is held is no step";
+    EXPECT_EQ(replay[0].after_s, 2.0);
+    EXPECT_EQ(replay[1].after_s, 4.5);
+}
+
+TEST_F(ExerciseDeskTest, AGoalThatWasReachedComesBackAsItWas) {
+    {
+        const auto desk = desk_of(anna);
+        LessonRun run = run_at(*desk, goal_id);
+        desk->follow(run, with_light(run.step().start.params, 1.0), true, 1.0);
+        for (int i = 0; i < 5; ++i) desk->record(run, wrong("M26"), with_light(run.step().start.params, 1.0 + i));
+        desk->follow(run, with_light(run.step().start.params, 3.0), true, 3.0);
+        run.take(right());
+        desk->record(run, right(), with_light(run.step().start.params, 4.0));
+        desk->follow(run, with_light(run.step().start.params, 8.0), true, 9.0);  // it is revealed: played with
+        finish(*desk);
+    }
+    const auto desk = desk_of(anna);
+    LessonRun run = run_at(*desk, goal_id);
+    EXPECT_TRUE(run.is_revealed());
+    ASSERT_TRUE(run.reached());
+    EXPECT_EQ(*run.reached(), with_light(run.step().start.params, 4.0));
+    const std::vector<Attempt>& attempts = desk->hand_in().find(goal_id)->attempts;
+    ASSERT_EQ(attempts.size(), 2U) << "the same mistake on the way is one attempt";
+    EXPECT_EQ(attempts[0].told, "M26");
+    EXPECT_TRUE(attempts[1].is_goal);
+    const Result<Params> kept = apply_settings(run.step().start.params, attempts[1].settings);
+    ASSERT_TRUE(kept) << kept.error();
+    EXPECT_EQ(*kept, with_light(run.step().start.params, 4.0));
+}
+
+TEST_F(ExerciseDeskTest, ComingBackIsNoChange) {
+    {
+        const auto desk = desk_of(anna);
+        LessonRun run = run_at(*desk, goal_id);
+        desk->follow(run, with_light(run.step().start.params, 2.0), true, 1.0);
+        type(*desk, number_id, {4.0});
+        finish(*desk);
+    }
+    const std::string before = *read_text_file(file_of(anna));
+    const auto desk = desk_of(anna);
+    LessonRun run = run_at(*desk, goal_id);
+    ASSERT_TRUE(run.reached());
+    desk->follow(run, *run.reached(), true, 1.0);
+    run.go_to(place(*desk, number_id));
+    desk->follow(run, run.step().start.params, true, 2.0);
+    EXPECT_EQ(desk->hand_in().find(goal_id)->replay.size(), 1U);
+    finish(*desk);
+    EXPECT_TRUE(*read_text_file(file_of(anna)) == before) << *read_text_file(file_of(anna));
+}
+
+TEST_F(ExerciseDeskTest, ADraftIsNewerThanWhatWasChecked) {
+    {
+        const auto desk = desk_of(anna);
+        check(*desk, number_id, {{6.5}, {}}, wrong());
+        type(*desk, number_id, {6.75});
+        finish(*desk);
+        EXPECT_EQ(run_at(*desk, number_id).answer().numbers, std::vector{6.75});
+    }
+    const auto desk = desk_of(anna);
+    EXPECT_EQ(run_at(*desk, number_id).answer().numbers, std::vector{6.75});
+    check(*desk, number_id, {{6.875}, {}}, wrong());
+    EXPECT_EQ(run_at(*desk, number_id).answer().numbers, std::vector{6.875});
+    EXPECT_FALSE(desk->hand_in().find(number_id)->draft) << "it was checked";
+}
+
+TEST_F(ExerciseDeskTest, AnothersSheetIsBlankAndNothingIsLost) {
+    const auto desk = desk_of(anna);
+    check(*desk, number_id, {{7.0}, {}}, right());
+    type(*desk, matrix_id, std::vector<double>(16, 0.5));
+    desk->sit_down(ben);  // at once: nothing was written yet
+    settle(*desk);
+    EXPECT_TRUE(desk->hand_in().items.empty());
+    EXPECT_EQ(desk->points(), 0);
+    EXPECT_TRUE(run_at(*desk, matrix_id).answer().empty());
+    type(*desk, number_id, {3.0});
+    desk->sit_down(anna);
+    settle(*desk);
+    EXPECT_TRUE(desk->is_right(number_id));
+    EXPECT_EQ(run_at(*desk, matrix_id).answer().numbers, std::vector<double>(16, 0.5));
+    finish(*desk);
+    EXPECT_EQ(written(anna).items.size(), 2U);
+    EXPECT_EQ(written(ben).find(number_id)->draft, std::optional(std::vector{3.0}));
+    EXPECT_EQ(written(ben).items.size(), 1U);
+    EXPECT_EQ(written(ben).name, "Ben");
+}
+
+TEST_F(ExerciseDeskTest, WhoeverSitsDownLastIsWhoseSheetItIs) {
+    {
+        const auto desk = desk_of(anna);
+        LessonRun run = run_at(*desk, goal_id);
+        for (int i = 0; i < 900; ++i)  // so much that it takes a while to be read
+            desk->record(run, wrong(std::to_string(i)), with_light(run.step().start.params, i));
+        finish(*desk);
+    }
+    const auto desk = desk_of({"viewing-2026", "nobody", ""});
+    for (int turn = 0; turn < 10; ++turn) {
+        desk->sit_down(anna);
+        desk->sit_down(ben);  // while the other one's is being read
+        settle(*desk);
+        wait(*desk, 0.1);
+        ASSERT_EQ(desk->student(), ben);
+        ASSERT_TRUE(desk->hand_in().items.empty()) << "the answers of " << desk->hand_in().student;
+    }
+    type(*desk, number_id, {1.0});
+    finish(*desk);
+    EXPECT_EQ(written(ben).items.size(), 1U);
+    EXPECT_EQ(written(anna).find(goal_id)->attempts.size(), 900U);
+}
+
+TEST_F(ExerciseDeskTest, ASheetThatStillLeadsIsItsStudentsAlone) {
+    const auto desk = desk_of(anna);
+    LessonRun run = run_at(*desk, number_id);
+    run.answer().numbers = {5.0};
+    run.show_hint();
+    desk->follow(run, run.step().start.params, true, now_s());
+    desk->sit_down(ben);
+    settle(*desk);
+    // The window's guide still shows what was begun before the number was changed.
+    desk->follow(run, run.step().start.params, true, now_s());
+    desk->record(run, wrong("M02"), run.step().start.params);
+    EXPECT_TRUE(desk->hand_in().items.empty()) << "it was the other one's sheet";
+    finish(*desk);
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{5.0}));
+}
+
+TEST_F(ExerciseDeskTest, FilesOfAnyNumberStayInTheFolder) {
+    const std::string numbers[] = {"../../x", "한국", "..",   ".",   "a/b\\c", "con",
+                                   " ",       "%2F",  "x\ty", "-rf", "A",      "a%62"};
+    std::set<std::string> names;
+    for (const std::string& number : numbers) {
+        const std::string name = answers_file_name({"viewing-2026", number, ""});
+        EXPECT_TRUE(names.insert(name).second) << number << " has another one's file";
+        EXPECT_LT(name.size(), 255U);
+        EXPECT_EQ(name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_%.~"),
+                  std::string::npos)
+            << name;
+        EXPECT_EQ(name.find('.'), name.size() - 5) << name;
+        const Student student{"../" + number, number, ""};
+        const auto desk = desk_of(student);
+        type(*desk, number_id, {2.5});
+        finish(*desk);
+        EXPECT_EQ(told_, "");
+    }
+    EXPECT_EQ(files().size(), std::size(numbers));
+    for (const fs::path& file : files()) EXPECT_EQ(file.parent_path(), answers_) << file;
+    const std::string many(5000, 'x'), more = many + "y";
+    EXPECT_LT(answers_file_name({"c", many, ""}).size(), 255U);
+    EXPECT_LT(answers_file_name({many, "한국", ""}).size(), 255U);
+    EXPECT_NE(answers_file_name({"c", many, ""}), answers_file_name({"c", more, ""}));
+    EXPECT_NE(answers_file_name({"c", "1", "Anna"}), answers_file_name({"d", "1", "Anna"}));
+    EXPECT_EQ(answers_file_name({"c", "1", "Anna"}), answers_file_name({"c", "1", "Ben"})) << "a name is not a number";
+}
+
+TEST_F(ExerciseDeskTest, CourseAndNumberAreNotMixedUp) {
+    EXPECT_NE(answers_file_name({"a|b", "c", ""}), answers_file_name({"a", "b|c", ""}));
+    EXPECT_NE(answers_file_name({"ab", "c", ""}), answers_file_name({"a", "bc", ""}));
+}
+
+TEST_F(ExerciseDeskTest, WhateverTheNumberTheAnswersComeBack) {
+    for (const std::string& number : {std::string("../../x"), std::string("한국"), std::string(" "),
+                                      std::string("x\ty"), std::string(), std::string(5000, 'x')}) {
+        const Student student{"viewing-2026", number, "n"};
+        {
+            const auto desk = desk_of(student);
+            type(*desk, number_id, {2.5});
+            finish(*desk);
+        }
+        const auto desk = desk_of(student);
+        const HandInItem* const item = desk->hand_in().find(number_id);
+        EXPECT_TRUE(item && item->draft) << "\"" << number.substr(0, 20) << "\": the answers are gone";
+    }
+}
+
+TEST_F(ExerciseDeskTest, ABrokenFileIsOneSentenceAndIsNotLost) {
+    fs::create_directories(answers_);
+    const std::string broken = R"({"answers": 1, "student": "32201234", "items": [{"exercise": "E16")";
+    std::ofstream(file_of(anna)) << broken;
+    ExerciseDesk desk;
+    desk.keep_in(answers_, "p");
+    desk.open();
+    desk.sit_down(anna);
+    settle(desk);
+    EXPECT_NE(told_.find(answers_file_name(anna)), std::string::npos) << told_;
+    EXPECT_EQ(told_.find('\n'), std::string::npos);
+    wait(desk, 0.2);
+    EXPECT_EQ(*read_text_file(file_of(anna)), broken) << "nothing was answered since";
+    type(desk, number_id, {2.5});
+    wait(desk);
+    finish(desk);
+    bool is_kept = false;
+    for (const fs::path& file : files()) is_kept = is_kept || *read_text_file(file) == broken;
+    EXPECT_TRUE(is_kept) << "what could perhaps have been mended is gone";
+}
+
+TEST_F(ExerciseDeskTest, WhateverIsNotedReadsBack) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double number : {1e301, -1e308, infinity, -infinity, std::nan(""), 5e-324}) {
+        fs::remove_all(answers_);
+        const auto desk = desk_of(anna);
+        type(*desk, order_id, {});
+        check(*desk, matrix_id, {std::vector<double>(16, 1.0), {}}, right());
+        type(*desk, number_id, {number});
+        finish(*desk);
+        const auto again = desk_of(anna);
+        EXPECT_TRUE(again->is_right(matrix_id)) << number << " cost everything";
+        finish(*again);
+    }
+}
+
+TEST_F(ExerciseDeskTest, AThousandAttemptsAndMoreReadBack) {
+    {
+        const auto desk = desk_of(anna);
+        LessonRun run = run_at(*desk, number_id);
+        run.answer().numbers = {1.0};
+        for (int i = 0; i < 1100; ++i) desk->record(run, wrong(std::to_string(i)), run.step().start.params);
+        run.show_hint();
+        desk->follow(run, run.step().start.params, true, now_s());
+        finish(*desk);
+    }
+    const Result<HandIn> read = load_hand_in(file_of(anna));
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_GE(read->find(number_id)->attempts.size(), 900U);
+}
+
+TEST_F(ExerciseDeskTest, AFolderThatCannotBeMadeIsTold) {
+    write("file", "x");
+    answers_ = folder_ / "file" / "answers";
+    const auto desk = desk_of(anna);
+    type(*desk, number_id, {1.0});
+    wait(*desk, 0.3);
+    finish(*desk);
+    EXPECT_NE(told_.find("file"), std::string::npos) << told_;
+    EXPECT_EQ(desk->hand_in().find(number_id)->draft, std::optional(std::vector{1.0})) << "it can still be saved";
+}
+
+TEST_F(ExerciseDeskTest, WithoutAFolderNothingIsWritten) {
+    answers_.clear();
+    const auto desk = desk_of(anna);
+    type(*desk, number_id, {1.0});
+    wait(*desk, 0.2);
+    EXPECT_EQ(told_, "");
+    finish(*desk);
+    EXPECT_EQ(told_, "");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(ExerciseDeskTest, AHandInThatIsOpenedIsItsStudentsSheet) {
+    {
+        const auto desk = desk_of(ben);
+        check(*desk, number_id, {{7.0}, {}}, right());
+        finish(*desk);
+    }
+    const fs::path elsewhere = folder_ / "answers-ben.json";
+    fs::rename(file_of(ben), elsewhere);
+    const auto desk = desk_of(anna);
+    type(*desk, matrix_id, std::vector<double>(16, 2.0));
+    desk->open_hand_in(elsewhere);
+    settle(*desk);
+    EXPECT_EQ(desk->student(), ben);
+    EXPECT_TRUE(desk->is_right(number_id));
+    for (const ExerciseDesk::Entry& entry : desk->entries())
+        EXPECT_EQ(entry.variant, variant_of(ben.course, ben.number, entry.exercise.id, entry.exercise.variants.size()));
+    finish(*desk);
+    EXPECT_EQ(written(ben).items.size(), 1U) << "it goes on in the folder";
+    EXPECT_EQ(written(anna).items.size(), 1U);
+    const auto other = desk_of(anna);
+    other->open_hand_in(folder_ / "nowhere.json");
+    settle(*other);
+    EXPECT_NE(told_.find("nowhere.json"), std::string::npos) << told_;
+    EXPECT_EQ(other->student(), anna);
+    EXPECT_TRUE(other->hand_in().find(matrix_id)) << "a file that is not there changes nothing";
+}
+
+TEST_F(ExerciseDeskTest, AnOldFileThatIsOpenedDoesNotCostTheNewerAnswers) {
+    const fs::path old = folder_ / "old.json";
+    {
+        const auto desk = desk_of(anna);
+        check(*desk, number_id, {{6.0}, {}}, wrong());
+        finish(*desk);
+        fs::copy_file(file_of(anna), old);
+        check(*desk, matrix_id, {std::vector<double>(16, 1.0), {}}, right());
+        desk->open_hand_in(old);
+        settle(*desk);
+        wait(*desk, 0.5);
+        finish(*desk);
+    }
+    bool is_kept = false;
+    for (const fs::path& file : files()) {
+        const Result<HandIn> read = load_hand_in(file);
+        is_kept = is_kept || (read && read->find(matrix_id));
+    }
+    EXPECT_TRUE(is_kept) << "a right answer is nowhere any more";
+}
+
+TEST_F(ExerciseDeskTest, AnswersToOtherNumbersAreNotShownNorCounted) {
+    const auto desk = desk_of(anna);
+    HandIn hand_in{"p", anna.course, anna.number, anna.name, {}};
+    const std::size_t variant = desk->entries()[place(*desk, number_id)].variant;
+    Attempt attempt;
+    attempt.answer = {7.0};
+    attempt.told = "right";
+    hand_in.items = {{number_id, variant + 1, {attempt}, {}, {}, {}}};
+    desk->take_hand_in(hand_in);
+    settle(*desk);
+    const LessonRun run = run_at(*desk, number_id);
+    EXPECT_FALSE(run.is_revealed());
+    EXPECT_TRUE(run.answer().empty());
+    EXPECT_EQ(desk->points(), 0) << "the sheet does not show it as done";
+}
+
+TEST_F(ExerciseDeskTest, AForgedFileCanDoNoHarm) {
+    const auto desk = desk_of(anna);
+    HandIn hand_in{"p", anna.course, anna.number, anna.name, {}};
+    const auto item = [&](const char* id) {
+        return HandInItem{id, desk->entries()[place(*desk, id)].variant, {}, {}, {}, {}};
+    };
+    HandInItem matrix = item(matrix_id), order = item(order_id), goal = item(goal_id);
+    matrix.draft = std::vector<double>(5, 1.0);
+    Attempt beyond;
+    beyond.answer = {0.0, 17.0};
+    order.attempts = {beyond};
+    Attempt hint;
+    hint.hint = 99;
+    order.attempts.push_back(hint);
+    goal.draft_settings = {"camera.yaw=3"};
+    hand_in.items = {matrix, order, goal, {"E99-unknown", 0, {beyond}, {}, {}, {}}};
+    desk->take_hand_in(hand_in);
+    settle(*desk);
+    LessonRun run = run_at(*desk, matrix_id);
+    EXPECT_TRUE(run.answer().empty());
+    run.go_to(place(*desk, order_id));
+    EXPECT_TRUE(run.answer().empty());
+    EXPECT_EQ(run.hints_shown(), 3);
+    run.go_to(place(*desk, goal_id));
+    EXPECT_FALSE(run.reached()) << "the goal does not allow it";
+    finish(*desk);
+    EXPECT_EQ(desk->points(), 0);
+}
+
+// ---- a sheet that leads --------------------------------------------------------------------------------------------
+
+class SheetGuide : public ExerciseDeskTest {};
+
+TEST_F(SheetGuide, NeverRevealsByGoingOn) {
+    const auto desk = desk_of(anna);
+    Session session = *Session::make(*load_state(""));
+    Guide guide;
+    guide.begin(run_at(*desk, desk->entries().front().exercise.id), session);
+    ASSERT_TRUE(guide.is_sheet());
+    for (std::size_t i = 0; i < 30; ++i) {
+        EXPECT_EQ(guide.run()->index(), std::min<std::size_t>(i, 23));
+        EXPECT_FALSE(guide.run()->is_revealed());
+        guide.next(session);
+        guide.update(session, 0.1);
+    }
+    for (std::size_t i = 0; i < 30; ++i) {
+        EXPECT_FALSE(guide.run()->is_revealed());
+        guide.previous(session);
+    }
+    EXPECT_EQ(guide.run()->index(), 0U);
+    for (std::size_t i = 0; i < 24; ++i) {
+        guide.go_to(i, session);
+        EXPECT_FALSE(guide.run()->is_revealed());
+    }
+}
+
+TEST_F(SheetGuide, KeepsWhatWasReachedAndWhatWasRight) {
+    const auto desk = desk_of(anna);
+    Session session = *Session::make(*load_state(""));
+    Guide guide;
+    guide.begin(run_at(*desk, goal_id), session);
+    const Params start = session.params;
+    session.params = with_light(session.params, 3.25);
+    guide.run()->reached() = session.params;  // as the window does in every frame
+    guide.next(session);
+    EXPECT_EQ(session.params.lights, start.lights) << "another exercise begins as it was written";
+    guide.run()->answer().numbers = {7.0};
+    guide.run()->take(right());
+    guide.previous(session);
+    EXPECT_EQ(guide.run()->step().id, goal_id);
+    EXPECT_EQ(session.params, with_light(start, 3.25));
+    EXPECT_FALSE(guide.run()->is_revealed());
+    guide.next(session);
+    EXPECT_TRUE(guide.run()->is_revealed()) << "what was right stays shown";
+    EXPECT_EQ(guide.run()->answer().numbers, std::vector{7.0});
+    guide.leave();
+    session.params.camera.yaw += 5.0;
+    guide.go_to(place(*desk, goal_id), session);
+    EXPECT_EQ(session.params, with_light(start, 3.25));
+    guide.return_to_step(session);
+    EXPECT_EQ(session.params, start) << "as it was written";
+}
+
+TEST_F(SheetGuide, BeginsWithWhatWasReachedAnotherTime) {
+    {
+        const auto desk = desk_of(anna);
+        LessonRun run = run_at(*desk, goal_id);
+        desk->follow(run, with_light(run.step().start.params, 6.5), true, 1.0);
+        finish(*desk);
+    }
+    const auto desk = desk_of(anna);
+    Session session = *Session::make(*load_state(""));
+    const Params start = session.params;
+    Guide guide;
+    guide.begin(run_at(*desk, goal_id), session);
+    EXPECT_EQ(session.params, with_light(start, 6.5));
+    EXPECT_FALSE(guide.run()->is_revealed());
+}
+
+}  // namespace
+}  // namespace viewing
