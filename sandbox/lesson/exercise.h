@@ -57,6 +57,10 @@ using NumbersAt = std::function<Result<Surroundings>(const LoadedState& start)>;
 /// A variant as a step: its constants put in, what it computes computed at its own start. The error is one sentence.
 Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, const NumbersAt& numbers_at);
 
+/// A student's sheet without anything on it yet, and one exercise more on it.
+Lesson empty_sheet(const std::string& course, const std::string& student);
+void add_to_sheet(Lesson& sheet, const Exercise& exercise, std::size_t variant, const LessonStep& step);
+
 /// A student's sheet: one step for each exercise, in their order, in the variant that is theirs.
 Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& course, const std::string& student,
                      const NumbersAt& numbers_at);

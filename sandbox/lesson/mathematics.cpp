@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/plane.h"
+#include "state/compare.h"
 #include "state/fields.h"
 #include "text/numbers.h"
 
@@ -490,28 +491,6 @@ int codes(lua_State* lua) {
     return push_codes(lua, [](double code) { return code; });
 }
 
-bool passes(CompareFunc func, double code, double stored) {
-    switch (func) {
-        case CompareFunc::never:
-            return false;
-        case CompareFunc::less:
-            return code < stored;
-        case CompareFunc::equal:
-            return code == stored;
-        case CompareFunc::lequal:
-            return code <= stored;
-        case CompareFunc::greater:
-            return code > stored;
-        case CompareFunc::notequal:
-            return code != stored;
-        case CompareFunc::gequal:
-            return code >= stored;
-        case CompareFunc::always:
-            return true;
-    }
-    return false;
-}
-
 int trace(lua_State* lua) {
     const std::span<const char* const> names = names_of<CompareFunc>();
     const std::string wanted = luaL_checkstring(lua, 2);
@@ -519,7 +498,7 @@ int trace(lua_State* lua) {
     if (at == names.end()) luaL_argerror(lua, 2, "must be a name of glDepthFunc, such as less");
     const auto func = static_cast<CompareFunc>(at - names.begin());
     double stored = luaL_optnumber(lua, 3, 255.0);
-    return push_codes(lua, [&](double code) { return passes(func, code, stored) ? stored = code : stored; });
+    return push_codes(lua, [&](double code) { return compare(func, code, stored) ? stored = code : stored; });
 }
 
 int reversed(lua_State* lua) {

@@ -150,20 +150,29 @@ Result<LessonStep> variant_step(const Exercise& exercise, std::size_t variant, c
     return guarded([&] { return read_variant(exercise, variant, numbers_at); });
 }
 
-Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& course, const std::string& student,
-                     const NumbersAt& numbers_at) {
+Lesson empty_sheet(const std::string& course, const std::string& student) {
     Lesson lesson;
     lesson.id = "exercises";
     lesson.title.by_language = {"Exercises", "연습 문제"};
     lesson.sheet = Sheet{course, student, {}};
+    return lesson;
+}
+
+void add_to_sheet(Lesson& sheet, const Exercise& exercise, std::size_t variant, const LessonStep& step) {
+    sheet.steps.push_back(step);
+    sheet.sheet->items.push_back({exercise.id, exercise.title, variant, exercise.points});
+    for (const auto& tag : exercise.tags)
+        if (std::find(sheet.tags.begin(), sheet.tags.end(), tag) == sheet.tags.end()) sheet.tags.push_back(tag);
+}
+
+Result<Lesson> sheet(const std::vector<Exercise>& exercises, const std::string& course, const std::string& student,
+                     const NumbersAt& numbers_at) {
+    Lesson lesson = empty_sheet(course, student);
     for (const Exercise& exercise : exercises) {
         const std::size_t variant = variant_of(course, student, exercise.id, exercise.variants.size());
-        Result<LessonStep> step = variant_step(exercise, variant, numbers_at);
+        const Result<LessonStep> step = variant_step(exercise, variant, numbers_at);
         if (!step) return Error{step.error()};
-        lesson.steps.push_back(*std::move(step));
-        lesson.sheet->items.push_back({exercise.id, exercise.title, variant, exercise.points});
-        for (const auto& tag : exercise.tags)
-            if (std::find(lesson.tags.begin(), lesson.tags.end(), tag) == lesson.tags.end()) lesson.tags.push_back(tag);
+        add_to_sheet(lesson, exercise, variant, *step);
     }
     if (lesson.steps.empty()) return Error{"there is no exercise to be done"};
     return lesson;

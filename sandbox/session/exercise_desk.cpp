@@ -177,16 +177,12 @@ std::optional<std::size_t> ExerciseDesk::next_to_make() const {
 }
 
 LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
-    Lesson lesson;
-    lesson.id = "exercises";
-    lesson.title.by_language = {"Exercises", "연습 문제"};
-    lesson.sheet = Sheet{student_.course, student_.number, {}};
+    Lesson lesson = empty_sheet(student_.course, student_.number);
     std::vector<const HandInItem*> known;
     for (const std::size_t place : places) {
         const Entry& entry = entries_[place];
         if (!entry.step || !*entry.step) continue;
-        lesson.steps.push_back(**entry.step);
-        lesson.sheet->items.push_back({entry.exercise.id, entry.exercise.title, entry.variant, entry.exercise.points});
+        add_to_sheet(lesson, entry.exercise, entry.variant, **entry.step);
         known.push_back(hand_in_.find(entry.exercise.id));
     }
     LessonRun run(std::move(lesson));

@@ -10,6 +10,7 @@
 #include "frame/depth/pixel_triangle.h"
 #include "frame/draw_calls.h"
 #include "geometry/shapes.h"
+#include "state/compare.h"
 
 namespace viewing {
 namespace {
@@ -230,28 +231,6 @@ std::vector<Fragment> send_all(const std::vector<Batch>& batches, PixelBuffers& 
 }
 
 }  // namespace
-
-bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
-    switch (func) {
-        case CompareFunc::never:
-            return false;
-        case CompareFunc::less:
-            return incoming < stored;
-        case CompareFunc::equal:
-            return incoming == stored;
-        case CompareFunc::lequal:
-            return incoming <= stored;
-        case CompareFunc::greater:
-            return incoming > stored;
-        case CompareFunc::notequal:
-            return incoming != stored;
-        case CompareFunc::gequal:
-            return incoming >= stored;
-        case CompareFunc::always:
-            break;
-    }
-    return true;
-}
 
 FragmentFinder::FragmentFinder(const Scene& scene) : scene_(scene) {
     for (const SceneObject& object : scene_.objects) trees_.push_back(triangle_tree(object.mesh));

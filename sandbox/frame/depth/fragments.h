@@ -36,9 +36,6 @@ struct Fragment {
     bool decided_by_rounding = false;  ///< GL does what these codes do not say: reconcile()
 };
 
-/// What glDepthFunc and glStencilFunc make of two values. Bits of floats ≥ 0 are in the floats' order.
-bool compare(CompareFunc func, std::uint32_t incoming, std::uint32_t stored);
-
 /// Keeps a scene's triangles sorted, so that asking again is quick: made once per scene.
 class FragmentFinder {
 public:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state/compare.h"
+
 namespace viewing {
 namespace {
 
