@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdio>
 
+#include "state/compare.h"
 #include "text/catalogue.h"
 
 namespace viewing {
