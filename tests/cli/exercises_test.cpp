@@ -114,7 +114,7 @@ TEST_F(ExercisesCommand, ItsVariantsAreThoseThatWereComputedElsewhere) {
         << "the ninth of its deployed ones";
     EXPECT_EQ(sheet["exercises"][0]["points"], 3);
     EXPECT_EQ(sheet["exercises"][0]["question"],
-              "P = (0, 1, 0, 0), L = (−1, 4, 3, 1). Type the shadow matrix. (Any multiple of it is the same map.)");
+              "P = (0, 1, 0, 0), L = (−1, 4, 3, 1). Type the shadow matrix. (Any multiple but zero is the same map.)");
     EXPECT_EQ(sheet["exercises"][1]["variant"], 12);
     EXPECT_FALSE(sheet["exercises"][0].contains("solution"));
 }
