@@ -277,7 +277,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
         workbench.go_to_exercise(start.exercise, start.replays);
     } else {
         const std::filesystem::path file = remembered_file();
-        workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", start.program);
+        workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
         workbench.exercises.sit_down(memory.remembered().student);
     }
     const WakeUp wake_up;

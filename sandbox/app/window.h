@@ -20,7 +20,6 @@ struct WindowStart {
     std::optional<HandIn> hand_in;        ///< and shows what this student handed in
     std::string exercise;                 ///< of it: which one
     bool replays = false;                 ///< plays how it was done
-    std::string program;                  ///< the version, as hand-ins tell it
     std::string notes;                    ///< where the lecturer's notes go, as LectureNotes takes it
 };
 

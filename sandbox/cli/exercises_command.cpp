@@ -7,15 +7,14 @@
 #include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/state_arguments.h"
 #include "cli/values.h"
 #include "image/compare.h"
 #include "lesson/exercise.h"
 #include "lesson/notes.h"
-#include "lesson/variants.h"
 #include "report/exercise_check.h"
 #include "report/state_numbers.h"
 #include "state/json.h"
-#include "state/scene.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -38,12 +37,10 @@ std::string list_of(const std::vector<Exercise>& exercises) {
     std::string lines;
     int points = 0;
     for (const Exercise& exercise : exercises) {
-        std::string slides, sets;
-        for (const int slide : exercise.slides) slides += (slides.empty() ? "" : ", ") + std::to_string(slide);
-        for (const std::string& set : exercise.sets) sets += (sets.empty() ? "" : ", ") + set;
         points += exercise.points;
-        lines += exercise.id + " — " + exercise.title.in_english() + " (" + sets + "; slides " + slides + "; " +
-                 points_text(exercise.points) + "; " + std::to_string(exercise.variants.size()) + " variants)\n";
+        lines += exercise.id + " — " + exercise.title.in_english() + " (" + joined(exercise.sets) + "; slides " +
+                 joined(exercise.slides) + "; " + points_text(exercise.points) + "; " +
+                 std::to_string(exercise.variants.size()) + " variants)\n";
     }
     return lines + std::to_string(exercises.size()) + " exercises, " + points_text(points) + "\n";
 }
@@ -52,16 +49,15 @@ std::string list_of(const std::vector<Exercise>& exercises) {
 
 /// What a sheet says of one exercise.
 struct Question {
-    const Exercise& exercise;
-    std::size_t variant = 0;
-    LessonStep step;
+    const Sheet::Item& item;
+    const LessonStep& step;
     std::string solution;  ///< "" unless it was asked for
 };
 
 std::string as_text(const Question& question) {
     const Ask& ask = question.step.ask;
-    std::string text = question.exercise.id + " · " + question.exercise.title.shown() + " · " +
-                       points_text(question.exercise.points) + "\n";
+    std::string text =
+        question.item.exercise + " · " + question.item.title.shown() + " · " + points_text(question.item.points) + "\n";
     text += wrapped(question.step.say.shown(), 2);
     text += wrapped(ask.question.shown(), 2);
     for (std::size_t i = 0; i < ask.choices.size(); ++i)
@@ -73,8 +69,8 @@ std::string as_text(const Question& question) {
 
 Json as_json(const Question& question) {
     const Ask& ask = question.step.ask;
-    Json json = {{"exercise", question.exercise.id},   {"variant", question.variant},
-                 {"points", question.exercise.points}, {"values", constants_of(ask)},
+    Json json = {{"exercise", question.item.exercise}, {"variant", question.item.variant},
+                 {"points", question.item.points},     {"values", constants_of(ask)},
                  {"say", question.step.say.shown()},   {"question", ask.question.shown()}};
     for (const LessonChoice& choice : ask.choices) json["choices"].push_back(choice.say.shown());
     for (const LessonText& item : ask.items) json["items"].push_back(item.shown());
@@ -82,48 +78,37 @@ Json as_json(const Question& question) {
     return json;
 }
 
-std::vector<Question> questions(const Typed& typed, const std::vector<Exercise>& exercises, Headless& headless) {
-    const NumbersAt numbers_at = numbers_at_start(&headless.renderer());
-    std::vector<Question> list;
-    for (const Exercise& exercise : exercises) {
-        const std::size_t variant =
-            variant_of(typed.course.value_or(""), *typed.student, exercise.id, exercise.variants.size());
-        LessonStep step = value_or_end(variant_step(exercise, variant, numbers_at));
-        std::string solution;
-        if (typed.solutions) solution = answer_in_words(step.ask, value_or_end(numbers_at(step.start)));
-        list.push_back({exercise, variant, std::move(step), std::move(solution)});
-    }
-    headless.require_no_errors();
-    return list;
-}
-
 void print_sheet(const Options& options, const Typed& typed, const std::vector<Exercise>& exercises) {
     constexpr std::array formats{"text", "json"};
     const bool is_json = choice_option(options, "--format", typed.format.value_or("text"), formats) == 1;
     Headless headless(device_option(options, typed.device));
-    if (typed.language)
-        value_or_end(
-            speak(static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()))));
-    const std::vector<Question> list = questions(typed, exercises, headless);
-    if (!is_json) {
-        std::string text;
-        for (const Question& question : list) text += as_text(question);
-        return print(text);
+    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
+    const NumbersAt numbers_at = numbers_at_start(&headless.renderer());
+    const Lesson made = value_or_end(sheet(exercises, typed.course.value_or(""), *typed.student, numbers_at));
+    std::string text;
+    Json json = {{"course", made.sheet->course}, {"student", made.sheet->student}, {"exercises", Json::array()}};
+    for (std::size_t i = 0; i < made.steps.size(); ++i) {
+        const LessonStep& step = made.steps[i];
+        const std::string solution =
+            typed.solutions ? answer_in_words(step.ask, value_or_end(numbers_at(step.start))) : "";
+        const Question question{made.sheet->items[i], step, solution};
+        if (is_json)
+            json["exercises"].push_back(as_json(question));
+        else
+            text += as_text(question);
     }
-    Json sheet = {{"course", typed.course.value_or("")}, {"student", *typed.student}, {"exercises", Json::array()}};
-    for (const Question& question : list) sheet["exercises"].push_back(as_json(question));
-    print(print_document(sheet) + "\n");
+    headless.require_no_errors();
+    print(is_json ? print_document(json) + "\n" : text);
 }
 
 // ---- their own tests -----------------------------------------------------------------------------------------------
 
 Image picture_of(Headless& headless, const LoadedState& state) {
-    const Scene scene = value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar));
     PictureRequest request;
     request.view = PictureView::camera;
     request.size_px = {640, 360};
     request.samples = 0;
-    return headless.drawn(draw_picture(headless.renderer(), state, scene, request));
+    return headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
 }
 
 /// A fault that one cannot see is no exercise: with all but one mended the picture must differ from the right one.
@@ -138,14 +123,7 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
     for (std::size_t fault = 0; fault < step.ask.model.size(); ++fault) {
         std::vector<std::string> others = step.ask.model;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(fault));
-        const Image wrong = with(others);
-        int different_px = 0;
-        for (std::size_t at = 0; at < right.rgba.size(); at += 4)
-            different_px += std::equal(right.rgba.begin() + static_cast<std::ptrdiff_t>(at),
-                                       right.rgba.begin() + static_cast<std::ptrdiff_t>(at + 4),
-                                       wrong.rgba.begin() + static_cast<std::ptrdiff_t>(at))
-                                ? 0
-                                : 1;
+        const std::int64_t different_px = compare_images(right, with(others)).different;
         if (different_px < exercise.visible_px)
             findings.push_back(exercise.id + ", step " + step.id + ": " + step.ask.model[fault] + " alone mends " +
                                std::to_string(different_px) + " pixels, fewer than " +
@@ -190,7 +168,7 @@ void print_deployed(const Typed& typed) {
         const std::string text = value_or_end(read_text_file(file));
         const std::vector<std::string> all = value_or_end(combinations(text, one_line(file)));
         std::string lines;
-        for (std::size_t i = 0; i < std::min<std::size_t>(all.size(), 16); ++i)
+        for (std::size_t i = 0; i < std::min(all.size(), most_deployed); ++i)
             lines += (i == 0 ? "\n    " : ",\n    ") + all[i];
         print("  \"deployed\": [" + lines + "\n  ]\n");
     }

@@ -3,12 +3,13 @@
 #include <array>
 
 #include "cli/commands.h"
-#include "cli/grade_report.h"
-#include "cli/grade_tables.h"
 #include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/grade_report.h"
+#include "cli/results/grade_tables.h"
 #include "cli/values.h"
+#include "platform/file.h"
 #include "report/grading.h"
 #include "text/words.h"
 
@@ -55,11 +56,7 @@ void declare(Options& options, Typed& typed) {
 std::vector<fs::path> files_of(const std::string& argument) {
     std::error_code error;
     if (!fs::is_directory(argument, error)) return {argument};
-    std::vector<fs::path> files;
-    for (fs::directory_iterator entry(argument, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ".json") files.push_back(entry->path());
-    std::sort(files.begin(), files.end());
-    return files;
+    return files_in(argument, ".json");
 }
 
 StudentGrade not_read(const std::string& file, const std::string& why) {

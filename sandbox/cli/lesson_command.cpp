@@ -4,9 +4,9 @@
 #include "app/picture.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
-#include "cli/lesson_handout.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/lesson_handout.h"
 #include "cli/values.h"
 #include "cli/window_commands.h"
 #include "lesson/lesson.h"
@@ -28,9 +28,7 @@ struct Typed {
 std::string list_of_lessons() {
     std::string lines;
     for (const LessonFile& file : lessons()) {
-        std::string slides;
-        for (const int slide : file.slides) slides += (slides.empty() ? "" : ", ") + std::to_string(slide);
-        lines += file.id + " — " + file.title.in_english() + " (slides " + slides + "; " +
+        lines += file.id + " — " + file.title.in_english() + " (slides " + joined(file.slides) + "; " +
                  std::to_string(file.minutes) + " min; " + std::to_string(file.steps) + " steps)\n";
     }
     return lines;
@@ -90,17 +88,12 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     throw Failure(ExitStatus::different, "lesson --check: " + std::to_string(count) + " things fail");
 }
 
-std::optional<Language> language_option(const Options& options, const Typed& typed) {
-    if (!typed.language) return std::nullopt;
-    return static_cast<Language>(choice_option(options, "--language", *typed.language, names_of<Language>()));
-}
-
 ExitStatus write_handout(const Options& options, const Typed& typed) {
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
     check_output(*typed.handout);
     const Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
     Headless headless(device_option(options, typed.device));
-    value_or_end(speak(language_option(options, typed).value_or(Language::en)));
+    value_or_end(speak(language_option(options, typed.language).value_or(Language::en)));
     Outputs outputs;
     outputs.add(*typed.handout, handout(headless, lesson, typed.answers));
     outputs.write();
@@ -129,7 +122,7 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
         start.notes = typed.notes.value_or("");
     }
     memory.dress(state.params);
-    if (const auto language = language_option(options, typed)) state.params.ui.language = *language;
+    if (const auto language = language_option(options, typed.language)) state.params.ui.language = *language;
     constexpr double patience_s = 0.5;
     return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
 }

@@ -80,4 +80,9 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
     options.refuse(std::string(name) + ": must be one of " + joined(names) + got(text) + suggestion(text, known));
 }
 
+std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    return static_cast<Language>(choice_option(options, "--language", *text, names_of<Language>()));
+}
+
 }  // namespace viewing

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/options.h"
+#include "state/language.h"
 
 namespace viewing {
 
@@ -26,6 +27,9 @@ double number_option(const Options& options, const char* name, const std::string
 /// The index of a name; a misspelt one gets the nearest.
 std::size_t choice_option(const Options& options, const char* name, const std::string& text,
                           std::span<const char* const> names);
+
+/// The value of --language; none where it was left out.
+std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text);
 
 /// What --help says about --size.
 inline constexpr const char* size_help =

@@ -11,9 +11,7 @@ ExitStatus show_window(Session session, const WindowStart& start, WindowMemory& 
     // For tests: a context that checks every call is slower.
     const bool checks_gl = std::getenv("VIEWING_SANDBOX_CHECK_GL") != nullptr;
     std::vector<std::string> gl_errors;
-    WindowStart told = start;
-    told.program = VIEWING_SANDBOX_VERSION;
-    value_or_end(run_window(std::move(session), told, memory, static_cast<int>(ExitStatus::no_context),
+    value_or_end(run_window(std::move(session), start, memory, static_cast<int>(ExitStatus::no_context),
                             checks_gl ? &gl_errors : nullptr),
                  ExitStatus::no_context);
     if (!gl_errors.empty()) throw Failure(ExitStatus::gl_error, "GL error: " + gl_errors.front());

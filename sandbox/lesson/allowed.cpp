@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "state/json.h"
 #include "state/reader.h"
 
 namespace viewing {
@@ -37,6 +38,14 @@ std::vector<std::string> changed_without_leave(const Params& before, const Param
         return std::any_of(allow.begin(), allow.end(), has) || is_looking(path);
     });
     return paths;
+}
+
+Result<Params> changed_start(const LessonStep& step, const std::vector<std::string>& settings) {
+    Result<Params> changed = apply_settings(step.start.params, settings, "set ");
+    if (!changed) return changed;
+    const std::vector<std::string> others = changed_without_leave(step.start.params, *changed, step.ask.allow);
+    if (!others.empty()) return Error{"the file changes " + others.front() + ", which the exercise does not allow"};
+    return changed;
 }
 
 std::vector<std::string> settings_between(const Params& before, const Params& after) {

@@ -47,7 +47,10 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
 /// Of a text; `source` opens every message, `folder` is what its scenes' files are relative to.
 Result<Exercise> parse_exercise(std::string_view json, const std::string& source, const std::filesystem::path& folder);
 
-/// All combinations of its lists that pass `require`, shuffled: the first 16 are those to be deployed. The error is
+/// How many variants of an exercise students get: the first ones of its combinations.
+inline constexpr std::size_t most_deployed = 16;
+
+/// All combinations of its lists that pass `require`, shuffled: the first ones are those to be deployed. The error is
 /// that of an expression, or that there are too many or none.
 Result<std::vector<std::string>> combinations(std::string_view json, const std::string& source);
 

@@ -5,6 +5,7 @@
 #include "lesson/exercise.h"
 #include "lesson/step_reader.h"
 #include "lesson/variants.h"
+#include "platform/file.h"
 #include "state/scene.h"
 #include "text/words.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_deployed = 16, most_combinations = 20'000;
+constexpr std::size_t most_combinations = 20'000;
 
 /// The lists that constants are picked from.
 const Json& read_picks(const Json& document, const Where& where) {
@@ -22,19 +23,11 @@ const Json& read_picks(const Json& document, const Where& where) {
     require_object(document["pick"], inside, "an object of names and lists of values");
     if (document["pick"].empty()) inside.refuse("must have one name or more");
     for (const auto& [name, values] : document["pick"].items()) {
-        if (!is_constant_name(name))
-            inside.refuse("\"" + excerpt(name) +
-                          "\" is no name: it has other signs than letters, digits and _, or means something already");
+        require_constant_name(name, inside);
         require_array(values, inside.key(name), most_entries, "a list of values");
         if (values.empty()) inside.key(name).refuse("must have one value or more");
     }
     return document["pick"];
-}
-
-std::vector<std::string> names_in(const Json& object) {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : object.items()) names.push_back(name);
-    return names;
 }
 
 /// The place'th of all combinations; the last list turns fastest.
@@ -60,7 +53,7 @@ Surroundings constants_alone(Json constants) {
 
 std::vector<std::string> read_combinations(const Json& document, const std::string& id, const Where& where) {
     const Json& picks = read_picks(document, where);
-    const std::vector<std::string> require = expressions_at(document, "require", where, names_in(picks));
+    const std::vector<std::string> require = expressions_at(document, "require", where, keys_of(picks));
     std::size_t count = 1;
     for (const auto& [name, values] : picks.items()) {
         count *= values.size();
@@ -88,7 +81,7 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
 
 /// The stored ones, each with a value for every constant.
 std::vector<std::string> read_deployed(const Json& document, const Where& where) {
-    const std::vector<std::string> names = names_in(read_picks(document, where));
+    const std::vector<std::string> names = keys_of(read_picks(document, where));
     expressions_at(document, "require", where, names);
     const Where inside = where.key("deployed");
     require_array(document["deployed"], inside, most_entries, "a list of variants");
@@ -141,15 +134,6 @@ Result<Exercise> load_exercise(const fs::path& file) {
     return exercise;
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-        if (entry->path().extension() == ".json") files.push_back(entry->path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 }  // namespace
 
 bool Exercise::is_in(const std::string& set) const {
@@ -177,7 +161,7 @@ std::vector<Result<Exercise>> exercises() {
     std::vector<Result<Exercise>> found;
     const fs::path assets = assets_directory();
     if (assets.empty()) return found;
-    for (const fs::path& file : files_in(assets / "exercises")) found.push_back(load_exercise(file));
+    for (const fs::path& file : files_in(assets / "exercises", ".json")) found.push_back(load_exercise(file));
     return found;
 }
 
@@ -190,7 +174,7 @@ Result<std::vector<Exercise>> load_exercises(const std::vector<std::string>& fil
             read.push_back(load_exercise(file));
             continue;
         }
-        const std::vector<fs::path> inside = files_in(file);
+        const std::vector<fs::path> inside = files_in(file, ".json");
         if (inside.empty()) return Error{one_line(file) + ": a folder without a .json file"};
         for (const fs::path& path : inside) read.push_back(load_exercise(path));
     }
@@ -230,12 +214,10 @@ Result<std::vector<Exercise>> of_set(std::vector<Exercise> exercises, const std:
         const std::string name = set.substr(begin, end - begin);
         const Result<std::size_t> at = find_exercise(exercises, name);
         if (!at) {
-            std::string known;
-            for (const std::string& other : sets) known += (known.empty() ? "" : ", ") + other;
-            return Error{"\"" + excerpt(name) + "\" is neither a set (" + known + ") nor an exercise" +
-                         (suggestion(name, sets).empty()
-                              ? at.error().substr(std::min(at.error().find(';'), at.error().size()))
-                              : suggestion(name, sets))};
+            std::vector<std::string> names = sets;
+            for (const Exercise& exercise : exercises) names.push_back(exercise.id);
+            return Error{"\"" + excerpt(name) + "\" is neither a set (" + joined(sets) + ") nor an exercise" +
+                         suggestion(name, names)};
         }
         const auto is_there = [&](const Exercise& one) { return one.id == exercises[*at].id; };
         if (std::none_of(kept.begin(), kept.end(), is_there)) kept.push_back(exercises[*at]);

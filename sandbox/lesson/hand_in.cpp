@@ -180,8 +180,7 @@ std::string hand_in_as_text(const HandIn& hand_in) {
 std::optional<Answer> answer_in(const Attempt& attempt, const Ask& ask) {
     if (!attempt.answer || attempt.answer->empty()) return std::nullopt;
     Answer answer;
-    const bool is_typed = ask.kind == AskKind::number || ask.kind == AskKind::vector || ask.kind == AskKind::matrix;
-    if (is_typed) {
+    if (is_typed(ask.kind)) {
         if (std::ssize(*attempt.answer) != ask.rows * ask.columns) return std::nullopt;
         answer.numbers = *attempt.answer;
         return answer;

@@ -46,10 +46,6 @@ int farthest_place(const Ask& ask, const Answer& answer, const Surroundings& sur
     return static_cast<int>(std::max_element(apart->begin(), apart->end()) - apart->begin()) / ask.columns + 1;
 }
 
-bool is_typed(AskKind kind) {
-    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
-}
-
 std::vector<int> sorted(std::vector<int> items) {
     std::sort(items.begin(), items.end());
     return items;

@@ -32,6 +32,16 @@ struct LessonText {
 
 enum class AskKind { choice, number, vector, matrix, sequence, order, product, subset, goal };
 
+/// Whether numbers are typed.
+constexpr bool is_typed(AskKind kind) {
+    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
+}
+
+/// Whether items are chosen, or put in order.
+constexpr bool has_items(AskKind kind) {
+    return kind == AskKind::sequence || kind == AskKind::order || kind == AskKind::product || kind == AskKind::subset;
+}
+
 /// One of the answers that a choice offers.
 struct LessonChoice {
     LessonText say;

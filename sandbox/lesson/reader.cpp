@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "lesson/step_reader.h"
+#include "platform/file.h"
 #include "state/scene.h"
 #include "text/words.h"
 
@@ -68,15 +69,10 @@ Result<Lesson> parse_lesson(std::string_view json, const std::string& source, co
 }
 
 std::vector<LessonFile> lessons() {
-    std::vector<fs::path> paths;
-    const fs::path assets = assets_directory();
-    std::error_code error;
-    for (fs::directory_iterator entry(assets / "lessons", error), end; !assets.empty() && !error && entry != end;
-         entry.increment(error))
-        if (entry->path().extension() == ".json") paths.push_back(entry->path());
-    std::sort(paths.begin(), paths.end());
     std::vector<LessonFile> files;
-    for (const fs::path& path : paths) files.push_back(glance_at(path));
+    const fs::path assets = assets_directory();
+    if (assets.empty()) return files;
+    for (const fs::path& path : files_in(assets / "lessons", ".json")) files.push_back(glance_at(path));
     return files;
 }
 

@@ -60,6 +60,12 @@ std::string expression_in(const Json& value, const Where& where, const std::vect
     return expression;
 }
 
+void require_constant_name(const std::string& name, const Where& where) {
+    if (!is_constant_name(name))
+        where.refuse("\"" + excerpt(name) +
+                     "\" is no name: it has other signs than letters, digits and _, or means something already");
+}
+
 std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
                                         const std::vector<std::string>& constants) {
     std::vector<std::string> expressions;
@@ -185,10 +191,6 @@ std::vector<LessonChoice> read_choices(const Json& ask, const Where& where) {
     return choices;
 }
 
-bool has_items(AskKind kind) {
-    return kind == AskKind::sequence || kind == AskKind::order || kind == AskKind::product || kind == AskKind::subset;
-}
-
 std::vector<int> read_items(const Json& value, std::size_t count, const Where& where) {
     require_array(value, where, most_entries, "a list of items' places, from 0 on");
     std::vector<int> items;
@@ -272,18 +274,8 @@ void read_typed(const Json& object, Ask& ask, const std::vector<std::string>& co
 /// Names of one's own, each a value that stays: a JSON object as text.
 std::string read_constants(const Json& object, const Where& where) {
     require_object(object, where, "an object of names and values");
-    for (const auto& [name, value] : object.items())
-        if (!is_constant_name(name))
-            where.refuse("\"" + excerpt(name) +
-                         "\" is no name: it has other signs than letters, digits and _, or means something already");
+    for (const auto& [name, value] : object.items()) require_constant_name(name, where);
     return object.dump();
-}
-
-std::vector<std::string> names_of_constants(const Ask& ask) {
-    std::vector<std::string> names;
-    const Json constants = constants_of(ask);
-    for (const auto& [name, value] : constants.items()) names.push_back(name);
-    return names;
 }
 
 Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
@@ -292,7 +284,7 @@ Ask read_ask(const Json& object, const LessonStep& step, const Where& where) {
                   "shows_as", "until", "allow", "model", "wrong"});
     Ask ask;
     ask.constants = step.ask.constants;
-    const std::vector<std::string> constants = names_of_constants(ask);
+    const std::vector<std::string> constants = keys_of(constants_of(ask));
     if (!has(object, "kind")) where.key("kind").refuse("is missing: one of " + joined(kind_names));
     ask.kind = static_cast<AskKind>(read_choice(object["kind"], where.key("kind"), kind_names));
     ask.question = text_at(object, "question", where, true);
@@ -363,7 +355,7 @@ LessonStep read_step(const Json& object, const fs::path& folder, PresetShelf& pr
     step.ask = read_ask(object["ask"], step, inside.key("ask"));
     if (!has(object, "reveal")) inside.key("reveal").refuse("is missing");
     read_reveal(object["reveal"], step, inside.key("reveal"));
-    const std::vector<std::string> constants = names_of_constants(step.ask);
+    const std::vector<std::string> constants = keys_of(constants_of(step.ask));
     step.claims_before = expressions_at(object, "claims_before", inside, constants);
     step.claims = expressions_at(object, "claims", inside, constants);
     step.note = text_at(object, "note", inside, false);

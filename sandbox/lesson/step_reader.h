@@ -33,4 +33,7 @@ std::string expression_in(const Json& value, const Where& where, const std::vect
 std::vector<std::string> expressions_at(const Json& object, const char* key, const Where& where,
                                         const std::vector<std::string>& constants);
 
+/// Refuses what cannot stand for a constant.
+void require_constant_name(const std::string& name, const Where& where);
+
 }  // namespace viewing

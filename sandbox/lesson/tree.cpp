@@ -8,6 +8,12 @@ bool has(const Json& object, const char* key) {
     return object.contains(key);
 }
 
+std::vector<std::string> keys_of(const Json& object) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : object.items()) keys.push_back(key);
+    return keys;
+}
+
 void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known) {
     require_object(object, where, "an object");
     for (const auto& [key, value] : object.items()) require_known_key(key, where, known);

@@ -16,6 +16,8 @@ bool has(const Json& object, const char* key);
 /// Refuses what is no object, and keys that are not known.
 void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
 
+std::vector<std::string> keys_of(const Json& object);
+
 /// A text, or {"en": …, "ko": …}.
 LessonText read_text_of(const Json& value, const Where& where);
 LessonText text_at(const Json& object, const char* key, const Where& where, bool is_needed);

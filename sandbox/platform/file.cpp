@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <deque>
 #include <optional>
@@ -153,6 +154,15 @@ Status check_readable(const fs::path& file) {
     if (fs::is_directory(status)) return Error{file.string() + ": is a directory, not a file"};
     if (!fs::is_regular_file(status)) return Error{file.string() + ": is not a file"};
     return std::monostate{};
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension) {
+    std::vector<std::filesystem::path> files;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+        if (entry->path().extension() == extension) files.push_back(entry->path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 }  // namespace viewing

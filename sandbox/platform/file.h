@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "text/result.h"
 
@@ -19,6 +20,9 @@ Status write_file(const std::filesystem::path& path, std::span<const std::uint8_
 
 /// The same of a text.
 Status write_file(const std::filesystem::path& path, std::string_view text);
+
+/// The files of a folder whose names end so (".json"), sorted; none where it cannot be read.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension);
 
 struct FileBytes {
     std::filesystem::path path;

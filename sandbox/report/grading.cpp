@@ -7,7 +7,6 @@
 #include "lesson/allowed.h"
 #include "lesson/variants.h"
 #include "report/state_numbers.h"
-#include "state/json.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -89,8 +88,8 @@ Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Re
     Answer answer;
     if (step.ask.kind == AskKind::goal) {
         if (!attempt.is_goal) return Verdict{};
-        const Result<Params> changed = apply_settings(step.start.params, attempt.settings);
-        if (!changed || !changed_without_leave(step.start.params, *changed, step.ask.allow).empty()) return Verdict{};
+        const Result<Params> changed = changed_start(step, attempt.settings);
+        if (!changed) return Verdict{};
         now.params = *changed;
     } else {
         const std::optional<Answer> given = answer_in(attempt, step.ask);

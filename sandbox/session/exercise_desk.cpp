@@ -8,7 +8,6 @@
 #include "lesson/allowed.h"
 #include "lesson/variants.h"
 #include "platform/file.h"
-#include "state/json.h"
 
 namespace viewing {
 namespace {
@@ -176,6 +175,21 @@ std::optional<std::size_t> ExerciseDesk::next_to_make() const {
     return at == entries_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - entries_.begin()));
 }
 
+std::optional<LessonRun> ExerciseDesk::sheet_at(const std::string& exercise,
+                                                const std::vector<std::size_t>& places) const {
+    const auto is_made_one = [&](std::size_t place) {
+        const Entry& entry = entries_[place];
+        return entry.exercise.id == exercise && entry.step && *entry.step;
+    };
+    if (std::none_of(places.begin(), places.end(), is_made_one)) return std::nullopt;
+    LessonRun run = sheet(places);
+    const std::vector<Sheet::Item>& items = run.lesson().sheet->items;
+    const auto at =
+        std::find_if(items.begin(), items.end(), [&](const auto& item) { return item.exercise == exercise; });
+    run.go_to(static_cast<std::size_t>(at - items.begin()));
+    return run;
+}
+
 LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
     Lesson lesson = empty_sheet(student_.course, student_.number);
     std::vector<const HandInItem*> known;
@@ -204,9 +218,7 @@ LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
         }
         std::optional<Params> reached;
         if (!latest.settings.empty())
-            if (const Result<Params> changed = apply_settings(step.start.params, latest.settings);
-                changed && changed_without_leave(step.start.params, *changed, step.ask.allow).empty())
-                reached = *changed;
+            if (const Result<Params> changed = changed_start(step, latest.settings)) reached = *changed;
         run.restore(i, answer_in(latest, step.ask).value_or(Answer{}), hints, is_done, std::move(reached));
     }
     return run;

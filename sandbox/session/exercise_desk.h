@@ -53,6 +53,8 @@ public:
 
     /// The exercises at these places as something that leads, with what was done at each.
     LessonRun sheet(const std::vector<std::size_t>& places) const;
+    /// The same, standing at one of them; none where that could not be made.
+    std::optional<LessonRun> sheet_at(const std::string& exercise, const std::vector<std::size_t>& places) const;
     const HandIn& hand_in() const { return hand_in_; }
     bool is_right(const std::string& exercise) const;
     bool is_tried(const std::string& exercise) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "platform/file.h"
 #include "platform/text_file.h"
 #include "state/document.h"
 #include "state/json.h"
@@ -38,16 +39,11 @@ NamedFile named_file(const fs::path& path) {
     return named;
 }
 
-std::vector<NamedFile> files_in(const char* folder) {
+std::vector<NamedFile> named_files(const char* folder) {
     std::vector<NamedFile> files;
     const fs::path assets = assets_directory();
-    std::error_code error;
-    for (fs::directory_iterator entry(assets / folder, error), end; !assets.empty() && !error && entry != end;
-         entry.increment(error)) {
-        if (entry->path().extension() == ".json") {
-            files.push_back(named_file(entry->path()));
-        }
-    }
+    if (assets.empty()) return files;
+    for (const fs::path& file : files_in(assets / folder, ".json")) files.push_back(named_file(file));
     std::sort(files.begin(), files.end(), [](const NamedFile& a, const NamedFile& b) { return a.name < b.name; });
     return files;
 }
@@ -100,7 +96,7 @@ std::string names_hint(std::string_view word, std::span<const NamedFile> files) 
 }
 
 std::vector<NamedFile> presets() {
-    std::vector<NamedFile> files = files_in("presets");
+    std::vector<NamedFile> files = named_files("presets");
     const std::vector<std::string> order = lecture_order();
     const auto place = [&order](const NamedFile& file) {
         return std::find(order.begin(), order.end(), file.name) - order.begin();
@@ -111,7 +107,7 @@ std::vector<NamedFile> presets() {
 }
 
 std::vector<NamedFile> scenes() {
-    return files_in("scenes");
+    return named_files("scenes");
 }
 
 Result<LoadedState> load_state(const std::string& argument) {

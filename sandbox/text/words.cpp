@@ -96,12 +96,27 @@ std::string in_lines(const std::string& text, std::size_t width, const std::stri
     return result + begin + line + "\n";
 }
 
+namespace {
+
+template <typename Parts, typename Text>
+std::string joined_parts(const Parts& parts, const Text& text) {
+    std::string all;
+    for (const auto& part : parts) all += (all.empty() ? "" : ", ") + text(part);
+    return all;
+}
+
+}  // namespace
+
 std::string joined(std::span<const char* const> names) {
-    std::string text;
-    for (const char* name : names) {
-        text += (text.empty() ? "" : ", ") + std::string(name);
-    }
-    return text;
+    return joined_parts(names, [](const char* name) { return std::string(name); });
+}
+
+std::string joined(std::span<const std::string> names) {
+    return joined_parts(names, [](const std::string& name) { return name; });
+}
+
+std::string joined(std::span<const int> numbers) {
+    return joined_parts(numbers, [](int number) { return std::to_string(number); });
 }
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {

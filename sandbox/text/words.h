@@ -35,6 +35,9 @@ std::string in_lines(const std::string& text, std::size_t width, const std::stri
 
 /// "never, less, equal".
 std::string joined(std::span<const char* const> names);
+std::string joined(std::span<const std::string> names);
+/// "13, 15".
+std::string joined(std::span<const int> numbers);
 
 /// How many insertions, deletions, substitutions and swaps of neighbours turn one word into the other
 /// (Damerau–Levenshtein, optimal string alignment). Words are cut at 64 characters.

@@ -16,10 +16,6 @@ constexpr float letter_room = 24.0F;                              ///< in front 
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
 constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
 
-bool is_typed(AskKind kind) {
-    return kind == AskKind::number || kind == AskKind::vector || kind == AskKind::matrix;
-}
-
 int columns_of_choices(float width, float scale) {
     return width >= 2.0F * least_half * scale ? 2 : 1;
 }

@@ -135,24 +135,12 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
         cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
     ImGui::EndChild();
     if (clicked < 0 || !desk.is_ready()) return wishes;
-    std::vector<std::size_t> made;
-    std::optional<std::size_t> step;
-    for (const std::size_t place : places) {
-        const auto& one = desk.entries()[place].step;
-        if (!one || !*one) continue;
-        if (place == places[static_cast<std::size_t>(clicked)]) step = made.size();
-        made.push_back(place);
-    }
-    if (!step) return wishes;
-    LessonRun run = desk.sheet(made);
-    run.go_to(*step);
-    guide.begin(std::move(run), session);
+    const std::size_t place = places[static_cast<std::size_t>(clicked)];
+    std::optional<LessonRun> run = desk.sheet_at(desk.entries()[place].exercise.id, places);
+    if (!run) return wishes;
+    guide.begin(*std::move(run), session);
     is_open_ = false;
     return wishes;
-}
-
-bool TypedMatrix::can_show(const LessonRun& run) {
-    return !run.step().ask.shows_as.empty() && run.answer().numbers.size() == 16;
 }
 
 void TypedMatrix::open(const LessonRun& run) {

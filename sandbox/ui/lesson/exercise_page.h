@@ -40,9 +40,8 @@ private:
 /// Two pictures, larger: what a typed S or R makes of the scene, and what the right one does.
 class TypedMatrix {
 public:
-    /// Whether the question of this step asks for S or R, and all its numbers are typed.
-    static bool can_show(const LessonRun& run);
     bool is_open() const { return mine_.has_value(); }
+    /// Of a step that asks for S or R (Ask::shows_as).
     void open(const LessonRun& run);
     void close() { mine_.reset(); }
     void draw(const Pictures& pictures);

@@ -17,10 +17,8 @@ std::string key_of(const std::string& lesson, std::size_t step) {
 std::string slides_text(const std::vector<int>& slides) {
     if (slides.empty()) return "";
     const bool is_range = slides.size() > 1 && slides.back() - slides.front() + 1 == std::ssize(slides);
-    std::string text;
     if (is_range) return std::to_string(slides.front()) + "–" + std::to_string(slides.back());
-    for (const int slide : slides) text += (text.empty() ? "" : ", ") + std::to_string(slide);
-    return text;
+    return joined(slides);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // How a lesson takes part in the window: its strip, its keys, what it covers and points out, its pages.
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "platform/file.h"
@@ -146,18 +147,10 @@ void Workbench::follow_exercises(Session& session, const FrameInput& input) {
     session.report(exercises.update(ImGui::GetTime()));
     replay.update(session, input.dt_s);
     if (!wanted_exercise_.empty() && exercises.is_ready()) {
-        std::vector<std::size_t> made;
-        std::size_t step = 0;
-        for (std::size_t i = 0; i < exercises.entries().size(); ++i) {
-            const ExerciseDesk::Entry& entry = exercises.entries()[i];
-            if (entry.step && !*entry.step) continue;
-            if (entry.exercise.id == wanted_exercise_) step = made.size();
-            made.push_back(i);
-        }
-        if (!made.empty()) {
-            LessonRun run = exercises.sheet(made);
-            run.go_to(step);
-            guide.begin(std::move(run), session);
+        std::vector<std::size_t> all(exercises.entries().size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        if (std::optional<LessonRun> run = exercises.sheet_at(wanted_exercise_, all)) {
+            guide.begin(*std::move(run), session);
             const HandInItem* const item = exercises.hand_in().find(wanted_exercise_);
             if (wants_replay_ && item) replay.begin(guide.run()->step(), item->replay);
         }
@@ -166,7 +159,7 @@ void Workbench::follow_exercises(Session& session, const FrameInput& input) {
     if (guide.is_shown() && guide.is_sheet() && !replay.is_playing()) {
         const bool is_at_rest = !ImGui::IsAnyItemActive() && !session.is_moving() && !guide.is_revealing();
         exercises.follow(*guide.run(), session.params, is_at_rest, ImGui::GetTime());
-        guide.run()->reached() = session.params;
+        if (guide.run()->reached() != session.params) guide.run()->reached() = session.params;
     }
 }
 

@@ -1,4 +1,4 @@
-#include "cli/html.h"
+#include "cli/results/html.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cli/grade_report.h"
+#include "cli/results/grade_report.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <set>
 
 #include "app/picture.h"
-#include "cli/grade_tables.h"
-#include "cli/html.h"
+#include "cli/results/grade_tables.h"
+#include "cli/results/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/typed_matrix.h"

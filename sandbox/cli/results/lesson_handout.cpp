@@ -1,7 +1,7 @@
-#include "cli/lesson_handout.h"
+#include "cli/results/lesson_handout.h"
 
 #include "app/picture.h"
-#include "cli/html.h"
+#include "cli/results/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/notes.h"

@@ -1,4 +1,4 @@
-#include "cli/grade_tables.h"
+#include "cli/results/grade_tables.h"
 
 #include <algorithm>
 
