@@ -7,9 +7,6 @@
 #include <utility>
 
 #include "gl/dialect.h"
-#include "lesson/allowed.h"
-#include "lesson/judge.h"
-#include "report/lesson_numbers.h"
 #include "report/state_numbers.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
@@ -33,7 +30,8 @@ Studio::Studio(Renderer& renderer, Session opened)
       renderer_name_(renderer_name()),
       pictures_(renderer),
       inspection_(renderer),
-      preset_pictures_(renderer) {
+      preset_pictures_(renderer),
+      judge_(renderer) {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // no file is touched that was not named
@@ -123,7 +121,9 @@ Requests Studio::draw_interface(const Surroundings& surroundings) {
     ImGui::NewFrame();
     const Requests requests = workbench.draw(session, shown_.derived, shown_.before, shown_.plan, shown_.problems,
                                              pictures, told, surroundings.input);
-    judge_answer(requests.check_answer);
+    const bool may_wait = surroundings.shows_time;
+    if (judge_.update(workbench, session, {requests.check_answer, is_held(), may_wait}))
+        settling_ = std::max(settling_, 2);
     if (requests.cancel_hidden) answer_.cancel();
     if (requests.restart_hidden) answer_.restart();
     ImGui::Render();
@@ -148,50 +148,6 @@ void Studio::make_exercise() {
     settling_ = std::max(settling_, 2);
 }
 
-void Studio::judge_answer(bool wants_check) {
-    LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
-    if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) return;
-    const LessonStep& step = run->step();
-    const bool is_goal = step.ask.kind == AskKind::goal;
-    if (is_goal) {
-        const bool is_known = watched_ && watched_step_ == run->index() && *watched_ == session.params;
-        // What is measured takes a moment: it waits for the hand to rest.
-        workbench.is_checking &= !is_held();
-        if (is_held() || is_known) return;
-    } else if (!wants_check) {
-        return;
-    }
-    // That something is measured is said before the window stands still for it.
-    if (is_goal && is_measured(step.ask.until) && !std::exchange(workbench.is_checking, true)) {
-        settling_ = std::max(settling_, 2);
-        return;
-    }
-    workbench.is_checking = false;
-    watched_ = session.params;
-    watched_step_ = run->index();
-    const Params start = session.in_own_looks(step.start.params);
-    if (is_goal && session.params == start) return run->forget_verdict();
-    const Params& judged = is_goal ? session.params : start;
-    LessonNumbers numbers(judged, start, session.scene(), &renderer_);
-    Result<Verdict> verdict = judge(step.ask, run->answer(), numbers.surroundings());
-    if (verdict && verdict->right && is_goal) {
-        const std::vector<std::string> others = changed_without_leave(start, session.params, step.ask.allow);
-        if (!others.empty())
-            verdict = Verdict{false,
-                              {say("Reached, but not with what may be changed here: {field} is not as it was.",
-                                   "field"_a = others.front()),
-                               ""},
-                              ""};
-    }
-    workbench.lesson_trouble = verdict ? "" : verdict.error();
-    settling_ = std::max(settling_, 2);
-    if (!verdict) return;
-    run->take(*verdict);
-    const bool tells = !is_goal || verdict->right || !verdict->say.empty();
-    if (run->lesson().sheet && tells) workbench.exercises.record(*run, *verdict, session.params);
-    if (verdict->right) workbench.guide.reveal(session);
-}
-
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading() ||
@@ -199,7 +155,7 @@ double Studio::next_redraw_in_s() const {
     const bool busy = workbench.korean.has_new() || leads || session.is_moving() || settling_ > 0 || behind ||
                       session.params != drawn_.params || is_playing(workbench.views) || moves_;
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
-                       inspection_.wants_frames() || preset_pictures_.is_busy();
+                       inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking;
     if (busy || works) return busy ? 0.0 : 0.05;
     const auto widgets_in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
     const double message_in_s = Workbench::message_ends_in_s(session.message);

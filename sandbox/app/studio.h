@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/answer_judge.h"
 #include "app/inspection.h"
 #include "app/looks.h"
 #include "app/preset_pictures.h"
@@ -52,8 +53,6 @@ private:
     Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
     StatusLine status(bool shows_time);
     Requests draw_interface(const Surroundings& surroundings);
-    /// The lesson's answer is judged when that was asked for; a goal is watched while it is being reached.
-    void judge_answer(bool wants_check);
     /// Of the student's sheet one exercise a frame is made, since its numbers may be measured in pictures.
     void make_exercise();
     double next_redraw_in_s() const;
@@ -68,6 +67,7 @@ private:
     Inspection inspection_;
     PresetPictures preset_pictures_;
     StandIns stand_ins_;
+    AnswerJudge judge_;
     gl::ColorTarget window_;
 
     // What the pictures were drawn for: nothing is drawn again while it is the same.
@@ -83,11 +83,9 @@ private:
     Drawn drawn_;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
 
-    Moment moment_;                  ///< of what moves by itself
-    bool moves_ = false;             ///< something does
-    int settling_ = 0;               ///< frames until ImGui has laid out what changed
-    std::optional<Params> watched_;  ///< what a goal was judged for
-    std::size_t watched_step_ = 0;
+    Moment moment_;           ///< of what moves by itself
+    bool moves_ = false;      ///< something does
+    int settling_ = 0;        ///< frames until ImGui has laid out what changed
     bool is_frozen_ = false;  ///< the window keeps what it shows
     double frame_ms_ = 0.0;
     double redraw_in_s_ = 0.0;

@@ -82,7 +82,6 @@ void print_sheet(const Options& options, const Typed& typed, const std::vector<E
     constexpr std::array formats{"text", "json"};
     const bool is_json = choice_option(options, "--format", typed.format.value_or("text"), formats) == 1;
     Headless headless(device_option(options, typed.device));
-    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
     const NumbersAt numbers_at = numbers_at_start(&headless.renderer());
     const Lesson made = value_or_end(sheet(exercises, typed.course.value_or(""), *typed.student, numbers_at));
     std::string text;
@@ -186,7 +185,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     options.text("--course", "C", typed.course, "Another course gives other numbers");
     options.flag("--solutions", typed.solutions, "With model answers, for the lecturer");
     options.text("--format", "text|json", typed.format, "Of the sheet; default text");
-    options.text("--language", "en|ko", typed.language, "Of the sheet; default en");
+    options.text("--language", "en|ko", typed.language, "Of the sheet, or of what --test judges; default en");
     options.group("For who writes them");
     options.flag("--test", typed.test,
                  "Every deployed variant: the model answer is right, each listed wrong one is refused and told apart, "
@@ -198,13 +197,15 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     if (typed.test + typed.deploy + typed.student.has_value() > 1)
         options.refuse("only one of --student, --test and --deploy");
-    if (!typed.student && (typed.solutions || typed.course || typed.format || typed.language))
-        options.refuse("--solutions, --course, --format and --language need --student ID");
+    if (!typed.student && (typed.solutions || typed.course || typed.format))
+        options.refuse("--solutions, --course and --format need --student ID");
+    if (typed.language && !typed.student && !typed.test) options.refuse("--language needs --student ID or --test");
     if (typed.deploy) {
         if (typed.files.empty()) options.refuse("--deploy needs FILE");
         print_deployed(typed);
         return ExitStatus::done;
     }
+    if (const auto language = language_option(options, typed.language)) value_or_end(speak(*language));
     const std::vector<Exercise> exercises =
         value_or_end(of_set(value_or_end(load_exercises(typed.files)), typed.set.value_or("")));
     if (typed.test) return test(exercises, device_option(options, typed.device));

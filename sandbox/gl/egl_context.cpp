@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -53,6 +55,13 @@ EGLDisplay platform_display(EGLenum platform, void* native) {
     return get(platform, native, nullptr);
 }
 
+/// A device has one display in a process, however often it is asked for: its last context ends it.
+struct DisplayUse {
+    std::mutex mutex;
+    std::map<EGLDisplay, int> contexts;
+};
+DisplayUse display_use;
+
 EGLContext core_context(EGLDisplay display) {
     if (!eglBindAPI(EGL_OPENGL_API)) return EGL_NO_CONTEXT;
     // No surface is ever made: drawing goes into own framebuffers, whose formats are chosen there.
@@ -85,24 +94,52 @@ void prefer_quick_start() {
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
 }
 
+std::optional<EglContext> EglContext::on_display(void* display, std::string description) {
+    if (display == EGL_NO_DISPLAY) return std::nullopt;
+    EglContext made;
+    {
+        const std::lock_guard lock(display_use.mutex);
+        if (!eglInitialize(display, nullptr, nullptr)) return std::nullopt;
+        ++display_use.contexts[display];
+    }
+    made.display_ = display;
+    made.description_ = std::move(description);
+    made.context_ = core_context(display);
+    if (made.context_ == EGL_NO_CONTEXT || !made.is_made_current()) return std::nullopt;
+    return made;
+}
+
+std::optional<EglContext> EglContext::on_device(void* device, int index) {
+    const bool is_software = describe(device, index).software;
+    return on_display(platform_display(EGL_PLATFORM_DEVICE_EXT, device),
+                      "EGL device " + std::to_string(index) + (is_software ? " (software)" : ""));
+}
+
+std::optional<EglContext> EglContext::on_first_device(bool is_software) {
+    int index = 0;
+    for (EGLDeviceEXT device : raw_devices()) {
+        if (describe(device, index).software == is_software)
+            if (std::optional<EglContext> made = on_device(device, index)) return made;
+        ++index;
+    }
+    return std::nullopt;
+}
+
+std::optional<EglContext> EglContext::make_software() {
+    return on_first_device(true);
+}
+
+bool EglContext::is_made_current() const {
+    return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, static_cast<EGLContext>(context_)) == EGL_TRUE;
+}
+
+void EglContext::let_go() const {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+}
+
 Result<EglContext> EglContext::make(const std::string& wish) {
     const std::vector<EGLDeviceEXT> devices = raw_devices();
-    const auto try_display = [](EGLDisplay display, std::string description) -> std::optional<EglContext> {
-        if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return std::nullopt;
-        EglContext made;
-        made.display_ = display;
-        made.description_ = std::move(description);
-        made.context_ = core_context(display);
-        if (made.context_ == EGL_NO_CONTEXT ||
-            !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, static_cast<EGLContext>(made.context_)))
-            return std::nullopt;
-        return made;
-    };
-    const auto try_device = [&](int index) {
-        const DeviceInfo info = describe(devices[static_cast<std::size_t>(index)], index);
-        return try_display(platform_display(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(index)]),
-                           "EGL device " + std::to_string(index) + (info.software ? " (software)" : ""));
-    };
+    const auto try_device = [&](int index) { return on_device(devices[static_cast<std::size_t>(index)], index); };
     const auto count = static_cast<int>(devices.size());
 
     if (!wish.empty() && wish != "auto") {
@@ -114,15 +151,12 @@ Result<EglContext> EglContext::make(const std::string& wish) {
         if (std::optional<EglContext> made = try_device(static_cast<int>(index))) return std::move(*made);
         return Error{"--device " + wish + ": this EGL device gives no OpenGL 3.3 core context"};
     }
-    for (const bool software : {false, true}) {
-        if (!software && wish != "auto") continue;
-        for (int index = 0; index < count; ++index)
-            if (describe(devices[static_cast<std::size_t>(index)], index).software == software)
-                if (std::optional<EglContext> made = try_device(index)) return std::move(*made);
-    }
+    if (wish == "auto")
+        if (std::optional<EglContext> made = on_first_device(false)) return std::move(*made);
+    if (std::optional<EglContext> made = on_first_device(true)) return std::move(*made);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    if (auto made = try_display(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY),
-                                "EGL surfaceless (software forced)"))
+    if (auto made = on_display(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY),
+                               "EGL surfaceless (software forced)"))
         return std::move(*made);
     return Error{
         "no OpenGL 3.3 core context: EGL offers neither a software device nor a surfaceless display; install libegl1 "
@@ -143,9 +177,10 @@ EglContext& EglContext::operator=(EglContext&& other) noexcept {
 
 EglContext::~EglContext() {
     if (!display_) return;
-    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    let_go();
     if (context_) eglDestroyContext(display_, static_cast<EGLContext>(context_));
-    eglTerminate(display_);
+    const std::lock_guard lock(display_use.mutex);
+    if (--display_use.contexts[display_] == 0) eglTerminate(display_);
 }
 
 }  // namespace viewing::gl

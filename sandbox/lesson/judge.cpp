@@ -83,6 +83,12 @@ Surroundings with_constants(const Ask& ask, Surroundings surroundings) {
     return surroundings;
 }
 
+bool is_measured(const Ask& ask) {
+    return is_measured(ask.expect) || is_measured(ask.until) ||
+           std::any_of(ask.wrong.begin(), ask.wrong.end(),
+                       [](const WrongAnswer& wrong) { return is_measured(wrong.when); });
+}
+
 Json answer_as_json(const Ask& ask, const Answer& answer) {
     if (answer.empty()) return nullptr;
     if (!is_typed(ask.kind)) return Json(answer.items);

@@ -22,6 +22,9 @@ Json constants_of(const Ask& ask);
 /// The same names and the step's own.
 Surroundings with_constants(const Ask& ask, Surroundings surroundings);
 
+/// Whether judging an answer measures something, which may take a second.
+bool is_measured(const Ask& ask);
+
 /// How the answer stands in expressions: a number, a list of numbers, a list of rows, or a list of places.
 Json answer_as_json(const Ask& ask, const Answer& answer);
 

@@ -57,7 +57,7 @@ public:
     ExerciseDesk exercises;  ///< of the student who sits here
     ExercisePage exercise_page;
     Replay replay;                    ///< of a hand-in, while it plays
-    bool is_checking = false;         ///< an answer is judged in the next frame
+    bool is_checking = false;         ///< an answer is being judged beside the window
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
     std::string lesson_trouble;       ///< why an answer could not be judged; "" when it could

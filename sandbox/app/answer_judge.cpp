@@ -1,0 +1,96 @@
+#include "app/answer_judge.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lesson/allowed.h"
+#include "report/lesson_numbers.h"
+#include "text/catalogue.h"
+
+namespace viewing {
+namespace {
+
+/// All that a verdict rests on, held by itself.
+struct Case {
+    std::shared_ptr<const Lesson> lesson;
+    std::size_t step = 0;
+    Answer answer;
+    Params now, start;
+    Scene scene;
+
+    Result<Verdict> judged(Renderer& renderer) const {
+        LessonNumbers numbers(now, start, scene, &renderer);
+        return judge(lesson->steps[step].ask, answer, numbers.surroundings());
+    }
+};
+
+/// Reached, but not with what may be changed: which is not.
+Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Params& start, const Params& now) {
+    if (!verdict.right || ask.kind != AskKind::goal) return verdict;
+    const std::vector<std::string> others = changed_without_leave(start, now, ask.allow);
+    if (others.empty()) return verdict;
+    const std::string why =
+        say("Reached, but not with what may be changed here: {field} is not as it was.", "field"_a = others.front());
+    return {false, LessonText{{why}}, "", 0, 0};
+}
+
+}  // namespace
+
+bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& moment) {
+    const bool was_checking = std::exchange(workbench.is_checking, false);
+    LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
+    if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) {
+        task_.drop();
+        return was_checking;
+    }
+    const Ask& ask = run->step().ask;
+    const bool is_goal = ask.kind == AskKind::goal;
+    const Params start = session.in_own_looks(run->step().start.params);
+    const Question now{run->shared_lesson(), run->index(), is_goal ? Answer{} : run->answer(),
+                       is_goal ? session.params : start};
+    const bool is_asked = asked_ == now;
+    const auto asked_case = [&] { return Case{now.lesson, now.step, now.answer, now.params, start, session.scene()}; };
+    if (task_.is_running() && !is_asked) task_.drop();
+    if (std::optional<Result<std::optional<Verdict>>> done = task_.take()) {
+        if (!*done)
+            take(Error{done->error()}, workbench, session);
+        else
+            take(**done ? Result<Verdict>(***done) : asked_case().judged(renderer_), workbench, session);
+        return true;
+    }
+    workbench.is_checking = task_.is_running();
+    if (is_goal ? moment.is_held || is_asked : !moment.wants_check || task_.is_running())
+        return workbench.is_checking != was_checking;
+    asked_ = now;
+    if (is_goal && now.params == start) {
+        run->forget_verdict();
+    } else if (!moment.may_wait || !is_measured(ask)) {
+        take(asked_case().judged(renderer_), workbench, session);
+    } else {
+        workbench.is_checking = true;
+        task_.start([question = asked_case(), this](WorkProgress&) -> Result<std::optional<Verdict>> {
+            Result<Verdict> verdict = Verdict{};
+            const Result<bool> could = side_.lend([&](Renderer& renderer) { verdict = question.judged(renderer); });
+            if (!could) return Error{could.error()};
+            if (!*could) return std::optional<Verdict>();
+            if (!verdict) return Error{verdict.error()};
+            return std::optional(*std::move(verdict));
+        });
+    }
+    return true;
+}
+
+void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Session& session) {
+    workbench.lesson_trouble = verdict ? "" : verdict.error();
+    if (!verdict) return;
+    LessonRun& run = *workbench.guide.run();
+    const Ask& ask = run.step().ask;
+    const Verdict told =
+        with_what_is_allowed(*verdict, ask, session.in_own_looks(run.step().start.params), session.params);
+    run.take(told);
+    const bool tells = ask.kind != AskKind::goal || told.right || !told.say.empty();
+    if (run.lesson().sheet && tells) workbench.exercises.record(run, told, session.params);
+    if (told.right) workbench.guide.reveal(session);
+}
+
+}  // namespace viewing

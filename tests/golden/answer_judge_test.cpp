@@ -1,0 +1,102 @@
+// A goal that is measured in pictures, watched by the window: judged beside it, and as grade judges it. No references.
+#include <chrono>
+#include <thread>
+
+#include "app/studio.h"
+#include "gl/gl_test.h"
+#include "lesson/exercise.h"
+#include "report/grading.h"
+#include "report/state_numbers.h"
+
+namespace viewing {
+namespace {
+
+/// A window that leads through E14, in which decals are mended and pixels counted.
+class AnswerJudgeTest : public testing::GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        const Result<LoadedState> state = load_state("");
+        ASSERT_TRUE(state) << state.error();
+        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        studio_ = std::make_unique<Studio>(renderer(), Session(*state, *scene));
+        Result<std::vector<Exercise>> exercises = of_set(*load_exercises({}), "E14");
+        ASSERT_TRUE(exercises) << exercises.error();
+        const Result<Lesson> made = sheet(*exercises, "viewing-2026", "32201234", numbers_at_start(&renderer()));
+        ASSERT_TRUE(made) << made.error();
+        studio_->workbench.guide.begin(*made, 0, studio_->session);
+        frames_until([&] { return !studio_->session.loading_fraction() && ++settled_ > 5; });
+    }
+    void TearDown() override {
+        studio_.reset();
+        GlTest::TearDown();
+    }
+
+    /// False: it has not come to be in a minute.
+    template <typename Done>
+    bool frames_until(const Done& done) {
+        const auto begun = std::chrono::steady_clock::now();
+        while (std::chrono::steady_clock::now() - begun < std::chrono::minutes(1)) {
+            studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = {}});
+            if (done()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return false;
+    }
+    void set_units(double units) { studio_->session.params.depth.offset.units = units; }
+    bool is_checking() const { return studio_->workbench.is_checking; }
+    const LessonRun& run() { return *studio_->workbench.guide.run(); }
+
+    std::unique_ptr<Studio> studio_;
+    int settled_ = 0;
+};
+
+TEST_F(AnswerJudgeTest, ChecksBesideTheWindowAndAsGradeDoes) {
+    EXPECT_FALSE(run().verdict()) << "nothing was changed";
+    set_units(-40.0);
+    ASSERT_TRUE(frames_until([&] { return is_checking(); }));
+    EXPECT_FALSE(run().verdict()) << "that it is being checked is shown before";
+    EXPECT_GE(studio_->redraw_in_s(), 0.0);
+    ASSERT_TRUE(frames_until([&] { return !is_checking(); }));
+    ASSERT_TRUE(run().verdict()) << studio_->workbench.lesson_trouble;
+    EXPECT_EQ(run().verdict()->tag, "M14");
+    Attempt attempt;
+    attempt.is_goal = true;
+    attempt.settings = {"depth.offset.units=-40"};
+    EXPECT_EQ(*run().verdict(), *judge_attempt(run().step(), attempt, renderer()));
+
+    set_units(-0.75);
+    ASSERT_TRUE(frames_until([&] { return run().is_revealed(); }));
+    EXPECT_TRUE(run().verdict()->right);
+    EXPECT_FALSE(is_checking());
+}
+
+TEST_F(AnswerJudgeTest, ForgetsWhatIsNoLongerAsked) {
+    set_units(-0.75);
+    ASSERT_TRUE(frames_until([&] { return is_checking(); }));
+    set_units(-40.0);  // before the right one is judged
+    ASSERT_TRUE(frames_until([&] { return !is_checking() && run().verdict().has_value(); }));
+    EXPECT_FALSE(run().is_revealed());
+    EXPECT_EQ(run().verdict()->tag, "M14");
+
+    set_units(-0.75);
+    ASSERT_TRUE(frames_until([&] { return is_checking(); }));
+    studio_->workbench.guide.leave();
+    for (int frame = 0; frame < 50; ++frame)
+        studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = {}});
+    EXPECT_FALSE(is_checking());
+    EXPECT_FALSE(run().is_revealed());
+}
+
+/// A picture waits for nothing: its strip has the verdict in its first frames.
+TEST_F(AnswerJudgeTest, APictureHasTheVerdictAtOnce) {
+    set_units(-40.0);
+    studio_->frame({.size_px = {1280, 720}, .input = {}});
+    EXPECT_FALSE(is_checking());
+    ASSERT_TRUE(run().verdict());
+    EXPECT_EQ(run().verdict()->tag, "M14");
+}
+
+}  // namespace
+}  // namespace viewing
