@@ -125,3 +125,8 @@ function(embed_fonts)
     embed_files(embedded_fonts embedded/fonts.h embedded_font
                 ${regular} ${semibold} ${mono} ${signs} ${korean} ${korean_bold})
 endfunction()
+
+function(embed_pages)
+    set(page ${PROJECT_SOURCE_DIR}/sandbox/suite/page)
+    embed_files(embedded_pages embedded/pages.h embedded_page TEXT ${page}/report.html ${page}/report.css ${page}/report.js)
+endfunction()

@@ -11,7 +11,9 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <span>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "platform/file.h"
@@ -68,6 +70,7 @@ struct Reader {
 bool read_header(const Reader& reader, ReadSource& source) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);
+    png_set_sig_bytes(reader.png, 8);
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(reader.png, reader.info);
     return true;
@@ -100,6 +103,23 @@ bool file_can_hold(std::uintmax_t file_bytes, png_uint_32 height, std::size_t ro
     return file_bytes > static_cast<std::uintmax_t>(height) * row_bytes / 1032;
 }
 
+/// Behind the signature of a PNG file.
+Result<File> opened(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    if (Status checked = check_readable(path); !checked) return Error{checked.error()};
+    File file(std::fopen(path.c_str(), "rb"));
+    if (!file) return Error{name + ": cannot be read: " + std::generic_category().message(errno)};
+    unsigned char signature[8];
+    const std::size_t signature_bytes = std::fread(signature, 1, sizeof signature, file.get());
+    if (signature_bytes < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
+        return Error{name + ": is not a PNG file"};
+    return file;
+}
+
+Error not_enough_memory(const std::filesystem::path& path) {
+    return {path.string() + ": there is not enough memory for this picture"};
+}
+
 struct Writer {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -117,7 +137,18 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
     out->insert(out->end(), bytes, bytes + count);
 }
 
-bool encode(const Writer& writer, const Image& image, bool opaque, std::vector<std::uint8_t>& out) {
+/// Compressed, before the pixels. libpng copies what it is given.
+void add_note(const Writer& writer, const std::string& note) {
+    png_text entry{};
+    entry.compression = PNG_ITXT_COMPRESSION_zTXt;
+    entry.key = const_cast<char*>(png_note_key);
+    entry.text = const_cast<char*>(note.c_str());
+    entry.itxt_length = note.size();
+    png_set_text(writer.png, writer.info, &entry, 1);
+}
+
+bool encode(const Writer& writer, const Image& image, const std::string& note, bool opaque,
+            std::vector<std::uint8_t>& out) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &out, append_bytes, nullptr);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height),
@@ -125,6 +156,7 @@ bool encode(const Writer& writer, const Image& image, bool opaque, std::vector<s
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(writer.png, 1);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    if (!note.empty()) add_note(writer, note);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
     for (int y = 0; y < image.height; ++y) png_write_row(writer.png, image.row(y));
@@ -140,23 +172,32 @@ bool is_opaque(const Image& image) {
 
 }  // namespace
 
-Result<Image> read_png(const std::filesystem::path& path) try {
-    const std::string name = path.string();
-    if (Status checked = check_readable(path); !checked) return Error{checked.error()};
-    const File file(std::fopen(path.c_str(), "rb"));
-    if (!file) return Error{name + ": cannot be read: " + std::generic_category().message(errno)};
-    std::error_code size_error;
-
-    unsigned char signature[8];
-    const std::size_t signature_bytes = std::fread(signature, 1, sizeof signature, file.get());
-    if (signature_bytes < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
-        return Error{name + ": is not a PNG file"};
-
+Result<std::string> read_png_note(const std::filesystem::path& path) try {
+    const Result<File> file = opened(path);
+    if (!file) return Error{file.error()};
     PngFailure failure;
     const Reader reader(failure);
     if (reader.info == nullptr) throw std::bad_alloc();
-    png_set_sig_bytes(reader.png, sizeof signature);
-    ReadSource source{file.get(), &failure};
+    ReadSource source{file->get(), &failure};
+    if (!read_header(reader, source)) return read_failure(path.string(), failure);
+    png_textp texts = nullptr;
+    const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
+    for (const png_text& text : std::span(texts, static_cast<std::size_t>(count)))
+        if (std::string_view(text.key) == png_note_key) return std::string(text.text);
+    return std::string();
+} catch (const std::bad_alloc&) {
+    return not_enough_memory(path);
+}
+
+Result<Image> read_png(const std::filesystem::path& path) try {
+    const std::string name = path.string();
+    const Result<File> file = opened(path);
+    if (!file) return Error{file.error()};
+    std::error_code size_error;
+    PngFailure failure;
+    const Reader reader(failure);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    ReadSource source{file->get(), &failure};
     if (!read_header(reader, source)) return read_failure(name, failure);
 
     const png_uint_32 width = png_get_image_width(reader.png, reader.info);
@@ -179,10 +220,10 @@ Result<Image> read_png(const std::filesystem::path& path) try {
     if (!read_rows(reader, rows.data())) return read_failure(name, failure);
     return image;
 } catch (const std::bad_alloc&) {
-    return Error{path.string() + ": there is not enough memory for this picture"};
+    return not_enough_memory(path);
 }
 
-std::vector<std::uint8_t> encode_png(const Image& image) {
+std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note) {
     assert(image.width >= 1 && image.width <= largest_image_side);
     assert(image.height >= 1 && image.height <= largest_image_side);
     assert(image.rgba.size() == image.row_bytes() * static_cast<std::size_t>(image.height));
@@ -191,7 +232,7 @@ std::vector<std::uint8_t> encode_png(const Image& image) {
     if (writer.info == nullptr) throw std::bad_alloc();
     std::vector<std::uint8_t> out;
     // libpng has no other way to fail than memory: sizes are checked above and the output is a vector.
-    if (!encode(writer, image, is_opaque(image), out)) throw std::bad_alloc();
+    if (!encode(writer, image, note, is_opaque(image), out)) throw std::bad_alloc();
     return out;
 }
 

@@ -1,8 +1,9 @@
-// PNG files in and out, through libpng. Equal pictures give byte-equal files: no time stamps, no text.
+// PNG files in and out, through libpng. Equal pictures with equal notes give byte-equal files: no time stamps.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -21,9 +22,16 @@ constexpr int most_image_pixels = 64'000'000;
 /// most_image_pixels, which its header tells.
 Result<Image> read_png(const std::filesystem::path& path);
 
+/// The name of the text chunk that a note is: the state that a picture shows, as JSON.
+inline constexpr char png_note_key[] = "viewing-sandbox state";
+
+/// The note of a PNG file; empty where it has none. The error is that of read_png.
+Result<std::string> read_png_note(const std::filesystem::path& path);
+
 /// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB
-/// filter alone take a fifth of libpng's default time and end a third larger. Sides 1 … largest_image_side.
-std::vector<std::uint8_t> encode_png(const Image& image);
+/// filter alone take a fifth of libpng's default time and end a third larger. Sides 1 … largest_image_side. `note`:
+/// UTF-8, kept with the picture; "": none.
+std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "");
 
 /// encode_png into a file, whole or not at all (file.h).
 Status write_png(const std::filesystem::path& path, const Image& image);

@@ -1,6 +1,6 @@
 // Which variant of an exercise a student has: fixed for ever, so that a sheet that was handed out stays the same and a
 // lecturer can tell what it was. All 64-bit, modulo 2⁶⁴.
-// Sources: Fowler, Noll and Vo, FNV-1a; Steele, Lea and Flood 2014, SplitMix64.
+// Source: Steele, Lea and Flood 2014, SplitMix64; text/hash.h for the other.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,9 @@
 #include <string_view>
 #include <vector>
 
-namespace viewing {
+#include "text/hash.h"
 
-/// FNV-1a of the bytes.
-std::uint64_t fnv1a(std::string_view bytes);
+namespace viewing {
 
 /// SplitMix64's finaliser: each bit of the argument changes about half of the bits.
 std::uint64_t finalised(std::uint64_t bits);

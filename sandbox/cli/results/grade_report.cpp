@@ -7,11 +7,11 @@
 
 #include "app/picture.h"
 #include "cli/results/grade_tables.h"
-#include "cli/results/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/typed_matrix.h"
 #include "text/catalogue.h"
+#include "text/html.h"
 #include "text/words.h"
 
 namespace viewing {

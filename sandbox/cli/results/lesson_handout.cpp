@@ -1,11 +1,11 @@
 #include "cli/results/lesson_handout.h"
 
 #include "app/picture.h"
-#include "cli/results/html.h"
 #include "cli/state_arguments.h"
 #include "image/png.h"
 #include "lesson/notes.h"
 #include "report/lesson_numbers.h"
+#include "text/html.h"
 
 namespace viewing {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/results/html.h"
+#include "text/html.h"
 
 #include <algorithm>
 

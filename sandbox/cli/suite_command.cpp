@@ -1,0 +1,328 @@
+// suite: many states drawn, computed and held against references in one run, with a report to look at. What an entry
+// is and how it is judged is suite/; this is the command around it.
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <system_error>
+
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/values.h"
+#include "platform/child_process.h"
+#include "suite/report.h"
+#include "suite/run.h"
+#include "suite/worker.h"
+#include "text/hash.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
+
+/// The options as they were typed; the first word is what is done.
+struct Typed {
+    std::vector<std::string> words, only;
+    std::optional<std::string> jobs, shard, times, entry_timeout, device;
+    bool accept_new = false, cache = false, github = false, allow_outside = false;
+};
+
+struct Shard {
+    int index = 1, of = 1;
+};
+
+void declare(Options& options, Typed& typed) {
+    options.group("What to do");
+    options.positionals(
+        "run|accept|merge", typed.words,
+        "run SUITE…: draws and compares, and leaves SUITE's report; accept SUITE [NAME…]: what the last "
+        "run found becomes the reference, of these entries or of all that are different; merge SUITE "
+        "REPORT…: the reports of shards as one. SUITE is a .json file, or a folder of states");
+    options.group("Of run");
+    options.texts("--only", "NAME", typed.only, "This entry alone; as often as wanted");
+    options.flag("--accept-new", typed.accept_new, "Entries that had no reference are no reason for exit 1");
+    options.text("--jobs", "N", typed.jobs, "So many processes draw, 1 to 256; default 1");
+    options.text("--entry-timeout", "S", typed.entry_timeout,
+                 "An entry that is not done after so many seconds has failed; default 60");
+    options.flag("--cache", typed.cache,
+                 "Entries that passed are not drawn again while state, scene, references, program and driver are the "
+                 "same");
+    options.text("--shard", "I/N", typed.shard, "The I-th of N parts, with a report of its own (merge joins them)");
+    options.text("--times", "REPORT", typed.times,
+                 "The folder of an earlier report, by whose times shards are made equally long; without, by their "
+                 "number");
+    options.flag("--github", typed.github, "Also prints what is not as it should be as GitHub's annotations");
+    add_device_option(options, typed.device);
+    options.flag("--allow-outside", typed.allow_outside,
+                 "Lets states name scenes and meshes outside their own folder and the program's");
+}
+
+// ---- run -----------------------------------------------------------------------------------------------------------
+
+Shard shard_option(const Options& options, const std::optional<std::string>& text) {
+    if (!text) return {};
+    const std::size_t slash = text->find('/');
+    if (slash == std::string::npos) options.refuse("--shard: must be I/N, the I-th of N parts: 2/5");
+    constexpr int most = 10'000;
+    Shard shard;
+    shard.of = whole_option(options, "--shard", text->substr(slash + 1), 1, most);
+    shard.index = whole_option(options, "--shard", text->substr(0, slash), 1, shard.of);
+    return shard;
+}
+
+std::map<std::string, double> times_of(const std::optional<std::string>& folder) {
+    std::map<std::string, double> seconds;
+    if (!folder) return seconds;
+    const RunResult earlier = value_or_end(read_run(*folder));
+    for (const EntryResult& entry : earlier.entries)
+        if (!entry.is_kept) seconds[entry.name] = entry.seconds;
+    return seconds;
+}
+
+std::vector<std::size_t> chosen_of(const Suite& suite, const Typed& typed, const Shard& shard) {
+    std::vector<std::string> known;
+    for (const SuiteEntry& entry : suite.entries) known.push_back(entry.name);
+    for (const std::string& name : typed.only)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            throw Failure(ExitStatus::bad_input,
+                          "--only " + one_line(name) + ": the suite has no such entry" + suggestion(name, known));
+    std::vector<std::size_t> chosen = entries_of_shard(suite, shard.index, shard.of, times_of(typed.times));
+    if (!typed.only.empty())
+        std::erase_if(chosen, [&](std::size_t entry) {
+            return std::find(typed.only.begin(), typed.only.end(), known[entry]) == typed.only.end();
+        });
+    return chosen;
+}
+
+std::map<std::string, std::string> known_keys(const Suite& suite) {
+    std::map<std::string, std::string> keys;
+    if (const Result<RunResult> earlier = read_run(suite.report))
+        for (const EntryResult& entry : earlier->entries)
+            if (entry.outcome == Outcome::passed && !entry.key.empty()) keys[entry.name] = entry.key;
+    return keys;
+}
+
+std::vector<std::string> worker_of(const Suite& suite, const Typed& typed) {
+    std::vector<std::string> words{own_program(), "suite", "worker", suite.argument.string()};
+    if (typed.device) words.insert(words.end(), {"--device", *typed.device});
+    if (typed.allow_outside) words.emplace_back("--allow-outside");
+    if (typed.cache) words.emplace_back("--cache");
+    return words;
+}
+
+/// "64/s, 2 min 20 s left"
+std::string pace(std::size_t done, std::size_t of, double seconds) {
+    if (seconds <= 0.0 || done == 0) return "";
+    const double rate = static_cast<double>(done) / seconds;
+    const auto left_s = static_cast<int>(static_cast<double>(of - done) / rate + 0.5);
+    const std::string left = left_s < 60 ? std::to_string(left_s) + " s"
+                                         : std::to_string(left_s / 60) + " min " + std::to_string(left_s % 60) + " s";
+    return figures(rate) + "/s, " + left + " left";
+}
+
+/// A line that is drawn anew on a terminal; elsewhere a line for each tenth, and one for all that is not as it was.
+class Progress {
+public:
+    Progress(std::size_t of, std::size_t kept_for_shown) : of_(of), step_(std::max<std::size_t>(kept_for_shown, 1)) {}
+
+    void tell(const EntryResult& entry, std::size_t done) {
+        const std::string line = grouped_number(static_cast<std::int64_t>(done)) + " of " +
+                                 grouped_number(static_cast<std::int64_t>(of_)) + ", " +
+                                 pace(done, of_, std::chrono::duration<double>(Clock::now() - begun_).count());
+        if (is_terminal_) std::fputs("\r\033[K", stderr);
+        if (entry.outcome != Outcome::passed)
+            print(std::string(name_of(entry.outcome)) + "  " + one_line(entry.name) + ": " +
+                  (entry.reasons.empty() ? "" : one_line(entry.reasons.front())) + "\n");
+        if (is_terminal_ && done < of_)
+            std::fputs(line.c_str(), stderr);
+        else if (!is_terminal_ && of_ > 20 && done % step_ == 0 && done < of_)
+            print(line + "\n");
+        if (is_terminal_) std::fflush(stderr);
+    }
+
+private:
+    std::size_t of_, step_;
+    Clock::time_point begun_ = Clock::now();
+    bool is_terminal_ = ::isatty(STDERR_FILENO) == 1;
+};
+
+/// As GitHub's workflow commands have them.
+std::string annotation(const Suite& suite, const EntryResult& entry) {
+    const auto plain = [](const std::string& text, bool is_property) {
+        std::string safe;
+        for (const char c : text) {
+            constexpr char digits[] = "0123456789ABCDEF";
+            const auto byte = static_cast<unsigned char>(c);
+            const bool is_reserved = c == '%' || c == '\n' || c == '\r' || (is_property && (c == ':' || c == ','));
+            safe += is_reserved ? std::string("%") + digits[byte >> 4U] + digits[byte & 15U] : std::string(1, c);
+        }
+        return safe;
+    };
+    std::string reasons;
+    for (const std::string& reason : entry.reasons) reasons += (reasons.empty() ? "" : "\n") + reason;
+    return "::" + std::string(entry.outcome == Outcome::fresh ? "warning" : "error") +
+           " file=" + plain(suite.argument.string(), true) +
+           ",title=" + plain(entry.name + ": " + name_of(entry.outcome), true) + "::" + plain(reasons, false) + "\n";
+}
+
+bool run_one(Suite suite, const Typed& typed, const Shard& shard, const RunWish& like) {
+    if (shard.of > 1) suite.report += "-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.of);
+    RunWish wish = like;
+    wish.chosen = chosen_of(suite, typed, shard);
+    wish.worker = worker_of(suite, typed);
+    if (shard.of > 1) wish.worker.insert(wish.worker.end(), {"--shard", *typed.shard});
+    if (typed.cache) wish.known_keys = known_keys(suite);
+    if (!typed.only.empty() && wish.chosen.empty()) return true;  // they are another shard's
+    value_or_end(prepare_report(suite));
+    Progress progress(wish.chosen.size(), wish.chosen.size() / 10);
+    wish.tell = [&](const EntryResult& entry, std::size_t done) { progress.tell(entry, done); };
+    const auto begun = Clock::now();
+    GatheredResults gathered = run_entries(suite, wish);
+    if (gathered.failure) {
+        const int status = gathered.failure->exit_status;
+        const bool is_known = status > 1 && status <= static_cast<int>(ExitStatus::internal_error);
+        std::string why = gathered.failure->complaint;
+        while (!why.empty() && why.back() == '\n') why.pop_back();
+        throw Failure(is_known ? static_cast<ExitStatus>(status) : ExitStatus::internal_error, why);
+    }
+    RunResult run{suite.name,
+                  suite.argument.string(),
+                  VIEWING_SANDBOX_VERSION,
+                  gathered.renderer,
+                  shard.index,
+                  shard.of,
+                  std::chrono::duration<double>(Clock::now() - begun).count(),
+                  std::move(gathered.entries)};
+    if (typed.only.empty()) value_or_end(write_report(suite.report, run));
+    if (typed.github)
+        for (const EntryResult& entry : run.entries)
+            if (entry.outcome != Outcome::passed) print(annotation(suite, entry));
+    const std::vector<std::string> strays = stray_references(suite);
+    if (!strays.empty())
+        print(std::to_string(strays.size()) + (strays.size() == 1 ? " reference belongs" : " references belong") +
+              " to no entry: " + joined(strays) + "\n");
+    const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
+    print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
+    return run.is_good(typed.accept_new);
+}
+
+ExitStatus run_suites(const Options& options, const Typed& typed, const std::vector<Suite>& suites) {
+    const Shard shard = shard_option(options, typed.shard);
+    RunWish like;
+    constexpr int most_jobs = 256;
+    like.jobs = typed.jobs ? whole_option(options, "--jobs", *typed.jobs, 1, most_jobs) : 1;
+    if (typed.entry_timeout)
+        like.entry_timeout_s = number_option(options, "--entry-timeout", *typed.entry_timeout, 0.1, 1e6);
+    std::vector<fs::path> reports;
+    for (const Suite& suite : suites) {
+        const fs::path report = fs::absolute(suite.report).lexically_normal();
+        if (std::find(reports.begin(), reports.end(), report) != reports.end())
+            throw Failure(ExitStatus::bad_input, one_line(suite.argument.string()) +
+                                                     ": another suite of this run has the "
+                                                     "same folder for its report; \"report\" names one");
+        reports.push_back(report);
+    }
+    bool is_good = true;
+    for (const Suite& suite : suites) is_good = run_one(suite, typed, shard, like) && is_good;
+    return is_good ? ExitStatus::done : ExitStatus::different;
+}
+
+// ---- the others ----------------------------------------------------------------------------------------------------
+
+ExitStatus accept(const Suite& suite, const std::vector<std::string>& names) {
+    const std::size_t count = value_or_end(accept_results(suite, names));
+    print(std::to_string(count) + (count == 1 ? " reference" : " references") + " accepted\n");
+    return ExitStatus::done;
+}
+
+ExitStatus merge(const Options& options, const Suite& suite, const std::vector<std::string>& folders) {
+    if (folders.empty()) options.refuse("merge needs the folders of the shards' reports");
+    const RunResult run = value_or_end(merge_reports(suite, {folders.begin(), folders.end()}));
+    value_or_end(write_report(suite.report, run));
+    print(one_line(suite.name) + ": " + summary_of(run) + ": " + (suite.report / "index.html").string() + "\n");
+    return run.is_good(false) ? ExitStatus::done : ExitStatus::different;
+}
+
+/// The program's own bytes, so that another build draws anew.
+std::string program_key() {
+    std::FILE* const file = std::fopen(own_program().c_str(), "rb");
+    if (!file) return "";
+    std::string bytes(1U << 20U, '\0'), key;
+    for (std::size_t count = 0; (count = std::fread(bytes.data(), 1, bytes.size(), file)) > 0;)
+        key = std::to_string(fnv1a(key + bytes.substr(0, count)));
+    std::fclose(file);
+    return key;
+}
+
+/// Not for people: run starts it.
+ExitStatus work(const Options& options, const Typed& typed, Suite suite) {
+    const Shard shard = shard_option(options, typed.shard);
+    if (shard.of > 1) suite.report += "-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.of);
+    require_threads();
+    gl::prefer_quick_start();
+    const gl::EglContext context =
+        value_or_end(gl::EglContext::make(device_option(options, typed.device)), ExitStatus::no_context);
+    gl::DebugLog log;
+    Renderer renderer = value_or_end(Renderer::make(), ExitStatus::gl_error);
+    CheckWish wish{typed.allow_outside, typed.cache, "", typed.cache ? program_key() : ""};
+    serve_entries(suite, wish, renderer, log, std::cin, stdout);
+    return ExitStatus::done;
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    Typed typed;
+    declare(options, typed);
+    if (!options.parse(arguments)) return ExitStatus::done;
+    constexpr std::array verbs{"run", "accept", "merge", "worker"};
+    if (typed.words.size() < 2)
+        options.refuse("what to do and with which suite is missing: " + std::string(self.synopsis));
+    const std::string verb = typed.words.front();
+    const std::size_t choice = choice_option(options, "suite", verb, verbs);
+    const std::vector<std::string> rest(typed.words.begin() + 2, typed.words.end());
+    if (verb != "run" && verb != "worker" &&
+        (!typed.only.empty() || typed.jobs || typed.shard || typed.times || typed.cache || typed.github))
+        options.refuse(verb + " takes no options of run");
+    if (verb == "run") {
+        std::vector<Suite> suites;
+        for (std::size_t i = 1; i < typed.words.size(); ++i) suites.push_back(value_or_end(load_suite(typed.words[i])));
+        return run_suites(options, typed, suites);
+    }
+    const Suite suite = value_or_end(load_suite(typed.words[1]));
+    if (choice == 1) return accept(suite, rest);
+    if (choice == 2) return merge(options, suite, rest);
+    return work(options, typed, suite);
+}
+
+}  // namespace
+
+constinit const Command suite_command{
+    "suite",
+    "run|accept|merge SUITE… [OPTIONS]",
+    "many states held against their references, with a report to look at",
+    "A suite is a .json file, or a folder of states with all defaults. run draws every entry in one process (--jobs: "
+    "in "
+    "several), computes what is asked for, and holds both against the references in the folder that the suite names; "
+    "one that was not there is written, and told as new. A reference that is there is never changed by a run: accept "
+    "does that. report/index.html shows each entry with what was expected, what was drawn, and where they differ; "
+    "junit.xml and report.json beside it are for programs. An entry that crashes, has a GL error or takes too long "
+    "fails alone. The exit status is 1 when an entry is not as it was, new (without --accept-new) or has failed.",
+    "suite run states\n"
+    "suite run suite.json --jobs 4 --cache\n"
+    "suite accept suite.json opening shadow-without-stencil\n"
+    "suite run suite.json --shard 2/5 --times report\n"
+    "suite merge suite.json report-1-of-2 report-2-of-2",
+    "012389",
+    run};
+
+}  // namespace viewing

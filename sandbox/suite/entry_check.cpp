@@ -1,0 +1,213 @@
+#include "suite/entry_check.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "image/png.h"
+#include "platform/file.h"
+#include "state/json.h"
+#include "suite/entry_drawing.h"
+#include "suite/numbers_apart.h"
+#include "suite/picture_script.h"
+#include "text/hash.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Ends the entry: it cannot be drawn, or a file cannot be written. Caught by check_entry.
+struct Broken : Refusal {
+    using Refusal::Refusal;
+};
+
+template <typename T>
+T or_broken(Result<T> result) {
+    if (!result) throw Broken(result.error());
+    return *std::move(result);
+}
+
+bool is_there(const fs::path& file) {
+    std::error_code unknown;
+    return fs::exists(file, unknown);
+}
+
+std::string bytes_of(const fs::path& file) {
+    if (!is_there(file)) return "";
+    const Result<std::string> bytes = read_text_file(file);
+    return bytes ? *bytes : "";
+}
+
+class Check {
+public:
+    Check(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer)
+        : suite_(suite),
+          entry_(entry),
+          wish_(wish),
+          renderer_(renderer),
+          files_(files_of(suite.report, entry.file_name)) {
+        result_.name = entry.name;
+        result_.file_name = entry.file_name;
+    }
+
+    EntryResult run(gl::DebugLog& log) {
+        try {
+            const std::size_t known = log.errors().size();
+            const SuiteSubject subject = or_broken(subject_of(entry_, renderer_, wish_.allows_outside));
+            if (is_unchanged(subject)) return std::move(result_);
+            forget_earlier_files();
+            result_.outcome = Outcome::passed;
+            check_problems(subject);
+            if (entry_.checks_picture) check_picture(subject);
+            check_numbers(subject);
+            if (wish_.makes_keys) result_.key = key_of(subject);  // with the references that are there now
+            for (std::size_t i = known; i < log.errors().size(); ++i)
+                worsen(Outcome::failed, "GL error: " + log.errors()[i]);
+        } catch (const Refusal& refusal) {
+            worsen(Outcome::failed, refusal.what());
+        }
+        return std::move(result_);
+    }
+
+private:
+    void worsen(Outcome outcome, std::string reason) {
+        // A difference outweighs what is new, a failure both.
+        static constexpr int weight[] = {0, 2, 1, 3};
+        if (weight[static_cast<int>(outcome)] > weight[static_cast<int>(result_.outcome)]) result_.outcome = outcome;
+        result_.reasons.push_back(std::move(reason));
+    }
+
+    std::string key_of(const SuiteSubject& subject) const {
+        const std::string all = wish_.program + "\n" + fingerprint(entry_, subject) + "\n" +
+                                bytes_of(reference_picture(suite_, entry_)) +
+                                bytes_of(reference_numbers(suite_, entry_));
+        return std::to_string(fnv1a(all));
+    }
+
+    bool is_unchanged(const SuiteSubject& subject) {
+        if (!wish_.makes_keys) return false;
+        result_.key = key_of(subject);
+        if (result_.key != wish_.known_key || (entry_.checks_picture && !is_there(files_.actual))) return false;
+        result_.outcome = Outcome::passed;
+        result_.is_kept = true;
+        return true;
+    }
+
+    /// What an earlier run left and this one may not.
+    void forget_earlier_files() const {
+        std::error_code none;
+        for (const fs::path& file : {files_.actual, files_.expected, files_.difference, files_.script, files_.numbers})
+            fs::remove(file, none);
+    }
+
+    static void write(const fs::path& file, std::span<const std::uint8_t> bytes) { or_broken(write_file(file, bytes)); }
+
+    void check_problems(const SuiteSubject& subject) {
+        const std::vector<std::string> told = problems_of(subject);
+        const auto tells = [&](const std::string& part) {
+            return std::any_of(told.begin(), told.end(),
+                               [&](const std::string& sentence) { return sentence.find(part) != std::string::npos; });
+        };
+        if (!told.empty()) result_.details["problems"] = told;
+        for (const std::string& part : entry_.wanted_problems)
+            if (!tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is not told");
+        for (const std::string& part : entry_.unwanted_problems)
+            if (tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is told");
+        if (entry_.allows_no_problem && !told.empty()) worsen(Outcome::different, "a problem is told: " + told.front());
+    }
+
+    void check_picture(const SuiteSubject& subject) {
+        const Image drawn = or_broken(draw_picture(renderer_, subject.state, subject.scene, subject.request));
+        const std::string state = write_state(subject.state.params);
+        const std::vector<std::uint8_t> actual = encode_png(drawn, state);
+        write(files_.actual, actual);
+        or_broken(write_file(files_.state, state + "\n"));
+        const fs::path reference = reference_picture(suite_, entry_);
+        if (!is_there(reference)) {
+            write(reference, actual);
+            return worsen(Outcome::fresh, "there was no reference: this picture is it now");
+        }
+        const Image expected = or_broken(read_png(reference));
+        tell_changed_state(reference, state);
+        const CompareReport report = compare_images(drawn, expected, entry_.limits);
+        if (report.different > 0) result_.details["compare"] = Json::parse(viewing::as_json(report));
+        if (report.equal) return;
+        worsen(Outcome::different, "the picture is " + sentence(report));
+        std::error_code error;
+        fs::copy_file(reference, files_.expected, fs::copy_options::overwrite_existing, error);
+        if (error) throw Broken(files_.expected.string() + ": cannot be written: " + error.message());
+        const std::vector<std::uint8_t> difference = encode_png(diff_picture(drawn, expected, entry_.limits));
+        write(files_.difference, difference);
+        or_broken(write_file(files_.script,
+                             picture_script(entry_.file_name, encode_png(expected), encode_png(drawn), difference)));
+    }
+
+    /// A reference carries the state that it was drawn of.
+    void tell_changed_state(const fs::path& reference, const std::string& state) {
+        const Result<std::string> note = read_png_note(reference);
+        if (!note || note->empty()) return;
+        const auto before = guarded([&] { return parse_document(*note, ""); });
+        if (!before) return;
+        Json changes = listed(numbers_apart(*before, parse_document(state, ""), 0.0));
+        if (!changes.empty()) result_.details["state"] = std::move(changes);
+    }
+
+    static Json listed(const std::vector<NumberChange>& changes) {
+        Json list = Json::array();
+        for (const NumberChange& change : changes)
+            list.push_back({{"path", change.path}, {"expected", change.expected}, {"actual", change.actual}});
+        return list;
+    }
+
+    void check_numbers(const SuiteSubject& subject) {
+        const Json numbers = or_broken(numbers_of_entry(entry_, subject, renderer_));
+        if (numbers.is_null()) return;
+        const std::string text = print_document(numbers) + "\n";
+        or_broken(write_file(files_.numbers, text));
+        const fs::path reference = reference_numbers(suite_, entry_);
+        if (!is_there(reference)) {
+            or_broken(write_file(reference, text));
+            return worsen(Outcome::fresh, "there were no numbers to compare with: these are it now");
+        }
+        const Json expected = parse_document(or_broken(read_text_file(reference)), reference.string() + ": ");
+        std::vector<NumberChange> changes;
+        const auto compare = [&](const char* part, const std::string& of, double tolerance) {
+            const auto at = [&](const Json& all) {
+                const Json found = all.is_object() && all.contains(part) ? all[part] : Json();
+                return of.empty() || !found.is_object() || !found.contains(of) ? (of.empty() ? found : Json())
+                                                                               : found[of];
+            };
+            for (NumberChange& change : numbers_apart(at(expected), at(numbers), tolerance)) {
+                change.path = (of.empty() ? "" : of + ": ") + change.path;
+                changes.push_back(std::move(change));
+            }
+        };
+        if (entry_.matrices_tolerance) compare("matrices", "", *entry_.matrices_tolerance);
+        for (const SuiteMeasure& measure : entry_.measures) compare("measure", measure.what, measure.tolerance);
+        if (changes.empty()) return;
+        const std::size_t others = changes.size() - 1;
+        const NumberChange& first = changes.front();
+        worsen(Outcome::different, one_line(first.path) + " was " + one_line(first.expected.dump()) + ", is " +
+                                       one_line(first.actual.dump()) +
+                                       (others == 0 ? "" : ", and " + std::to_string(others) + " more differ"));
+        result_.details["numbers"] = listed(changes);
+    }
+
+    const Suite& suite_;
+    const SuiteEntry& entry_;
+    const CheckWish& wish_;
+    Renderer& renderer_;
+    const EntryFiles files_;
+    EntryResult result_;
+};
+
+}  // namespace
+
+EntryResult check_entry(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer,
+                        gl::DebugLog& log) {
+    return Check(suite, entry, wish, renderer).run(log);
+}
+
+}  // namespace viewing

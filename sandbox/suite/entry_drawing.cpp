@@ -1,0 +1,142 @@
+#include "suite/entry_drawing.h"
+
+#include "frame/hidden/hidden_views.h"
+#include "frame/plan.h"
+#include "frame/problems.h"
+#include "platform/text_file.h"
+#include "report/as_json.h"
+#include "report/exercise_picture.h"
+#include "report/fighting_report.h"
+#include "report/matrices_report.h"
+#include "report/mirror_report.h"
+#include "report/order_report.h"
+#include "report/visibility_report.h"
+#include "state/json.h"
+#include "text/numbers.h"
+
+namespace viewing {
+namespace {
+
+Result<LoadedState> plain_state(const SuiteEntry& entry) {
+    if (entry.inline_state.empty()) return load_state(entry.state);
+    const Result<Params> params = parse_state(entry.inline_state, entry.name);
+    if (!params) return Error{params.error()};
+    LoadedState state;
+    state.params = *params;
+    state.scene_origin = entry.name + ": scene";
+    return state;
+}
+
+/// A step of a lesson: its state, and for a picture of the window the lesson itself.
+Result<LoadedState> lesson_state(const SuiteStep& step, PictureRequest& request) {
+    Result<Lesson> lesson = load_lesson(step.lesson);
+    if (!lesson) return Error{lesson.error()};
+    const auto count = static_cast<int>(lesson->steps.size());
+    if (step.step > count)
+        return Error{step.lesson + " has " + std::to_string(count) + " steps, no step " + std::to_string(step.step)};
+    const auto index = static_cast<std::size_t>(step.step - 1);
+    LoadedState state = lesson->steps[index].start;
+    if (request.view != PictureView::window && step.revealed) state.params = lesson->steps[index].revealed;
+    if (request.view == PictureView::window)
+        request.lesson = std::make_shared<const LessonPicture>(
+            LessonPicture{*std::move(lesson), index, step.revealed, step.presents, true});
+    return state;
+}
+
+Result<LoadedState> exercise_state(const SuiteStep& step, PictureRequest& request, Renderer& renderer) {
+    const HandIn nothing{{}, step.course, step.student, {}, {}};
+    Result<ExercisePicture> shown = exercise_picture(nothing, step.exercise, renderer);
+    if (!shown) return Error{shown.error()};
+    LoadedState state = shown->lesson.steps.front().start;
+    state.params = shown->params;
+    if (request.view == PictureView::window)
+        request.lesson =
+            std::make_shared<const LessonPicture>(LessonPicture{std::move(shown->lesson), 0, false, false, true});
+    return state;
+}
+
+Result<LoadedState> state_of(const SuiteEntry& entry, PictureRequest& request, Renderer& renderer) {
+    if (!entry.step) return plain_state(entry);
+    return entry.step->lesson.empty() ? exercise_state(*entry.step, request, renderer)
+                                      : lesson_state(*entry.step, request);
+}
+
+Result<Json> measured(const SuiteMeasure& measure, const SuiteSubject& subject, Renderer& renderer) {
+    const Params& params = subject.state.params;
+    const glm::ivec2 size_px = subject.request.size_px;
+    if (measure.what == "order") return order_as_json(params, subject.scene, size_px);
+    if (measure.what == "fighting") return fighting_as_json(renderer, params, subject.scene, size_px);
+    if (measure.what == "mirror") return mirror_as_json(renderer, params, subject.scene, size_px);
+    return visibility_as_json(renderer, params, subject.scene, size_px);
+}
+
+}  // namespace
+
+Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, bool allows_outside) {
+    SuiteSubject subject;
+    subject.request = {entry.view, entry.size_px, entry.samples, nullptr};
+    Result<LoadedState> state = state_of(entry, subject.request, renderer);
+    if (!state) return Error{state.error()};
+    const Result<Params> params = apply_settings(state->params, entry.settings, entry.name + ": set: ");
+    if (!params) return Error{params.error()};
+    state->params = *params;
+    state->reach.is_everywhere = state->reach.is_everywhere || allows_outside;
+    Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar,
+                                     {.origin = state->scene_origin, .reach = state->reach});
+    if (!scene) return Error{scene.error()};
+    subject.state = *std::move(state);
+    subject.scene = *std::move(scene);
+    const Derived derived = derive(subject.state.params, subject.scene, Viewport{entry.size_px});
+    if (const auto question = hidden_question(subject.state.params, derived, entry.size_px))
+        if (const Status fits = check_hidden_budget(subject.scene, *question); !fits) return Error{fits.error()};
+    return subject;
+}
+
+std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
+    std::string text = write_state(subject.state.params);
+    const auto add = [&text](const auto&... parts) { ((text += "\n" + std::string(parts)), ...); };
+    const auto number = [](auto value) { return std::to_string(value); };
+    add(number(static_cast<int>(entry.view)), number(entry.size_px.x), number(entry.size_px.y),
+        number(entry.samples.value_or(-1)), number(entry.limits.worst), format_number(entry.limits.share),
+        number(entry.limits.reach_px), entry.checks_picture ? "picture" : "");
+    if (entry.matrices_tolerance) add("matrices", format_number(*entry.matrices_tolerance));
+    for (const SuiteMeasure& measure : entry.measures) add(measure.what, format_number(measure.tolerance));
+    for (const std::string& problem : entry.wanted_problems) add("must", problem);
+    for (const std::string& problem : entry.unwanted_problems) add("must not", problem);
+    if (entry.allows_no_problem) add("none");
+    if (entry.step)
+        add(entry.step->lesson, number(entry.step->step), entry.step->revealed ? "revealed" : "",
+            entry.step->presents ? "present" : "", entry.step->exercise, entry.step->course, entry.step->student);
+    for (const std::filesystem::path& file : subject.scene.read) {
+        const Result<std::string> bytes = read_text_file(file);
+        add(file.string(), bytes ? *bytes : "");
+    }
+    return text;
+}
+
+std::vector<std::string> problems_of(const SuiteSubject& subject) {
+    const Params& params = subject.state.params;
+    const Derived derived = derive(params, subject.scene, Viewport{subject.request.size_px});
+    std::vector<std::string> sentences;
+    for (const Json& sentence : as_json(find_problems(params, derived, subject.scene, plan(params, derived))))
+        sentences.push_back(sentence.get<std::string>());
+    return sentences;
+}
+
+Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject, Renderer& renderer) {
+    Json numbers;
+    if (entry.matrices_tolerance) {
+        const Params& params = subject.state.params;
+        const Derived derived = derive(params, subject.scene, Viewport{subject.request.size_px});
+        numbers["matrices"] =
+            matrices_as_json(derived, find_problems(params, derived, subject.scene, plan(params, derived)));
+    }
+    for (const SuiteMeasure& measure : entry.measures) {
+        Result<Json> value = measured(measure, subject, renderer);
+        if (!value) return Error{value.error()};
+        numbers["measure"][measure.what] = without_times(*std::move(value));
+    }
+    return numbers;
+}
+
+}  // namespace viewing

@@ -1,0 +1,211 @@
+#include "suite/report.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "embedded/pages.h"
+#include "image/png.h"
+#include "platform/file.h"
+#include "text/html.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+Status make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return Error{folder.string() + ": cannot be made: " + error.message()};
+    return std::monostate{};
+}
+
+Status copied(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+    if (error) return Error{to.string() + ": cannot be written: " + error.message()};
+    return std::monostate{};
+}
+
+bool is_there(const fs::path& file) {
+    std::error_code unknown;
+    return fs::exists(file, unknown);
+}
+
+std::string json_text(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// XML has no way to write most control characters.
+std::string xml_text(const std::string& text) {
+    std::string clean;
+    for (const char c : text) clean += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    return escaped(clean);
+}
+
+std::string joined_lines(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+    return text;
+}
+
+/// Every such place of the page's template, with what stands there.
+void fill(std::string& page, const std::string& place, std::string_view with) {
+    const std::string mark = "{{" + place + "}}";
+    for (std::size_t at = page.find(mark); at != std::string::npos; at = page.find(mark, at + with.size()))
+        page.replace(at, mark.size(), with);
+}
+
+}  // namespace
+
+Status prepare_report(const Suite& suite) {
+    for (const fs::path& folder :
+         {suite.references, suite.report, suite.report / "pictures", suite.report / "states", suite.report / "numbers"})
+        if (const Status made = make_folder(folder); !made) return made;
+    return std::monostate{};
+}
+
+std::string junit_of(const RunResult& run) {
+    const std::string counts = " tests=\"" + std::to_string(run.entries.size()) + "\" failures=\"" +
+                               std::to_string(run.count(Outcome::different) + run.count(Outcome::fresh)) +
+                               "\" errors=\"" + std::to_string(run.count(Outcome::failed)) + "\" time=\"" +
+                               std::to_string(run.seconds) + "\"";
+    std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts + ">\n<testsuite name=\"" +
+                       xml_text(run.suite) + "\"" + counts + ">\n";
+    for (const EntryResult& entry : run.entries) {
+        text += "<testcase classname=\"" + xml_text(run.suite) + "\" name=\"" + xml_text(entry.name) + "\" time=\"" +
+                std::to_string(entry.seconds) + "\">";
+        if (entry.outcome != Outcome::passed) {
+            const char* const kind = entry.outcome == Outcome::failed ? "error" : "failure";
+            text += std::string("\n<") + kind + " type=\"" + name_of(entry.outcome) + "\" message=\"" +
+                    xml_text(entry.reasons.empty() ? "" : entry.reasons.front()) + "\">" +
+                    xml_text(joined_lines(entry.reasons)) + "</" + kind + ">\n";
+        }
+        if (!entry.output.empty()) text += "<system-err>" + xml_text(entry.output) + "</system-err>\n";
+        text += "</testcase>\n";
+    }
+    return text + "</testsuite>\n</testsuites>\n";
+}
+
+std::string report_page(const RunResult& run) {
+    std::string page(embedded_page("report.html"));
+    std::string data = json_text(as_json(run), -1);
+    // A text of a state must not end the script that it stands in.
+    for (std::size_t at = data.find('<'); at != std::string::npos; at = data.find('<', at))
+        data.replace(at, 1, "\\u003c");
+    fill(page, "title", escaped(run.suite));
+    fill(page, "style", embedded_page("report.css"));
+    fill(page, "script", embedded_page("report.js"));
+    fill(page, "data", data);
+    return page;
+}
+
+Status write_report(const fs::path& folder, const RunResult& run) {
+    const auto bytes = [](const std::string& text) {
+        return std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    };
+    const std::string json = json_text(as_json(run), 1) + "\n", junit = junit_of(run), page = report_page(run);
+    const FileBytes files[] = {{folder / "report.json", bytes(json)},
+                               {folder / "junit.xml", bytes(junit)},
+                               {folder / "index.html", bytes(page)}};
+    return write_files(files);
+}
+
+std::vector<std::string> stray_references(const Suite& suite) {
+    std::set<std::string> known{suite.argument.filename().string()};
+    for (const SuiteEntry& entry : suite.entries) {
+        known.insert(entry.file_name + ".png");
+        known.insert(entry.file_name + ".json");
+    }
+    std::vector<std::string> strays;
+    for (const char* const ending : {".png", ".json"})
+        for (const fs::path& file : files_in(suite.references, ending))
+            if (!known.contains(file.filename().string())) strays.push_back(file.filename().string());
+    return strays;
+}
+
+Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>& folders) {
+    std::map<std::string, EntryResult> found;
+    std::map<std::string, fs::path> from;
+    RunResult whole{suite.name, suite.argument.string(), "", "", 1, 1, 0.0, {}};
+    int of = 0;
+    for (const fs::path& folder : folders) {
+        Result<RunResult> shard = read_run(folder);
+        if (!shard) return Error{shard.error()};
+        if (of != 0 && shard->of != of)
+            return Error{folder.string() + " is a shard of " + std::to_string(shard->of) + ", the others of " +
+                         std::to_string(of)};
+        of = shard->of;
+        whole.version = shard->version;
+        whole.renderer = shard->renderer;
+        whole.seconds += shard->seconds;
+        for (EntryResult& entry : shard->entries) {
+            const auto [earlier, is_new] = from.emplace(entry.name, folder);
+            if (!is_new)
+                return Error{folder.string() + ": " + one_line(entry.name) + " is in " + earlier->second.string() +
+                             " already"};
+            found.emplace(entry.name, std::move(entry));
+        }
+    }
+    if (const Status made = prepare_report(suite); !made) return Error{made.error()};
+    for (const SuiteEntry& entry : suite.entries) {
+        const auto result = found.find(entry.name);
+        if (result == found.end()) {
+            EntryResult missing;
+            missing.name = entry.name;
+            missing.file_name = entry.file_name;
+            missing.reasons = {"no shard has it"};
+            whole.entries.push_back(std::move(missing));
+            continue;
+        }
+        const EntryFiles theirs = files_of(from.at(entry.name), entry.file_name);
+        const EntryFiles ours = files_of(suite.report, entry.file_name);
+        const std::pair<fs::path, fs::path> pairs[] = {
+            {theirs.actual, ours.actual}, {theirs.expected, ours.expected}, {theirs.difference, ours.difference},
+            {theirs.script, ours.script}, {theirs.state, ours.state},       {theirs.numbers, ours.numbers}};
+        for (const auto& [source, target] : pairs)
+            if (is_there(source) && source != target)
+                if (const Status done = copied(source, target); !done) return Error{done.error()};
+        whole.entries.push_back(std::move(result->second));
+        found.erase(result);
+    }
+    if (!found.empty())
+        return Error{from.at(found.begin()->first).string() + ": the suite has no entry " +
+                     one_line(found.begin()->first)};
+    return whole;
+}
+
+Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::string>& names) {
+    Result<RunResult> run = read_run(suite.report);
+    if (!run) return Error{run.error()};
+    std::vector<std::string> known;
+    for (const EntryResult& entry : run->entries) known.push_back(entry.name);
+    for (const std::string& name : names)
+        if (std::find(known.begin(), known.end(), name) == known.end())
+            return Error{one_line(name) + ": the last run has no such entry" + suggestion(name, known)};
+    std::size_t count = 0;
+    for (EntryResult& result : run->entries) {
+        const bool is_named = std::find(names.begin(), names.end(), result.name) != names.end();
+        if (names.empty() ? result.outcome != Outcome::different : !is_named) continue;
+        const EntryFiles files = files_of(suite.report, result.file_name);
+        if (result.outcome == Outcome::failed || (!is_there(files.actual) && !is_there(files.numbers)))
+            return Error{one_line(result.name) + ": the last run drew nothing that could be accepted"};
+        const fs::path reference = suite.references / result.file_name;
+        const std::pair<fs::path, fs::path> pairs[] = {{files.actual, reference.string() + ".png"},
+                                                       {files.numbers, reference.string() + ".json"}};
+        for (const auto& [source, target] : pairs)
+            if (is_there(source))
+                if (const Status done = copied(source, target); !done) return Error{done.error()};
+        result.outcome = Outcome::passed;
+        result.reasons = {"accepted"};
+        result.key.clear();
+        ++count;
+    }
+    if (const Status written = write_report(suite.report, *run); !written) return Error{written.error()};
+    return count;
+}
+
+}  // namespace viewing

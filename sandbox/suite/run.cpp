@@ -1,0 +1,187 @@
+#include "suite/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <numeric>
+#include <utility>
+
+#include "platform/child_process.h"
+#include "state/reader.h"
+#include "text/numbers.h"
+
+namespace viewing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begun) {
+    return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+/// One worker and what it works on.
+struct Worker {
+    ChildProcess process;
+    bool has_begun = false;              ///< it has a renderer
+    std::optional<std::size_t> place{};  ///< in RunWish::chosen
+    Clock::time_point since = Clock::now();
+};
+
+class Run {
+public:
+    Run(const Suite& suite, const RunWish& wish) : suite_(suite), wish_(wish), done_(wish.chosen.size()) {
+        for (std::size_t place = 0; place < wish.chosen.size(); ++place) waiting_.push_back(place);
+    }
+
+    GatheredResults all() {
+        while (finished_ < done_.size() && !results_.failure) {
+            hire();
+            listen();
+            for (std::size_t i = workers_.size(); i-- > 0;)
+                if (!serve(workers_[i])) workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+        for (Worker& worker : workers_) {
+            worker.process.finish_telling();
+            worker.process.wait();
+        }
+        if (!results_.failure) results_.entries = std::move(done_);
+        return std::move(results_);
+    }
+
+private:
+    void hire() {
+        const auto busy = static_cast<std::size_t>(
+            std::count_if(workers_.begin(), workers_.end(), [](const Worker& worker) { return worker.place; }));
+        const std::size_t wanted = std::min(static_cast<std::size_t>(std::max(wish_.jobs, 1)), busy + waiting_.size());
+        while (workers_.size() < wanted) {
+            Result<ChildProcess> started = ChildProcess::start(wish_.worker);
+            if (!started) {
+                results_.failure = NoWorker{9, started.error()};
+                return;
+            }
+            workers_.push_back({.process = *std::move(started)});
+        }
+    }
+
+    void listen() {
+        std::vector<ChildProcess*> processes;
+        double patience_s = wish_.entry_timeout_s;
+        for (Worker& worker : workers_) {
+            processes.push_back(&worker.process);
+            patience_s = std::min(patience_s, wish_.entry_timeout_s - seconds_since(worker.since));
+        }
+        ChildProcess::listen(processes, std::max(patience_s, 0.0) + 0.01);
+    }
+
+    /// False: this worker is no more.
+    bool serve(Worker& worker) {
+        for (const std::string& line : worker.process.take_lines())
+            if (!hear(worker, line)) return lose(worker, "said what cannot be read: " + line.substr(0, 80));
+        if (!worker.process.is_running()) return lose(worker, "");
+        if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s) {
+            worker.process.kill();
+            return lose(worker, "not done within " + figures(wish_.entry_timeout_s) + " s");
+        }
+        if (worker.has_begun && !worker.place && !waiting_.empty()) ask(worker);
+        return true;
+    }
+
+    bool hear(Worker& worker, const std::string& line) {
+        const auto heard = guarded([&] { return parse_document(line, ""); });
+        if (!heard) return false;
+        if (!worker.has_begun) {
+            worker.has_begun = heard->is_object() && heard->contains("renderer") && (*heard)["renderer"].is_string();
+            if (worker.has_begun) results_.renderer = (*heard)["renderer"].get<std::string>();
+            return worker.has_begun;
+        }
+        Result<EntryResult> result = guarded([&] { return read_entry_result(*heard, {"", ""}); });
+        if (!result || !worker.place) return false;
+        result->output = worker.process.take_complaints();
+        finish(worker, *std::move(result));
+        return true;
+    }
+
+    void ask(Worker& worker) {
+        worker.place = waiting_.front();
+        worker.since = Clock::now();
+        waiting_.pop_front();
+        const std::size_t entry = wish_.chosen[*worker.place];
+        const auto known = wish_.known_keys.find(suite_.entries[entry].name);
+        const Json request{{"entry", entry}, {"key", known == wish_.known_keys.end() ? "" : known->second}};
+        worker.process.tell(request.dump());  // of one that has gone the end is noticed
+    }
+
+    /// What it worked on has failed; before anything could be drawn the whole run has.
+    bool lose(Worker& worker, const std::string& why) {
+        if (!why.empty()) worker.process.kill();
+        const std::string end = worker.process.wait();
+        const std::string complaint = worker.process.take_complaints();
+        if (!worker.has_begun) {
+            const int status = worker.process.exit_status();
+            results_.failure = NoWorker{why.empty() && status > 0 ? status : 9,
+                                        complaint.empty() ? "the worker ended with " + end : complaint};
+            return false;
+        }
+        if (!worker.place) return false;
+        const SuiteEntry& entry = suite_.entries[wish_.chosen[*worker.place]];
+        EntryResult result;
+        result.name = entry.name;
+        result.file_name = entry.file_name;
+        result.reasons = {why.empty() ? "the program crashed: " + end : why};
+        result.output = complaint;
+        finish(worker, std::move(result));
+        return false;
+    }
+
+    void finish(Worker& worker, EntryResult result) {
+        result.seconds = seconds_since(worker.since);
+        const std::size_t place = *std::exchange(worker.place, std::nullopt);
+        done_[place] = std::move(result);
+        ++finished_;
+        if (wish_.tell) wish_.tell(done_[place], finished_);
+    }
+
+    const Suite& suite_;
+    const RunWish& wish_;
+    std::deque<std::size_t> waiting_;
+    std::vector<Worker> workers_;
+    std::vector<EntryResult> done_;
+    std::size_t finished_ = 0;
+    GatheredResults results_;
+};
+
+}  // namespace
+
+GatheredResults run_entries(const Suite& suite, const RunWish& wish) {
+    return Run(suite, wish).all();
+}
+
+std::vector<std::size_t> entries_of_shard(const Suite& suite, int index, int count,
+                                          const std::map<std::string, double>& seconds) {
+    double known_s = 0.0;
+    int known = 0;
+    for (const SuiteEntry& entry : suite.entries)
+        if (const auto found = seconds.find(entry.name); found != seconds.end()) {
+            known_s += found->second;
+            ++known;
+        }
+    const double mean_s = known > 0 ? known_s / known : 1.0;
+    const auto cost_of = [&](std::size_t entry) {
+        const auto found = seconds.find(suite.entries[entry].name);
+        return found == seconds.end() ? mean_s : found->second;
+    };
+    std::vector<std::size_t> order(suite.entries.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return cost_of(a) > cost_of(b); });
+    std::vector<double> load(static_cast<std::size_t>(count), 0.0);
+    std::vector<std::size_t> own;
+    for (const std::size_t entry : order) {
+        const auto least = std::min_element(load.begin(), load.end());
+        *least += cost_of(entry);
+        if (least - load.begin() == index - 1) own.push_back(entry);
+    }
+    std::sort(own.begin(), own.end());
+    return own;
+}
+
+}  // namespace viewing

@@ -1,0 +1,364 @@
+// Suite files, read with the care that states are read with: every mistake is one sentence with file and field.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <map>
+
+#include "lesson/tree.h"
+#include "platform/file.h"
+#include "state/json.h"
+#include "suite/suite.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_of_suite = 100'000;
+constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
+constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
+constexpr std::array each_names{"preset", "mended", "scene"};
+
+/// What every entry may say, and "defaults" for all.
+const std::vector<std::string> setting_keys{"set",   "view",  "size",     "samples", "picture", "worst",
+                                            "share", "reach", "matrices", "measure", "problems"};
+
+std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
+    keys.insert(keys.end(), setting_keys.begin(), setting_keys.end());
+    return keys;
+}
+
+// ---- what is drawn and checked -------------------------------------------------------------------------------------
+
+/// {"projection.near": 0.1, …} or ["projection.near=0.1", …].
+std::vector<std::string> read_settings(const Json& value, const Where& where) {
+    std::vector<std::string> settings;
+    if (value.is_array()) {
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            settings.push_back(read_name(value[i], where.at(i)));
+            if (settings.back().find('=') == std::string::npos) where.at(i).refuse("must be PATH=VALUE");
+        }
+        return settings;
+    }
+    require_object(value, where, "an object of fields and their values, or a list of PATH=VALUE");
+    for (const auto& [path, setting] : value.items()) settings.push_back(path + "=" + setting.dump());
+    return settings;
+}
+
+glm::ivec2 read_size(const Json& value, const Where& where) {
+    constexpr int largest = 16384;
+    require_array(value, where, 2, "[width, height]");
+    if (value.size() != 2) where.refuse("must be [width, height]");
+    return {read_whole(value[0], where.at(0), 1, largest), read_whole(value[1], where.at(1), 1, largest)};
+}
+
+double read_tolerance(const Json& object, const Where& where) {
+    return object.contains("tolerance") ? read_number(object["tolerance"], where.key("tolerance"), {0.0, 1e9}) : 0.0;
+}
+
+SuiteMeasure read_measure(const Json& value, const Where& where) {
+    if (value.is_string()) return {measure_names[static_cast<std::size_t>(read_choice(value, where, measure_names))]};
+    require_keys(value, where, {"what", "tolerance"});
+    if (!has(value, "what")) where.key("what").refuse("is missing: fighting, visibility, mirror or order");
+    const int what = read_choice(value["what"], where.key("what"), measure_names);
+    return {measure_names[static_cast<std::size_t>(what)], read_tolerance(value, where)};
+}
+
+std::vector<SuiteMeasure> read_measures(const Json& value, const Where& where) {
+    if (!value.is_array()) return {read_measure(value, where)};
+    std::vector<SuiteMeasure> measures;
+    for (std::size_t i = 0; i < value.size(); ++i) measures.push_back(read_measure(value[i], where.at(i)));
+    return measures;
+}
+
+std::optional<double> read_matrices(const Json& value, const Where& where) {
+    if (value.is_boolean()) return value.get<bool>() ? std::optional(0.0) : std::nullopt;
+    require_keys(value, where, {"tolerance"});
+    return read_tolerance(value, where);
+}
+
+void read_problems(const Json& value, const Where& where, SuiteEntry& entry) {
+    require_keys(value, where, {"must", "must_not", "none"});
+    entry.wanted_problems = names_at(value, "must", where);
+    entry.unwanted_problems = names_at(value, "must_not", where);
+    entry.allows_no_problem = has(value, "none") && read_bool(value["none"], where.key("none"));
+    if (entry.allows_no_problem && !entry.wanted_problems.empty())
+        where.key("none").refuse("cannot be true beside \"must\"");
+}
+
+/// What the keys of `setting_keys` say, over what the entry has already.
+void read_settings_of(const Json& object, const Where& where, SuiteEntry& entry) {
+    const auto with = [&](const char* key, const auto& read) {
+        if (has(object, key)) read(object[key], where.key(key));
+    };
+    with("set", [&](const Json& value, const Where& at) {
+        for (std::string& setting : read_settings(value, at)) entry.settings.push_back(std::move(setting));
+    });
+    with("view", [&](const Json& value, const Where& at) {
+        entry.view = static_cast<PictureView>(read_choice(value, at, view_names));
+    });
+    with("size", [&](const Json& value, const Where& at) { entry.size_px = read_size(value, at); });
+    with("samples", [&](const Json& value, const Where& at) {
+        entry.samples.reset();
+        if (value == "state") return;
+        entry.samples = read_whole(value, at, 0, 4);
+        if (*entry.samples != 0 && *entry.samples != 4) at.refuse("must be 0, 4 or \"state\", as the state says");
+    });
+    with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
+    with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
+    with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
+    with("reach", [&](const Json& value, const Where& at) { entry.limits.reach_px = read_whole(value, at, 0, 16); });
+    with("matrices", [&](const Json& value, const Where& at) { entry.matrices_tolerance = read_matrices(value, at); });
+    with("measure", [&](const Json& value, const Where& at) { entry.measures = read_measures(value, at); });
+    with("problems", [&](const Json& value, const Where& at) { read_problems(value, at, entry); });
+}
+
+// ---- what is looked at ---------------------------------------------------------------------------------------------
+
+/// What names a lesson, an exercise or a state; a file is looked up from the suite's folder.
+std::string found_from(const fs::path& folder, const std::string& name) {
+    std::error_code unknown;
+    const fs::path file = folder / name;
+    return fs::is_regular_file(file, unknown) ? file.string() : name;
+}
+
+void read_state(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
+    if (value.is_string()) {
+        entry.state = found_from(folder, read_name(value, where));
+        if (entry.state == "-") where.refuse("must be a preset, a file or a state, not standard input");
+        return;
+    }
+    require_object(value, where, "a preset's name, a file, or a state written out");
+    entry.inline_state = value.dump();
+    const Result<Params> params =
+        parse_state(entry.inline_state, where.prefix + where.path);  // so that it is refused now
+    if (!params) throw Refusal(params.error());
+}
+
+SuiteStep read_lesson_step(const Json& object, const Where& where, const fs::path& folder) {
+    SuiteStep step;
+    step.lesson = found_from(folder, name_at(object, "lesson", where));
+    if (has(object, "step")) step.step = read_whole(object["step"], where.key("step"), 1, 1000);
+    step.revealed = has(object, "revealed") && read_bool(object["revealed"], where.key("revealed"));
+    step.presents = has(object, "present") && read_bool(object["present"], where.key("present"));
+    return step;
+}
+
+SuiteStep read_exercise(const Json& object, const Where& where) {
+    SuiteStep step;
+    step.exercise = name_at(object, "exercise", where);
+    if (has(object, "course")) step.course = read_name(object["course"], where.key("course"));
+    if (has(object, "student")) step.student = read_name(object["student"], where.key("student"));
+    return step;
+}
+
+void read_subject(const Json& object, const Where& where, const fs::path& folder, SuiteEntry& entry) {
+    int subjects = 0;
+    for (const char* const key : {"state", "lesson", "exercise"}) subjects += has(object, key) ? 1 : 0;
+    if (subjects > 1) where.refuse("has more than one of \"state\", \"lesson\" and \"exercise\"");
+    if (has(object, "state")) read_state(object["state"], where.key("state"), folder, entry);
+    if (has(object, "lesson")) entry.step = read_lesson_step(object, where, folder);
+    if (has(object, "exercise")) entry.step = read_exercise(object, where);
+    for (const char* const key : {"step", "revealed", "present"})
+        if (has(object, key) && !has(object, "lesson")) where.key(key).refuse("belongs to a lesson");
+    for (const char* const key : {"course", "student"})
+        if (has(object, key) && !has(object, "exercise")) where.key(key).refuse("belongs to an exercise");
+    const auto is_look = [](const std::string& setting) { return setting.starts_with("ui."); };
+    if (entry.step && !std::all_of(entry.settings.begin(), entry.settings.end(), is_look))
+        where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
+}
+
+SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& folder, const SuiteEntry& defaults) {
+    require_keys(object, where,
+                 with_setting_keys({"name", "about", "state", "lesson", "step", "revealed", "present", "exercise",
+                                    "course", "student"}));
+    SuiteEntry entry = defaults;
+    entry.name = name_at(object, "name", where);
+    if (has(object, "about")) entry.about = read_name(object["about"], where.key("about"));
+    if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
+    read_settings_of(object, where, entry);
+    read_subject(object, where, folder, entry);
+    return entry;
+}
+
+/// {"each": "preset", "name": "preset-{}", …}: an entry for every one that there is.
+std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const SuiteEntry& defaults) {
+    require_keys(object, where, with_setting_keys({"each", "name", "about", "except"}));
+    const int each = read_choice(object["each"], where.key("each"), each_names);
+    const std::string pattern = name_at(object, "name", where);
+    const std::size_t place = pattern.find("{}");
+    if (place == std::string::npos) where.key("name").refuse("must have a {} where each one's name stands");
+    const std::vector<std::string> except = names_at(object, "except", where);
+    SuiteEntry like = defaults;
+    if (has(object, "about")) like.about = read_name(object["about"], where.key("about"));
+    read_settings_of(object, where, like);
+
+    const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
+    const bool are_mended = each_names[static_cast<std::size_t>(each)] == std::string_view("mended");
+    const std::vector<NamedFile> files = are_scenes ? scenes() : presets();
+    if (files.empty()) where.key("each").refuse("there are none: the assets were not found");
+    for (const std::string& name : except)
+        if (std::none_of(files.begin(), files.end(), [&](const NamedFile& file) { return file.name == name; }))
+            where.key("except").refuse("there is no " + excerpt(name));
+    std::vector<SuiteEntry> entries;
+    for (const NamedFile& file : files) {
+        if (are_mended && file.mended_by.empty()) continue;
+        if (std::find(except.begin(), except.end(), file.name) != except.end()) continue;
+        SuiteEntry entry = like;
+        entry.name = pattern.substr(0, place) + file.name + pattern.substr(place + 2);
+        if (are_scenes)
+            entry.inline_state = Json{{"scene", file.name}}.dump();
+        else
+            entry.state = file.name;
+        if (are_mended) entry.settings.insert(entry.settings.begin(), file.mended_by);
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
+
+// ---- the whole -----------------------------------------------------------------------------------------------------
+
+/// Names are file names in the end: two that differ in case alone are one file on some systems.
+void name_files(Suite& suite, const std::string& prefix) {
+    std::map<std::string, std::string> taken;
+    for (SuiteEntry& entry : suite.entries) {
+        entry.file_name = safe_file_name(entry.name);
+        std::string folded = entry.file_name;
+        std::transform(folded.begin(), folded.end(), folded.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        const auto [other, is_new] = taken.emplace(folded, entry.name);
+        if (!is_new)
+            throw Refusal(prefix + "the entries " + excerpt(other->second) + " and " + excerpt(entry.name) +
+                          " would have one file's name");
+    }
+}
+
+/// Entries that were read later have the thresholds of "loosened", each with its reason.
+void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
+    require_array(list, where, most_of_suite, "a list of names with thresholds and a reason");
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Where at = where.at(i);
+        require_keys(list[i], at, {"name", "about", "worst", "share", "reach"});
+        const std::string name = name_at(list[i], "name", at);
+        const auto entry =
+            std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });
+        if (entry == entries.end()) at.key("name").refuse("there is no entry " + excerpt(name));
+        entry->about = name_at(list[i], "about", at);
+        Json thresholds = list[i];
+        thresholds.erase("name");
+        thresholds.erase("about");
+        read_settings_of(thresholds, at, *entry);
+    }
+}
+
+fs::path folder_at(const Json& object, const char* key, const Where& where, const fs::path& folder) {
+    return folder / (has(object, key) ? read_name(object[key], where.key(key)) : key);
+}
+
+Suite read_suite(const Json& document, const fs::path& file, const Where& where) {
+    require_keys(document, where,
+                 {"$schema", "suite", "title", "references", "report", "defaults", "entries", "loosened"});
+    if (!has(document, "suite") || document["suite"] != 1)
+        where.key("suite").refuse("must be 1, the version of the form that this program reads");
+    Suite suite;
+    suite.argument = file;
+    suite.folder = file.parent_path();
+    suite.name = has(document, "title") ? read_name(document["title"], where.key("title")) : file.stem().string();
+    suite.references = folder_at(document, "references", where, suite.folder);
+    suite.report = folder_at(document, "report", where, suite.folder);
+    SuiteEntry defaults;
+    if (has(document, "defaults")) {
+        require_keys(document["defaults"], where.key("defaults"), setting_keys);
+        read_settings_of(document["defaults"], where.key("defaults"), defaults);
+    }
+    const Where entries = where.key("entries");
+    if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
+    require_array(document["entries"], entries, most_of_suite, "a list of entries");
+    for (std::size_t i = 0; i < document["entries"].size(); ++i) {
+        const Json& object = document["entries"][i];
+        require_object(object, entries.at(i), "an object");
+        if (has(object, "each"))
+            for (SuiteEntry& entry : read_each(object, entries.at(i), defaults))
+                suite.entries.push_back(std::move(entry));
+        else
+            suite.entries.push_back(read_entry(object, entries.at(i), suite.folder, defaults));
+    }
+    if (has(document, "loosened")) loosen(document["loosened"], where.key("loosened"), suite.entries);
+    return suite;
+}
+
+Suite suite_of_folder(const fs::path& folder) {
+    Suite suite;
+    suite.argument = folder;
+    suite.folder = folder;
+    suite.name = fs::absolute(folder).lexically_normal().filename().string();
+    if (suite.name.empty()) suite.name = fs::absolute(folder).parent_path().filename().string();
+    suite.references = folder / "references";
+    suite.report = folder / "report";
+    for (const fs::path& file : files_in(folder, ".json")) {
+        SuiteEntry entry;
+        entry.name = file.stem().string();
+        entry.state = file.string();
+        suite.entries.push_back(std::move(entry));
+    }
+    return suite;
+}
+
+}  // namespace
+
+std::span<const char* const> suite_view_names() {
+    return view_names;
+}
+
+std::string safe_file_name(const std::string& name) {
+    constexpr std::size_t longest = 150;
+    constexpr char digits[] = "0123456789ABCDEF";
+    std::string safe;
+    for (const char c : name) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_inner_dot = c == '.' && !safe.empty();
+        if (std::isalnum(byte) != 0 || c == '-' || c == '_' || is_inner_dot)
+            safe += c;
+        else if (c == ' ' || c == '/')
+            safe += '-';
+        else
+            safe += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
+    }
+    if (safe.size() > longest) safe.resize(longest);
+    while (!safe.empty() && safe.back() == '.') safe.back() = '_';
+    // CON, NUL, COM1 and the like are devices on Windows, whatever their ending.
+    static const std::vector<std::string> devices{"con", "prn", "aux", "nul"};
+    std::string stem = safe.substr(0, safe.find('.'));
+    std::transform(stem.begin(), stem.end(), stem.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool is_port = stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt")) &&
+                         std::isdigit(static_cast<unsigned char>(stem[3])) != 0;
+    if (is_port || std::find(devices.begin(), devices.end(), stem) != devices.end()) safe.insert(0, "_");
+    return safe;
+}
+
+Result<Suite> load_suite(const std::string& argument) {
+    std::error_code unknown;
+    const fs::path path(argument);
+    const bool is_folder = fs::is_directory(path, unknown);
+    if (!is_folder && !fs::exists(path, unknown))
+        return Error{one_line(argument) + ": there is no such suite: neither a .json file nor a folder of states"};
+    return guarded([&] {
+        const std::string prefix = one_line(argument) + ": ";
+        Suite suite;
+        if (is_folder) {
+            suite = suite_of_folder(path);
+        } else {
+            const Result<std::string> text = read_text_file(path);
+            if (!text) throw Refusal(text.error());
+            const Where root{prefix, ""};
+            suite = read_suite(parse_document(*text, prefix), path, root);
+        }
+        if (suite.entries.empty()) throw Refusal(prefix + "has no entries");
+        name_files(suite, prefix);
+        return suite;
+    });
+}
+
+}  // namespace viewing

@@ -1,0 +1,254 @@
+// suite run, accept and merge as an assistant's CI would use them.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "cli/program.h"
+
+namespace cli_tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+class SuiteCommand : public Program {
+protected:
+    /// Two pictures and the numbers of one; `settings` on top of all.
+    void write_suite(const std::string& settings = "{}", const std::string& more = "") const {
+        write("suite.json", R"({"suite": 1, "title": "Two", "defaults": {"size": [160, 90], "samples": 0, "set": )" +
+                                settings + R"(},
+  "entries": [
+    {"name": "opening"},
+    {"name": "derivation", "state": "shadow-derivation", "matrices": {"tolerance": 1e-9}})" +
+                                more + "]}");
+    }
+    nlohmann::json report(const std::string& folder = "report") const {
+        return nlohmann::json::parse(read(folder + "/report.json"));
+    }
+    std::string outcome(const std::string& name, const std::string& folder = "report") const {
+        const nlohmann::json entry = result(name, folder);
+        return entry.is_null() ? "" : entry["outcome"].get<std::string>();
+    }
+    nlohmann::json result(const std::string& name, const std::string& folder = "report") const {
+        const nlohmann::json all = report(folder);
+        for (const nlohmann::json& entry : all["entries"])
+            if (entry["name"] == name) return entry;
+        return nullptr;
+    }
+};
+
+TEST_F(SuiteCommand, WritesMissingReferencesOnceAndNeverChangesOne) {
+    write_suite();
+    const Ended first = run({"suite", "run", "suite.json"});
+    EXPECT_EQ(first.status, 1) << first.told();
+    EXPECT_TRUE(has(first.out, "Two: 2 entries: 2 new")) << first.out;
+    EXPECT_TRUE(exists("references/opening.png"));
+    EXPECT_TRUE(exists("references/derivation.json"));
+    EXPECT_TRUE(has(expect(0, {"suite", "run", "suite.json"}).out, "2 passed"));
+
+    const std::string before = read("references/opening.png"), numbers = read("references/derivation.json");
+    write_suite(R"({"light.position": [1, 5, 2, 1]})");
+    const Ended other = run({"suite", "run", "suite.json"});
+    EXPECT_EQ(other.status, 1) << other.told();
+    EXPECT_TRUE(has(other.out, "different  opening: the picture is different:")) << other.out;
+    EXPECT_EQ(read("references/opening.png"), before);
+    EXPECT_EQ(read("references/derivation.json"), numbers);
+    const nlohmann::json derivation = result("derivation")["details"];
+    EXPECT_EQ(derivation["state"][0]["path"], "light.position[0]");
+    EXPECT_EQ(derivation["state"][0]["actual"], 1);
+    EXPECT_EQ(derivation["numbers"][0]["path"], "shadow_from_world[0][0]");
+    EXPECT_EQ(derivation["numbers"][0]["actual"], 5) << "n · l";
+    for (const char* const ending : {".actual.png", ".expected.png", ".difference.png", ".js"})
+        EXPECT_TRUE(exists("report/pictures/opening" + std::string(ending))) << ending;
+    EXPECT_EQ(read("report/pictures/opening.expected.png"), before);
+}
+
+TEST_F(SuiteCommand, NewOnesAreNoFailureWhenThatIsSaid) {
+    write_suite();
+    expect(0, {"suite", "run", "suite.json", "--accept-new"});
+    EXPECT_EQ(outcome("opening"), "new");
+}
+
+TEST_F(SuiteCommand, AcceptTakesWhatTheLastRunFound) {
+    write_suite();
+    run({"suite", "run", "suite.json"});
+    refused({"suite", "accept", "suite.json", "opning"}, {"opning", "did you mean opening?"});
+    write_suite(R"({"light.position": [1, 5, 2, 1]})");
+    run({"suite", "run", "suite.json"});
+    EXPECT_EQ(expect(0, {"suite", "accept", "suite.json", "opening"}).out, "1 reference accepted\n");
+    EXPECT_EQ(read("references/opening.png"), read("report/pictures/opening.actual.png"));
+    EXPECT_EQ(outcome("opening"), "passed");
+    EXPECT_EQ(outcome("derivation"), "different") << "nobody has looked at it";
+    EXPECT_EQ(expect(0, {"suite", "accept", "suite.json"}).out, "1 reference accepted\n");
+    expect(0, {"suite", "run", "suite.json"});
+}
+
+TEST_F(SuiteCommand, AFolderOfStatesIsASuite) {
+    fs::create_directories(folder() / "states");
+    write("states/plain.json", "{}");
+    write("states/own-size.json", R"({"projection": {"fovy": 70}})");
+    write("states/broken.json", R"({"projection": {"naer": 1}})");
+    const Ended ended = run({"suite", "run", "states"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(outcome("plain", "states/report"), "new");
+    EXPECT_EQ(outcome("own-size", "states/report"), "new");
+    EXPECT_EQ(outcome("broken", "states/report"), "failed");
+    EXPECT_TRUE(has(ended.out, "projection.naer")) << ended.out;
+    EXPECT_TRUE(has(run({"suite", "run", "states"}).out, "2 passed, 1 failed"));
+}
+
+TEST_F(SuiteCommand, ProblemsMustOrMustNotBeTold) {
+    write("suite.json", R"({"suite": 1, "entries": [
+      {"name": "in the plane", "set": {"light.position": [1, 0, 0, 1]}, "problems": {"must": ["lies in the plane"]}},
+      {"name": "nothing told", "problems": {"must": ["lies in the plane"]}},
+      {"name": "none at all", "set": {"light.position": [1, 0, 0, 1]}, "problems": {"none": true}}]})");
+    run({"suite", "run", "suite.json"});
+    EXPECT_EQ(run({"suite", "run", "suite.json"}).status, 1);
+    EXPECT_EQ(outcome("in the plane"), "passed");
+    EXPECT_EQ(outcome("nothing told"), "different");
+    EXPECT_EQ(outcome("none at all"), "different");
+}
+
+TEST_F(SuiteCommand, ShardsHaveEveryEntryOnceAndMergeIntoTheSameReport) {
+    write_suite("{}", R"(,
+    {"name": "c", "state": "orthographic"}, {"name": "d", "state": "teapot"}, {"name": "e", "state": "room"})");
+    run({"suite", "run", "suite.json"});
+    expect(0, {"suite", "run", "suite.json"});
+    const nlohmann::json whole = report();
+    for (const char* const shard : {"1/3", "2/3", "3/3"})
+        expect(0, {"suite", "run", "suite.json", "--shard", shard, "--times", "report"});
+    fs::remove_all(folder() / "report");
+    expect(0, {"suite", "merge", "suite.json", "report-1-of-3", "report-2-of-3", "report-3-of-3"});
+    const nlohmann::json merged = report();
+    ASSERT_EQ(merged["entries"].size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(merged["entries"][i]["name"], whole["entries"][i]["name"]);
+    EXPECT_EQ(merged["counts"], whole["counts"]);
+    EXPECT_TRUE(exists("report/pictures/e.actual.png"));
+
+    const Ended without = run({"suite", "merge", "suite.json", "report-1-of-3", "report-3-of-3"});
+    EXPECT_EQ(without.status, 1) << "a shard is missing: " << without.told();
+    EXPECT_TRUE(has(without.out, "failed")) << without.out;
+    EXPECT_EQ(run({"suite", "merge", "suite.json", "report-1-of-3", "report-1-of-3"}).status, 2) << "one twice";
+}
+
+TEST_F(SuiteCommand, UnchangedEntriesAreNotDrawnAgain) {
+    write_suite();
+    run({"suite", "run", "suite.json", "--cache"});
+    EXPECT_TRUE(has(expect(0, {"suite", "run", "suite.json", "--cache"}).out, "2 passed"));
+    const Ended again = expect(0, {"suite", "run", "suite.json", "--cache"});
+    EXPECT_TRUE(has(again.out, "(2 unchanged, not drawn again)")) << again.out;
+
+    write_suite(R"({"shadow.opacity": 0.6})");
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the states are others";
+    EXPECT_EQ(result("opening")["kept"], false);
+    write_suite();
+    std::ofstream(folder() / "references/opening.png", std::ios::binary | std::ios::app) << "x";
+    run({"suite", "run", "suite.json", "--cache"});
+    run({"suite", "run", "suite.json", "--cache"});
+    fs::copy_file(folder() / "references/derivation.png", folder() / "references/opening.png",
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(run({"suite", "run", "suite.json", "--cache"}).status, 1) << "the reference is another";
+    EXPECT_EQ(outcome("opening"), "different");
+}
+
+TEST_F(SuiteCommand, SeveralProcessesFindTheSame) {
+    write_suite("{}", R"(, {"each": "scene", "name": "scene-{}"})");
+    run({"suite", "run", "suite.json", "--jobs", "3"});
+    expect(0, {"suite", "run", "suite.json"});
+    expect(0, {"suite", "run", "suite.json", "--jobs", "3"});
+}
+
+TEST_F(SuiteCommand, OnlyOneEntryLeavesTheReportAsItWas) {
+    write_suite();
+    run({"suite", "run", "suite.json"});
+    expect(0, {"suite", "run", "suite.json"});
+    const std::string before = read("report/report.json");
+    expect(0, {"suite", "run", "suite.json", "--only", "opening"});
+    EXPECT_EQ(read("report/report.json"), before);
+    refused({"suite", "run", "suite.json", "--only", "opning"}, {"opning", "did you mean opening?"});
+}
+
+TEST_F(SuiteCommand, TellsGitHubAndStrayReferences) {
+    write_suite();
+    run({"suite", "run", "suite.json"});
+    write("references/gone.png", "");
+    write_suite(R"({"shadow.opacity": 0.9})");
+    const Ended ended = run({"suite", "run", "suite.json", "--github"});
+    EXPECT_TRUE(has(ended.out, "::error file=suite.json,title=opening%3A different::the picture is different:"))
+        << ended.out;
+    EXPECT_TRUE(has(ended.out, "1 reference belongs to no entry: gone.png")) << ended.out;
+}
+
+TEST_F(SuiteCommand, WhatDiffersWithinTheThresholdsPasses) {
+    write_suite(R"({"shadow.opacity": 0.5})");
+    run({"suite", "run", "suite.json"});
+    write("suite.json", R"({"suite": 1, "defaults": {"size": [160, 90], "samples": 0}, "entries": [
+      {"name": "opening", "set": {"shadow.opacity": 0.51}, "worst": 6},
+      {"name": "derivation", "state": "shadow-derivation", "set": {"shadow.opacity": 0.51}, "worst": 0, "share": 0.2}]})");
+    expect(0, {"suite", "run", "suite.json"});
+    EXPECT_GT(result("opening")["details"]["compare"]["different"].get<int>(), 0);
+}
+
+TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
+    const auto is_refused = [&](const std::string& text, const std::vector<std::string>& words) {
+        write("bad.json", text);
+        refused({"suite", "run", "bad.json"}, words);
+    };
+    is_refused("{", {"bad.json"});
+    is_refused(R"({"suite": 2, "entries": []})", {"bad.json: suite", "must be 1"});
+    is_refused(R"({"suite": 1})", {"entries", "missing"});
+    is_refused(R"({"suite": 1, "entries": []})", {"no entries"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "veiw": "camera"}]})",
+               {"entries[0].veiw", "did you mean", "view"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "view": "cam"}]})", {"entries[0].view", "camera"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a"}, {"name": "A"}]})", {"a", "A", "one file's name"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "size": [0, 5]}]})", {"entries[0].size[0]"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "samples": 8}]})", {"samples", "0"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "state": {"projection": {"naer": 1}}}]})",
+               {"entries[0].state", "projection.naer", "projection.near"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "state": "opening", "lesson": "depth-fighting"}]})",
+               {"more than one"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "step": 2}]})", {"step", "belongs to a lesson"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "measure": "fihgting"}]})", {"measure", "fighting"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "b", "about": "x"}]})",
+               {"loosened[0].name", "no entry"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "worst": 9}]})",
+               {"loosened[0].about", "missing"});
+    is_refused(R"({"suite": 1, "entries": [{"each": "preset", "name": "p"}]})", {"{}"});
+    refused({"suite", "run", "nowhere"}, {"nowhere", "no such suite"});
+    refused({"suite", "rnu", "bad.json"}, {"rnu", "run"});
+    refused({"suite", "run"}, {"missing"});
+    refused({"suite", "merge", "bad.json"}, {"bad.json"});
+}
+
+TEST_F(SuiteCommand, ASuiteThatIsSentMayNotReadEverything) {
+    fs::create_directories(folder() / "inner");
+    write("outside.json", R"({"objects": [{"name": "b", "shape": "box"}]})");
+    write("inner/state.json", R"({"scene": "../outside.json"})");
+    run({"suite", "run", "inner"});
+    EXPECT_EQ(outcome("state", "inner/report"), "failed");
+    run({"suite", "run", "inner", "--allow-outside"});
+    EXPECT_EQ(outcome("state", "inner/report"), "new");
+}
+
+TEST_F(SuiteCommand, WhatCannotBeWrittenIsSaid) {
+    write_suite();
+    write("references", "a file where the folder should be");
+    const Ended ended = run({"suite", "run", "suite.json"});
+    EXPECT_EQ(ended.status, 2) << ended.told();
+    EXPECT_TRUE(has(ended.err, "references")) << ended.err;
+}
+
+TEST_F(SuiteCommand, WithoutAContextItEndsAsEveryCommandDoes) {
+    write_suite();
+    const Ended ended = run({"suite", "run", "suite.json", "--device", "99"});
+    EXPECT_EQ(ended.status, 2) << ended.told();
+    EXPECT_TRUE(has(ended.err, "--device")) << ended.err;
+    EXPECT_FALSE(exists("report/report.json"));
+}
+
+}  // namespace
+}  // namespace cli_tests
