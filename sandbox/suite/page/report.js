@@ -192,6 +192,8 @@ function drawEntry() {
     table("State", ["", "of the reference", "now"], changes(details.state)),
     details.problems ? make("div", {}, make("h3", {}, "Problems"), ...details.problems.map(problem => make("p", {}, problem))) : null,
     entry.output ? make("div", {}, make("h3", {}, "Complaints"), make("pre", {}, entry.output)) : null,
+    differs ? make("div", {}, make("h3", {}, "If it is right as it is now"),
+      make("pre", {}, `viewing-sandbox suite accept ${quoted(report.argument)} ${quoted(entry.name)}`)) : null,
     make("h3", {}, "To see it again"),
     make("pre", {}, `viewing-sandbox suite run ${quoted(report.argument)} --only ${quoted(entry.name)}\n` +
                     `viewing-sandbox open states/${quoted(entry.file)}.json      # in this report's folder`)].filter(Boolean));

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# A suite in shards by GNU parallel (Debian: parallel), on this machine or several that share its folder:
+#     sandbox/packaging/parallel.sh SUITE [SHARDS [LOGINS]]
+# SHARDS: default one for each core. LOGINS: as parallel's --sshlogin takes them, "8/render1,8/render2"; the program is
+# then found on each machine's PATH. VIEWING_SANDBOX is the program here. Ends as the merged run ends.
+set -euo pipefail
+suite=${1:?which suite? parallel.sh SUITE [SHARDS [LOGINS]]}
+shards=${2:-$(nproc)}
+program=${VIEWING_SANDBOX:-viewing-sandbox}
+folder=$(dirname "$suite")
+earlier=()
+[[ -e $folder/report/report.json ]] && earlier=(--times "$folder/report")
+
+hosts=()
+[[ -n ${3:-} ]] && hosts=(--sshlogin "$3" --workdir "$PWD")
+# A shard in which something differs ends with 1: no reason to stop, the merged report tells it.
+parallel --will-cite --jobs "$shards" "${hosts[@]}" --tag \
+    "$program" suite run "$suite" --shard "{}/$shards" "${earlier[@]}" '|| test $? = 1' ::: $(seq "$shards")
+reports=()
+for shard in $(seq "$shards"); do
+    report=$folder/report-$shard-of-$shards
+    [[ -e $report/report.json ]] && reports+=("$report")
+done
+exec "$program" suite merge "$suite" "${reports[@]}"
