@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/mask.h"
 
 namespace viewing {
 
@@ -37,6 +38,7 @@ struct CompareReport {
     std::array<int, 2> size_a{};      ///< width, height
     std::array<int, 2> size_b{};      ///< width, height
     std::int64_t pixels = 0;          ///< of the larger width times the larger height
+    std::int64_t left_out = 0;        ///< of these the mask's, which are not compared
     std::int64_t different = 0;       ///< any channel by any amount; with them all that not both pictures have
     std::int64_t beyond = 0;          ///< a channel by more than options.worst; with them all that not both have
     int worst_found = 0;              ///< the largest difference of a channel, levels
@@ -45,7 +47,7 @@ struct CompareReport {
     std::int64_t boxes_left_out = 0;  ///< further ones
     CompareOptions options;
 
-    double beyond_share() const;  ///< beyond / pixels; 0 for empty pictures
+    double beyond_share() const;  ///< beyond / (pixels − left_out); 0 where nothing is compared
 };
 
 /// How far each pixel of the part that both pictures have is from the other picture's, row by row from the top: the
@@ -53,8 +55,9 @@ struct CompareReport {
 std::vector<std::uint8_t> pixel_differences(const Image& a, const Image& b, const CompareOptions& options);
 
 /// Options: worst 0 … 255, share 0 … 1, reach 0 or more. Boxes that are at most 16 pixels apart (or 1/80 of the larger
-/// side, if that is more) are one box.
-CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {});
+/// side, if that is more) are one box. What the mask leaves out of the part that both pictures have differs by nothing
+/// and counts nowhere; a mask of another size covers what it has, from the top left.
+CompareReport compare_images(const Image& a, const Image& b, const CompareOptions& options = {}, const Mask& mask = {});
 
 /// One line for a person, starting with "equal" or "different".
 std::string sentence(const CompareReport& report);
@@ -63,7 +66,8 @@ std::string sentence(const CompareReport& report);
 std::string as_json(const CompareReport& report);
 
 /// A in faint grey; pixels within the threshold but not equal tinted blue, pixels beyond it orange-red (#e4572e). When
-/// sizes differ it has the larger width and height, and what not both pictures have is tinted violet.
-Image diff_picture(const Image& a, const Image& b, const CompareOptions& options = {});
+/// sizes differ it has the larger width and height, and what not both pictures have is tinted violet. What the mask
+/// leaves out is dimmed and hatched.
+Image diff_picture(const Image& a, const Image& b, const CompareOptions& options = {}, const Mask& mask = {});
 
 }  // namespace viewing

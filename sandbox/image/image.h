@@ -20,6 +20,11 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
+/// Luma of Rec. 709 of a pixel's stored values, 0 … 255: how bright it looks.
+inline double luma(const std::uint8_t* pixel) {
+    return 0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2];
+}
+
 /// The pixels from (left, top) up to, not including, (right, bottom), moved into the image; at least one of them.
 /// The image is not empty.
 inline Image cropped(const Image& image, int left, int top, int right, int bottom) {

@@ -1,0 +1,75 @@
+// A comparison in words and as JSON.
+#include <nlohmann/json.hpp>
+
+#include "image/compare.h"
+#include "text/numbers.h"
+
+namespace viewing {
+
+namespace {
+
+std::string share_text(double share) {
+    return figures(100.0 * share, 4) + " %";
+}
+
+std::string size_text(const std::array<int, 2>& size) {
+    return std::to_string(size[0]) + " × " + std::to_string(size[1]);
+}
+
+/// "; where: x 3 … 9, y 4 … 8 and 2 more places", or nothing.
+std::string places(const CompareReport& report) {
+    if (report.boxes.empty()) return "";
+    const PixelBox& box = report.boxes.front();
+    std::string text = "; where: x " + std::to_string(box.x) + " … " + std::to_string(box.x + box.width - 1) + ", y " +
+                       std::to_string(box.y) + " … " + std::to_string(box.y + box.height - 1);
+    const std::int64_t others = static_cast<std::int64_t>(report.boxes.size()) - 1 + report.boxes_left_out;
+    if (others > 0) text += " and " + std::to_string(others) + (others == 1 ? " more place" : " more places");
+    return text;
+}
+
+}  // namespace
+
+std::string sentence(const CompareReport& report) {
+    const std::string found = std::to_string(report.different) + " of " + std::to_string(report.pixels) +
+                              " pixels differ, at worst by " + std::to_string(report.worst_found) + " of 255 at (" +
+                              std::to_string(report.worst_at[0]) + ", " + std::to_string(report.worst_at[1]) + "); " +
+                              std::to_string(report.beyond) + " (" + share_text(report.beyond_share()) +
+                              ") by more than " + std::to_string(report.options.worst) + ", allowed are " +
+                              share_text(report.options.share);
+    if (report.sizes_differ)
+        return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
+               size_text(report.size_b) + "; of the part that both have, a channel differs by at most " +
+               std::to_string(report.worst_found) + " of 255" + places(report);
+    const std::string left_out =
+        report.left_out > 0 ? "; " + std::to_string(report.left_out) + " pixels are left out by the mask" : "";
+    if (report.different == 0)
+        return "equal: every one of " + size_text(report.size_a) + " pixels is the same" + left_out;
+    return (report.equal ? "equal within the thresholds: " : "different: ") + found + places(report) + left_out;
+}
+
+std::string as_json(const CompareReport& report) {
+    auto boxes = nlohmann::ordered_json::array();
+    for (const PixelBox& box : report.boxes)
+        boxes.push_back(
+            {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}, {"pixels", box.pixels}});
+    const nlohmann::ordered_json json = {
+        {"equal", report.equal},
+        {"sizes_differ", report.sizes_differ},
+        {"size_a", report.size_a},
+        {"size_b", report.size_b},
+        {"pixels", report.pixels},
+        {"left_out", report.left_out},
+        {"different", report.different},
+        {"beyond", report.beyond},
+        {"share", report.beyond_share()},
+        {"worst", report.worst_found},
+        {"worst_at", report.worst_at},
+        {"boxes", boxes},
+        {"boxes_left_out", report.boxes_left_out},
+        {"thresholds", {{"worst", report.options.worst}, {"share", report.options.share}}},
+        {"sentence", sentence(report)},
+    };
+    return json.dump(2) + "\n";
+}
+
+}  // namespace viewing

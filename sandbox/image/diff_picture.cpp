@@ -1,0 +1,58 @@
+// The picture of a comparison.
+#include <cmath>
+
+#include "image/compare.h"
+#include "image/differences.h"
+
+namespace viewing {
+
+namespace {
+
+/// `amount` 0 … 1 of `tint` over a colour.
+void blend(std::uint8_t* pixel, const std::array<std::uint8_t, 3>& tint, double amount) {
+    for (std::size_t c = 0; c < 3; ++c)
+        pixel[c] = static_cast<std::uint8_t>(std::lround(pixel[c] * (1.0 - amount) + tint[c] * amount));
+}
+
+/// A picture's pixel as grey, drawn faint so that marks stand out.
+void faint_grey(const std::uint8_t* from, std::uint8_t* to) {
+    const auto grey = static_cast<std::uint8_t>(24.0 + 0.6 * luma(from));
+    to[0] = to[1] = to[2] = grey;
+    to[3] = 255;
+}
+
+}  // namespace
+
+Image diff_picture(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask) {
+    constexpr std::array<std::uint8_t, 3> beyond_color{0xE4, 0x57, 0x2E};
+    constexpr std::array<std::uint8_t, 3> within_color{0x56, 0xB4, 0xE9};
+    constexpr std::array<std::uint8_t, 3> uncovered_color{0xCC, 0x79, 0xA7};
+    constexpr std::array<std::uint8_t, 3> dimmed_color{0, 0, 0};
+    constexpr int hatch_px = 6;  // from one line of the hatching to the next
+    Image out{std::max(a.width, b.width), std::max(a.height, b.height), {}};
+    out.rgba.resize(out.row_bytes() * static_cast<std::size_t>(out.height));
+    const auto has = [](const Image& image, int x, int y) { return x < image.width && y < image.height; };
+    Differences rows(a, b, options, mask);
+    std::span<const std::uint8_t> difference;
+    for (int y = 0; y < out.height; ++y) {
+        if (y < rows.height) difference = rows.row(y);
+        for (int x = 0; x < out.width; ++x) {
+            constexpr std::array<std::uint8_t, 4> nothing{};
+            const std::size_t offset = 4 * static_cast<std::size_t>(x);
+            std::uint8_t* pixel = out.row(y) + offset;
+            faint_grey(has(a, x, y) ? a.row(y) + offset : has(b, x, y) ? b.row(y) + offset : nothing.data(), pixel);
+            if (!has(a, x, y) || !has(b, x, y)) {
+                blend(pixel, uncovered_color, 0.4);
+            } else if (mask.leaves_out(x, y)) {
+                blend(pixel, dimmed_color, (x + y) % hatch_px == 0 ? 1.0 : 0.5);
+            } else if (const int d = difference[static_cast<std::size_t>(x)]; d > options.worst) {
+                blend(pixel, beyond_color, 1.0);
+            } else if (d > 0) {
+                blend(pixel, within_color, 0.4);
+            }
+        }
+    }
+    return out;
+}
+
+}  // namespace viewing
