@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "image/mask.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "state/json.h"
@@ -131,17 +132,33 @@ private:
         }
         const Image expected = or_broken(read_png(reference));
         tell_changed_state(reference, state);
-        const CompareReport report = compare_images(drawn, expected, entry_.limits);
+        const Mask mask = read_mask(drawn);
+        const CompareReport report = compare_images(drawn, expected, entry_.limits, mask);
         if (report.different > 0) result_.details["compare"] = Json::parse(viewing::as_json(report));
         if (report.equal) return;
         worsen(Outcome::different, "the picture is " + sentence(report));
         std::error_code error;
         fs::copy_file(reference, files_.expected, fs::copy_options::overwrite_existing, error);
         if (error) throw Broken(files_.expected.string() + ": cannot be written: " + error.message());
-        const std::vector<std::uint8_t> difference = encode_png(diff_picture(drawn, expected, entry_.limits));
+        const std::vector<std::uint8_t> difference = encode_png(diff_picture(drawn, expected, entry_.limits, mask));
         write(files_.difference, difference);
         or_broken(write_file(files_.script,
                              picture_script(entry_.file_name, encode_png(expected), encode_png(drawn), difference)));
+    }
+
+    Mask read_mask(const Image& drawn) const {
+        if (entry_.masks.empty() && entry_.mask_pictures.empty()) return {};
+        Mask mask(drawn.width, drawn.height);
+        for (const MaskRect& rect : entry_.masks) mask.leave_out(rect);
+        for (const fs::path& file : entry_.mask_pictures) {
+            const Image picture = or_broken(read_png(file));
+            if (picture.width != drawn.width || picture.height != drawn.height)
+                throw Broken(file.string() + ": the mask is " + std::to_string(picture.width) + " × " +
+                             std::to_string(picture.height) + " pixels, the picture " + std::to_string(drawn.width) +
+                             " × " + std::to_string(drawn.height));
+            mask.leave_out(Mask(picture));
+        }
+        return mask;
     }
 
     /// A reference carries the state that it was drawn of.

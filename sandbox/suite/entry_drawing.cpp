@@ -99,6 +99,12 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
     add(number(static_cast<int>(entry.view)), number(entry.size_px.x), number(entry.size_px.y),
         number(entry.samples.value_or(-1)), number(entry.limits.worst), format_number(entry.limits.share),
         number(entry.limits.reach_px), entry.checks_picture ? "picture" : "");
+    for (const MaskRect& rect : entry.masks)
+        add("mask", number(rect.x), number(rect.y), number(rect.width), number(rect.height));
+    for (const std::filesystem::path& file : entry.mask_pictures) {
+        const Result<std::string> bytes = read_text_file(file);
+        add("mask", file.string(), bytes ? *bytes : "");
+    }
     if (entry.matrices_tolerance) add("matrices", format_number(*entry.matrices_tolerance));
     for (const SuiteMeasure& measure : entry.measures) add(measure.what, format_number(measure.tolerance));
     for (const std::string& problem : entry.wanted_problems) add("must", problem);

@@ -21,8 +21,8 @@ constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
 constexpr std::array each_names{"preset", "mended", "scene"};
 
 /// What every entry may say, and "defaults" for all.
-const std::vector<std::string> setting_keys{"set",   "view",  "size",     "samples", "picture", "worst",
-                                            "share", "reach", "matrices", "measure", "problems"};
+const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "worst",
+                                            "share", "reach", "masks", "matrices", "measure", "problems"};
 
 std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
     keys.insert(keys.end(), setting_keys.begin(), setting_keys.end());
@@ -51,6 +51,20 @@ glm::ivec2 read_size(const Json& value, const Where& where) {
     require_array(value, where, 2, "[width, height]");
     if (value.size() != 2) where.refuse("must be [width, height]");
     return {read_whole(value[0], where.at(0), 1, largest), read_whole(value[1], where.at(1), 1, largest)};
+}
+
+/// A rectangle [x, y, width, height], or a picture's file, looked up from the suite's folder.
+void read_mask(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
+    if (value.is_string()) {
+        entry.mask_pictures.push_back(folder / read_name(value, where));
+        return;
+    }
+    constexpr int largest = 16384;
+    const char* const form = "a picture's file, or [x, y, width, height]";
+    if (!value.is_array() || value.size() != 4) refuse_value(value, where, form);
+    std::array<int, 4> sides{};
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest);
+    entry.masks.push_back({sides[0], sides[1], sides[2], sides[3]});
 }
 
 double read_tolerance(const Json& object, const Where& where) {
@@ -88,7 +102,7 @@ void read_problems(const Json& value, const Where& where, SuiteEntry& entry) {
 }
 
 /// What the keys of `setting_keys` say, over what the entry has already.
-void read_settings_of(const Json& object, const Where& where, SuiteEntry& entry) {
+void read_settings_of(const Json& object, const Where& where, const fs::path& folder, SuiteEntry& entry) {
     const auto with = [&](const char* key, const auto& read) {
         if (has(object, key)) read(object[key], where.key(key));
     };
@@ -109,6 +123,10 @@ void read_settings_of(const Json& object, const Where& where, SuiteEntry& entry)
     with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
     with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
     with("reach", [&](const Json& value, const Where& at) { entry.limits.reach_px = read_whole(value, at, 0, 16); });
+    with("masks", [&](const Json& value, const Where& at) {
+        require_array(value, at, 1000, "a list of rectangles [x, y, width, height] and pictures' files");
+        for (std::size_t i = 0; i < value.size(); ++i) read_mask(value[i], at.at(i), folder, entry);
+    });
     with("matrices", [&](const Json& value, const Where& at) { entry.matrices_tolerance = read_matrices(value, at); });
     with("measure", [&](const Json& value, const Where& at) { entry.measures = read_measures(value, at); });
     with("problems", [&](const Json& value, const Where& at) { read_problems(value, at, entry); });
@@ -177,13 +195,14 @@ SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& fo
     entry.name = name_at(object, "name", where);
     if (has(object, "about")) entry.about = read_name(object["about"], where.key("about"));
     if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
-    read_settings_of(object, where, entry);
+    read_settings_of(object, where, folder, entry);
     read_subject(object, where, folder, entry);
     return entry;
 }
 
 /// {"each": "preset", "name": "preset-{}", …}: an entry for every one that there is.
-std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const SuiteEntry& defaults) {
+std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const fs::path& folder,
+                                  const SuiteEntry& defaults) {
     require_keys(object, where, with_setting_keys({"each", "name", "about", "except"}));
     const int each = read_choice(object["each"], where.key("each"), each_names);
     const std::string pattern = name_at(object, "name", where);
@@ -192,7 +211,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
     if (has(object, "about")) like.about = read_name(object["about"], where.key("about"));
-    read_settings_of(object, where, like);
+    read_settings_of(object, where, folder, like);
 
     const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
     const bool are_mended = each_names[static_cast<std::size_t>(each)] == std::string_view("mended");
@@ -248,7 +267,7 @@ void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entri
         Json thresholds = list[i];
         thresholds.erase("name");
         thresholds.erase("about");
-        read_settings_of(thresholds, at, *entry);
+        read_settings_of(thresholds, at, {}, *entry);
     }
 }
 
@@ -270,7 +289,7 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
     SuiteEntry defaults;
     if (has(document, "defaults")) {
         require_keys(document["defaults"], where.key("defaults"), setting_keys);
-        read_settings_of(document["defaults"], where.key("defaults"), defaults);
+        read_settings_of(document["defaults"], where.key("defaults"), suite.folder, defaults);
     }
     const Where entries = where.key("entries");
     if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
@@ -279,7 +298,7 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
         const Json& object = document["entries"][i];
         require_object(object, entries.at(i), "an object");
         if (has(object, "each"))
-            for (SuiteEntry& entry : read_each(object, entries.at(i), defaults))
+            for (SuiteEntry& entry : read_each(object, entries.at(i), suite.folder, defaults))
                 suite.entries.push_back(std::move(entry));
         else
             suite.entries.push_back(read_entry(object, entries.at(i), suite.folder, defaults));

@@ -192,6 +192,28 @@ TEST_F(SuiteCommand, WhatDiffersWithinTheThresholdsPasses) {
     EXPECT_GT(result("opening")["details"]["compare"]["different"].get<int>(), 0);
 }
 
+TEST_F(SuiteCommand, WhatAMaskLeavesOutIsNotCompared) {
+    write_suite();
+    run({"suite", "run", "suite.json"});
+    const auto with_mask = [&](const std::string& masks) {
+        write(
+            "suite.json", R"({"suite": 1, "defaults": {"size": [160, 90], "samples": 0, "set": {"shadow.opacity": 0.9},
+               "masks": )" + masks +
+                              R"(}, "entries": [{"name": "opening"}]})");
+        return run({"suite", "run", "suite.json"}).status;
+    };
+    EXPECT_EQ(with_mask("[]"), 1);
+    EXPECT_EQ(with_mask("[[0, 0, 160, 90]]"), 0);
+    EXPECT_EQ(with_mask("[[0, 0, 80, 90], [80, 0, 80, 90]]"), 0);
+    EXPECT_EQ(with_mask("[[0, 0, 10, 10]]"), 1);
+    // A depth picture is no mask of all, but it is one of this size.
+    expect(0, {"snapshot", "--view", "camera", "--set", "view.shows=depth", "--size", "80x45", "-o", "mask.png"});
+    EXPECT_EQ(with_mask("[\"mask.png\"]"), 1);
+    EXPECT_TRUE(has(result("opening")["reasons"][0], "the mask is 80 × 45 pixels, the picture 160 × 90"));
+    write("suite.json", R"({"suite": 1, "entries": [{"name": "a", "masks": [[0, 0, 5]]}]})");
+    refused({"suite", "run", "suite.json"}, {"entries[0].masks[0]", "[x, y, width, height]"});
+}
+
 TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
     const auto is_refused = [&](const std::string& text, const std::vector<std::string>& words) {
         write("bad.json", text);
