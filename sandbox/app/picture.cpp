@@ -88,17 +88,21 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     return Error{studio.session.message.text};
 }
 
+Params drawn_params(Params params, const PictureRequest& request) {
+    if (request.samples) params.view.samples = *request.samples;
+    if (request.view == PictureView::observer) params.view.lower_left = Topic::observer;
+    if (request.view == PictureView::depth) params.view.shows = Shows::depth;
+    if (request.view == PictureView::stencil) params.view.shows = Shows::stencil;
+    return params;
+}
+
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request) {
     LoadedState wanted = state;
-    if (request.samples) wanted.params.view.samples = *request.samples;
+    wanted.params = drawn_params(state.params, request);
     if (request.view == PictureView::window) return draw_window(renderer, wanted, scene, request, ViewName::none);
-    if (request.view == PictureView::observer) {
-        wanted.params.view.lower_left = Topic::observer;
+    if (request.view == PictureView::observer)
         return draw_window(renderer, wanted, scene, request, ViewName::lower_left);
-    }
-    if (request.view == PictureView::depth) wanted.params.view.shows = Shows::depth;
-    if (request.view == PictureView::stencil) wanted.params.view.shows = Shows::stencil;
 
     const Viewport viewport{request.size_px, renderer.capabilities().clip_control};
     const Result<FramePlan> frame =

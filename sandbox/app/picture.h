@@ -32,6 +32,9 @@ struct PictureRequest {
     std::shared_ptr<const LessonPicture> lesson = {};  ///< of the whole window; the state is then the step's
 };
 
+/// The parameters with what the request says itself: its samples, and what its view shows. What a picture carries.
+Params drawn_params(Params params, const PictureRequest& request);
+
 /// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request);

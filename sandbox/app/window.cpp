@@ -20,6 +20,7 @@
 #include "app/studio.h"
 #include "gl/debug.h"
 #include "image/png.h"
+#include "platform/file.h"
 #include "text/catalogue.h"
 
 #define GLFW_INCLUDE_NONE  // GL comes from the loader above
@@ -167,7 +168,8 @@ std::string snapshot_name() {
 void write_snapshot(const Renderer& renderer, Studio& studio) {
     std::error_code ignored;
     const std::filesystem::path file = std::filesystem::absolute(snapshot_name(), ignored);
-    studio.session.write([file, image = renderer.read(studio.camera_view())] { return write_png(file, image); },
+    studio.session.write([file, image = renderer.read(studio.camera_view()),
+                          state = studio.session.text()] { return write_file(file, encode_png(image, state)); },
                          say("snapshot of the camera view written to {file}", "file"_a = file.string()));
 }
 

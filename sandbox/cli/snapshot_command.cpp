@@ -15,6 +15,7 @@
 #include "image/png.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
+#include "state/json.h"
 
 namespace viewing {
 namespace {
@@ -265,7 +266,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
 
     Outputs outputs;
-    if (typed.output) outputs.add(*typed.output, encode_png(drawn.image));
+    if (typed.output)
+        outputs.add(*typed.output, encode_png(drawn.image, write_state(drawn_params(state.params, wish.picture))));
     std::optional<CompareReport> compared;
     if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
     const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing

@@ -122,8 +122,7 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& argumen
     return ChildProcess(std::move(state));
 }
 
-bool ChildProcess::tell(const std::string& line) {
-    const std::string text = line + "\n";
+bool ChildProcess::give(std::string_view text) {
     struct sigaction ignore {};
     struct sigaction before {};
     ignore.sa_handler = SIG_IGN;  // a child that has gone is an answer, no end of this process

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "text/result.h"
@@ -20,8 +21,9 @@ public:
     /// One that still runs is killed.
     ~ChildProcess();
 
-    /// Into its standard input. False: it does not listen any more.
-    bool tell(const std::string& line);
+    /// Into its standard input, with an end of line or as it is. False: it does not listen any more.
+    bool tell(const std::string& line) { return give(line + "\n"); }
+    bool give(std::string_view bytes);
     /// It is told nothing any more, and ends by itself.
     void finish_telling();
 

@@ -49,7 +49,7 @@ struct LoadedState {
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
-/// preset.
+/// preset; a .png file that carries its state.
 Result<LoadedState> load_state(const std::string& argument);
 
 }  // namespace viewing

@@ -121,7 +121,7 @@ private:
 
     void check_picture(const SuiteSubject& subject) {
         const Image drawn = or_broken(draw_picture(renderer_, subject.state, subject.scene, subject.request));
-        const std::string state = write_state(subject.state.params);
+        const std::string state = write_state(drawn_params(subject.state.params, subject.request));
         const std::vector<std::uint8_t> actual = encode_png(drawn, state);
         write(files_.actual, actual);
         or_broken(write_file(files_.state, state + "\n"));

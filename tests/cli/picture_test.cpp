@@ -80,6 +80,19 @@ TEST_F(Snapshot, OfAPrintedStateIsTheSamePicture) {
     EXPECT_EQ(read("direct.png"), read("piped.png"));
 }
 
+TEST_F(Snapshot, CarriesItsState) {
+    expect(0, {"snapshot", "tilted-plane", "--set", "shadow.opacity=0.25", "--size", "64x36", "--view", "camera", "-o",
+               "a.png"});
+    const std::string state = expect(0, {"state", "tilted-plane", "--set", "shadow.opacity=0.25"}).out;
+    EXPECT_EQ(expect(0, {"state", "a.png"}).out, state);
+    expect(0, {"snapshot", "a.png", "--size", "64x36", "--view", "camera", "-o", "b.png"});
+    EXPECT_EQ(read("a.png"), read("b.png"));
+    expect(0, {"compare", "a.png", "b.png", "-o", "difference.png"});
+    refused({"state", "difference.png"}, {"difference.png", "carries no state"});
+    write("broken.png", "no picture");
+    refused({"state", "broken.png"}, {"broken.png", "not a PNG file"});
+}
+
 TEST_F(Snapshot, SettingsChangeThePicture) {
     expect(0, small("a.png"));
     expect(0, small("b.png", {"--set", "camera.yaw=20"}));

@@ -38,7 +38,7 @@ void title(const char* text) {
 }
 
 bool is_known_file(const std::filesystem::path& file) {
-    return file.extension() == ".json" || is_obj_file(file);
+    return file.extension() == ".json" || file.extension() == ".png" || is_obj_file(file);
 }
 
 }  // namespace
@@ -176,10 +176,10 @@ void FileDialog::draw(Session& session) {
     take_listing();
     bool is_done = ends_with_outcome(session);
 
-    static constexpr const char* titles[] = {marked("Open a state (.json) or a mesh (.obj)"), marked("Save the state"),
-                                             marked("Save the state as the last step of a lesson"),
-                                             marked("Open answers to exercises (.json)"),
-                                             marked("Save the answers to be handed in")};
+    static constexpr const char* titles[] = {
+        marked("Open a state (.json, .png) or a mesh (.obj)"), marked("Save the state"),
+        marked("Save the state as the last step of a lesson"), marked("Open answers to exercises (.json)"),
+        marked("Save the answers to be handed in")};
     title(titles[static_cast<std::size_t>(purpose_)]);
     widgets::Note(folder_.string().c_str());
     const float below = ImGui::GetFrameHeightWithSpacing() * 2.0F + px(error_.empty() ? 8.0F : 44.0F);

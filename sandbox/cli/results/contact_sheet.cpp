@@ -1,0 +1,45 @@
+#include "cli/results/contact_sheet.h"
+
+#include <algorithm>
+
+#include "ui/parts/caption.h"
+
+namespace viewing {
+namespace {
+
+constexpr int margin_px = 8, text_px = 20;
+constexpr std::uint8_t ground = 24, light = 225;
+
+}  // namespace
+
+glm::ivec2 contact_sheet_size_px(glm::ivec2 picture_px, int count, int columns) {
+    const int rows = (count + columns - 1) / columns;
+    return {margin_px + columns * (picture_px.x + margin_px),
+            margin_px + rows * (picture_px.y + text_px + 2 * margin_px)};
+}
+
+Image contact_sheet(const std::vector<SheetPicture>& pictures, int columns) {
+    const Image& first = pictures.front().image;
+    const glm::ivec2 size_px =
+        contact_sheet_size_px({first.width, first.height}, static_cast<int>(pictures.size()), columns);
+    Image sheet{size_px.x, size_px.y, {}};
+    sheet.rgba.assign(sheet.row_bytes() * static_cast<std::size_t>(sheet.height), ground);
+    for (std::size_t at = 3; at < sheet.rgba.size(); at += 4) sheet.rgba[at] = 255;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const Image& image = pictures[i].image;
+        const int column = static_cast<int>(i) % columns, row = static_cast<int>(i) / columns;
+        const int left = margin_px + column * (first.width + margin_px);
+        const int top = margin_px + row * (first.height + text_px + 2 * margin_px);
+        for (int y = 0; y < image.height; ++y)
+            std::copy_n(image.row(y), image.row_bytes(), sheet.row(top + y) + static_cast<std::size_t>(left) * 4);
+        const std::vector<std::string>& captions = pictures[i].captions;
+        const auto fitting = std::find_if(captions.begin(), captions.end(), [&](const std::string& caption) {
+            return caption_width_px(caption, text_px) <= first.width;
+        });
+        const std::string caption = fitting == captions.end() ? captions.back() : *fitting;
+        draw_caption(sheet, caption, left, top + image.height + margin_px / 2, text_px, light);
+    }
+    return sheet;
+}
+
+}  // namespace viewing

@@ -1,0 +1,106 @@
+#include "cli/results/film.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a program stands on PATH; empty: nowhere.
+std::string found_program(const std::string& name) {
+    const char* const path = std::getenv("PATH");
+    std::string folders = path ? path : "";
+    while (!folders.empty()) {
+        const std::size_t end = std::min(folders.find(':'), folders.size());
+        const std::string file = folders.substr(0, end) + "/" + name;
+        if (::access(file.c_str(), X_OK) == 0) return file;
+        folders.erase(0, end + 1);
+    }
+    return "";
+}
+
+std::vector<std::string> encoding_of(const std::string& ending) {
+    if (ending == ".gif")
+        return {"-filter_complex",
+                "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=sierra2_4a",
+                "-loop",
+                "0",
+                "-f",
+                "gif"};
+    if (ending == ".webp") return {"-c:v", "libwebp_anim", "-lossless", "1", "-loop", "0", "-f", "webp"};
+    return {"-c:v",     "libx264", "-preset",   "slow",       "-crf", "16",
+            "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
+}
+
+}  // namespace
+
+Result<Film> Film::begin(const std::string& ending, glm::ivec2 size_px, double frames_per_second) {
+    const std::string program = found_program("ffmpeg");
+    if (program.empty())
+        return Error{
+            "a film needs ffmpeg, which is not installed (apt-get install ffmpeg); a folder of pictures or a .png "
+            "sheet needs nothing"};
+    std::string folder = (fs::temp_directory_path() / "viewing-sandbox-film-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) return Error{folder + ": no such folder can be made for the film"};
+    const fs::path file = fs::path(folder) / ("film" + ending);
+    std::vector<std::string> words{program,
+                                   "-nostdin",
+                                   "-loglevel",
+                                   "error",
+                                   "-f",
+                                   "rawvideo",
+                                   "-pixel_format",
+                                   "rgba",
+                                   "-video_size",
+                                   std::to_string(size_px.x) + "x" + std::to_string(size_px.y),
+                                   "-framerate",
+                                   shortest_number(frames_per_second),
+                                   "-i",
+                                   "pipe:0",
+                                   "-bitexact"};
+    for (std::string& word : encoding_of(ending)) words.push_back(std::move(word));
+    words.push_back(file.string());
+    Result<ChildProcess> process = ChildProcess::start(words);
+    if (!process) {
+        fs::remove_all(folder);
+        return Error{process.error()};
+    }
+    return Film(*std::move(process), folder, file);
+}
+
+Film::~Film() {
+    std::error_code none;
+    if (!folder_.empty()) fs::remove_all(folder_, none);
+}
+
+Status Film::add(const Image& picture) {
+    if (process_.give({reinterpret_cast<const char*>(picture.rgba.data()), picture.rgba.size()}))
+        return std::monostate{};
+    return failure();
+}
+
+Error Film::failure() {
+    const std::string end = process_.wait(), complaint = process_.take_complaints();
+    return {"ffmpeg ended with " + end + (complaint.empty() ? "" : ": " + one_line(complaint))};
+}
+
+Result<std::vector<std::uint8_t>> Film::finish() {
+    process_.finish_telling();
+    process_.wait();
+    if (process_.exit_status() != 0) return failure();
+    std::ifstream file(file_, std::ios::binary);
+    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (bytes.empty()) return Error{"ffmpeg has written nothing"};
+    return bytes;
+}
+
+}  // namespace viewing

@@ -1,0 +1,316 @@
+// sweep: one or two fields of a state on their way through values, as a film, a sheet, a folder of pictures, or a table
+// of numbers. Each picture is the one that snapshot draws.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <system_error>
+
+#include "app/picture.h"
+#include "cli/commands.h"
+#include "cli/headless.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/results/contact_sheet.h"
+#include "cli/results/film.h"
+#include "cli/state_arguments.h"
+#include "cli/values.h"
+#include "image/png.h"
+#include "platform/file.h"
+#include "report/lesson_numbers.h"
+#include "state/json.h"
+#include "state/variation.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
+constexpr std::array ease_names{"linear", "smooth"};
+constexpr std::array film_endings{".mp4", ".gif", ".webp"};
+
+/// The options as they were typed.
+struct Typed {
+    std::optional<std::string> output, csv, view, size, samples, fps, ease, columns, device;
+    std::vector<std::string> vary, values;
+    bool together = false, back = false;
+};
+
+enum class Kind { film, sheet, folder, nothing };
+
+struct Wish {
+    std::vector<Variation> variations;
+    Ease ease = Ease::linear;
+    PictureRequest picture;
+    Kind kind = Kind::nothing;
+    std::string ending;
+    double fps = 30.0;
+    int columns = 1;
+};
+
+/// One picture of the sweep.
+struct Step {
+    std::vector<std::string> settings;
+    LoadedState state;
+    Scene scene;
+};
+
+void declare(Options& options, Typed& typed) {
+    options.group("Sweep");
+    options.texts(
+        "--vary", "PATH=FROM:TO:COUNT", typed.vary,
+        "A field on its way from a value to another in so many pictures; further values may stand in between, "
+        "all at equal distances: light.position[0]=-3:3:61, camera.position=[0,1,8]:[4,3,5]:[0,6,0]:90. A "
+        "second one makes rows: each picture of the first with each of the second");
+    options.flag("--together", typed.together, "Two fields side by side, a picture for each pair; counts alike");
+    options.text("--ease", "linear|smooth", typed.ease, "smooth begins and ends at rest; default linear");
+    options.flag("--back", typed.back, "And the same way back, so that a film has no jump where it begins again");
+    options.group("Result");
+    options.text(
+        "-o,--output", "OUT", typed.output,
+        ".mp4, .gif or .webp: a film (ffmpeg); .png: a sheet with each picture's values; a folder's name: a .png "
+        "for each");
+    options.text("--fps", "N", typed.fps, "Pictures a second of a film, 1 to 120; default 30");
+    options.text("--columns", "N", typed.columns, "Of a sheet; default: the second field's count, else a square");
+    options.text("--csv", "FILE|-", typed.csv, "A row for each picture: its values, and those of --value");
+    options.texts(
+        "--value", "EXPRESSION", typed.values,
+        "A column of the table, an expression as lessons have them (viewing-sandbox lesson --names): S[0][3], "
+        "facts.plane_dot_light, fighting().wrong_fraction");
+    options.group("Picture");
+    options.text("--view", "VIEW", typed.view, "camera (default), window, depth, stencil, observer");
+    options.text("--size", "WxH", typed.size, size_help);
+    options.text("--samples", "0|4", typed.samples, "Multisampling; default: view.samples of the state");
+    add_device_option(options, typed.device);
+}
+
+// ---- what is wanted ------------------------------------------------------------------------------------------------
+
+Kind kind_of(const std::string& output, std::string& ending) {
+    ending = fs::path(output).extension().string();
+    if (std::find(film_endings.begin(), film_endings.end(), ending) != film_endings.end()) return Kind::film;
+    return ending == ".png" ? Kind::sheet : Kind::folder;
+}
+
+Wish checked(const Options& options, const Typed& typed) {
+    Wish wish;
+    if (typed.vary.empty() || typed.vary.size() > 2)
+        options.refuse("--vary PATH=FROM:TO:COUNT is wanted once or twice");
+    for (const std::string& text : typed.vary) wish.variations.push_back(value_or_end(Variation::parse(text)));
+    if (typed.together && wish.variations.size() != 2) options.refuse("--together needs two --vary");
+    if (typed.together && wish.variations[0].count != wish.variations[1].count)
+        options.refuse("--together: the two have " + std::to_string(wish.variations[0].count) + " and " +
+                       std::to_string(wish.variations[1].count) + " pictures; the counts must be alike");
+    if (!typed.output && !typed.csv) options.refuse("-o OUT is missing (or --csv FILE)");
+    if (!typed.csv && !typed.values.empty()) options.refuse("--value needs --csv FILE");
+    wish.ease = static_cast<Ease>(choice_option(options, "--ease", typed.ease.value_or("linear"), ease_names));
+    wish.picture.view =
+        static_cast<PictureView>(choice_option(options, "--view", typed.view.value_or("camera"), view_names));
+    wish.picture.size_px = size_option(options, typed.size);
+    if (typed.samples) {
+        constexpr std::array choices{"0", "4"};
+        wish.picture.samples = choice_option(options, "--samples", *typed.samples, choices) == 0 ? 0 : 4;
+    }
+    if (typed.output) wish.kind = kind_of(*typed.output, wish.ending);
+    if (wish.kind != Kind::film && typed.fps) options.refuse("--fps needs a film: .mp4, .gif or .webp");
+    if (wish.kind != Kind::sheet && typed.columns) options.refuse("--columns needs a sheet: .png");
+    if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);
+    const glm::ivec2 size_px = wish.picture.size_px;
+    if (wish.ending == ".mp4" && (size_px.x % 2 != 0 || size_px.y % 2 != 0))
+        options.refuse("--size: the sides of an .mp4 are even; .webp takes any");
+    if (typed.csv) check_output(*typed.csv);
+    if (typed.output && wish.kind != Kind::folder) check_output(*typed.output);
+    return wish;
+}
+
+/// The settings of each picture, in order.
+std::vector<std::vector<std::string>> settings_of(const Wish& wish, bool together, bool back) {
+    std::vector<std::vector<std::string>> all;
+    const Variation& first = wish.variations.front();
+    for (int i = 0; i < first.count; ++i) {
+        const std::string setting = first.setting(i, wish.ease);
+        if (wish.variations.size() == 1) {
+            all.push_back({setting});
+            continue;
+        }
+        const Variation& second = wish.variations.back();
+        for (int k = together ? i : 0; k < (together ? i + 1 : second.count); ++k)
+            all.push_back({setting, second.setting(k, wish.ease)});
+    }
+    if (back)
+        for (std::size_t i = all.size() - 1; i-- > 1;) all.push_back(all[i]);
+    return all;
+}
+
+// ---- pictures and numbers ------------------------------------------------------------------------------------------
+
+/// The state of each picture; scenes are loaded again only where they change.
+class Steps {
+public:
+    Steps(LoadedState state, const std::vector<std::vector<std::string>>& settings)
+        : state_(std::move(state)), settings_(settings), scene_(scene_of(state_)), loaded_(state_.params) {}
+
+    std::size_t count() const { return settings_.size(); }
+    const std::vector<std::string>& settings(std::size_t index) const { return settings_[index]; }
+    const Scene& scene() const { return scene_; }
+
+    LoadedState at(std::size_t index) {
+        LoadedState state = state_;
+        state.params = value_or_end(apply_settings(state.params, settings_[index], "--vary "));
+        if (!(state.params.scene == loaded_.scene && state.params.coplanar == loaded_.coplanar)) {
+            scene_ = scene_of(state);
+            loaded_ = state.params;
+        }
+        return state;
+    }
+
+private:
+    LoadedState state_;
+    const std::vector<std::vector<std::string>>& settings_;
+    Scene scene_;
+    Params loaded_;  ///< whose scene it is
+};
+
+std::string quoted(const std::string& text) {
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string inside;
+    for (const char c : text) inside += c == '"' ? "\"\"" : std::string(1, c);
+    return "\"" + inside + "\"";
+}
+
+std::string cell(const Json& value) {
+    if (value.is_null()) return "";
+    if (value.is_number()) return shortest_number(value.get<double>());
+    return quoted(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+std::string head(const Typed& typed, const Wish& wish) {
+    std::string line;
+    for (const Variation& variation : wish.variations) line += (line.empty() ? "" : ",") + quoted(variation.path);
+    for (const std::string& expression : typed.values) line += "," + quoted(expression);
+    return line + "\n";
+}
+
+std::string row(const Typed& typed, const std::vector<std::string>& settings, const LoadedState& state,
+                const LoadedState& start, const Scene& scene, Renderer& renderer) {
+    std::string line;
+    for (const std::string& setting : settings)
+        line += (line.empty() ? "" : ",") + quoted(setting.substr(setting.find('=') + 1));
+    LessonNumbers numbers(state.params, start.params, scene, &renderer);
+    for (const std::string& expression : typed.values) {
+        const Result<Json> value = evaluate(expression, numbers.surroundings());
+        if (!value) throw Failure(ExitStatus::bad_input, "--value " + one_line(expression) + ": " + value.error());
+        line += "," + cell(*value);
+    }
+    return line + "\n";
+}
+
+/// "light.position[0] = −2.9", then with the last name of the path, then the value alone.
+std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
+    std::vector<std::string> captions(3);
+    for (const std::string& setting : settings) {
+        const std::size_t equals = setting.find('=');
+        const std::string path = setting.substr(0, equals), name = path.substr(path.rfind('.') + 1);
+        std::string value = setting.substr(equals + 1);
+        if (const std::optional<double> number = parse_double(value)) value = figures(*number, 4);
+        const std::string words[] = {path + " = " + value, name + " = " + value, value};
+        for (std::size_t i = 0; i < captions.size(); ++i) captions[i] += (captions[i].empty() ? "" : "  ") + words[i];
+    }
+    return captions;
+}
+
+std::string file_of_picture(std::size_t index, std::size_t count) {
+    const std::string number = std::to_string(index + 1);
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
+    return std::string(digits - number.size(), '0') + number + ".png";
+}
+
+int columns_of(const Options& options, const Typed& typed, const Wish& wish, std::size_t count) {
+    if (typed.columns) return whole_option(options, "--columns", *typed.columns, 1, 1000);
+    if (wish.variations.size() == 2 && !typed.together && !typed.back) return wish.variations.back().count;
+    return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    Typed typed;
+    declare(options, typed);
+    if (!options.parse(arguments)) return ExitStatus::done;
+    Wish wish = checked(options, typed);
+    const std::vector<std::vector<std::string>> settings = settings_of(wish, typed.together, typed.back);
+    if (settings.size() > static_cast<std::size_t>(Variation::most_frames))
+        options.refuse("--vary: " + std::to_string(settings.size()) + " pictures are more than " +
+                       std::to_string(Variation::most_frames));
+    const glm::ivec2 size_px = wish.picture.size_px;
+    if (wish.kind == Kind::sheet) {
+        wish.columns = columns_of(options, typed, wish, settings.size());
+        const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(settings.size()), wish.columns);
+        if (sheet_px.x > largest_image_side || sheet_px.y > largest_image_side ||
+            static_cast<std::int64_t>(sheet_px.x) * sheet_px.y > most_image_pixels)
+            options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " +
+                           std::to_string(sheet_px.y) + " pixels; at most " + std::to_string(largest_image_side) +
+                           " a side and 64 million in all");
+    }
+    const LoadedState start = state_arguments.load();
+    Steps steps(start, settings);
+    for (std::size_t i = 0; i < steps.count(); ++i) {  // what is wrong is said before anything is drawn
+        const LoadedState state = steps.at(i);
+        refuse_beyond_budget(state.params, derive(state.params, steps.scene(), Viewport{size_px}), steps.scene(),
+                             size_px);
+    }
+
+    Headless headless(device_option(options, typed.device));
+    std::optional<Film> film;
+    if (wish.kind == Kind::film) film.emplace(value_or_end(Film::begin(wish.ending, size_px, wish.fps)));
+    if (wish.kind == Kind::folder) {
+        std::error_code error;
+        fs::create_directories(*typed.output, error);
+        if (error)
+            throw Failure(ExitStatus::bad_input, one_line(*typed.output) + ": cannot be made: " + error.message());
+    }
+    std::vector<SheetPicture> sheet;
+    std::string table = head(typed, wish);
+    for (std::size_t i = 0; i < steps.count(); ++i) {
+        const LoadedState state = steps.at(i);
+        if (typed.csv) table += row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer());
+        if (wish.kind == Kind::nothing) continue;
+        Image image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture));
+        if (film) value_or_end(film->add(image));
+        if (wish.kind == Kind::folder)
+            value_or_end(write_file(fs::path(*typed.output) / file_of_picture(i, steps.count()),
+                                    encode_png(image, write_state(drawn_params(state.params, wish.picture)))));
+        if (wish.kind == Kind::sheet) sheet.push_back({std::move(image), captions_of(steps.settings(i))});
+    }
+    headless.require_no_errors();
+    Outputs outputs;
+    if (film) outputs.add(*typed.output, value_or_end(film->finish()));
+    if (wish.kind == Kind::sheet) outputs.add(*typed.output, encode_png(contact_sheet(sheet, wish.columns)));
+    if (typed.csv) outputs.add(*typed.csv, table);
+    outputs.write();
+    return ExitStatus::done;
+}
+
+}  // namespace
+
+constinit const Command sweep_command{
+    "sweep",
+    "[STATE] --vary PATH=FROM:TO:COUNT [--vary …] -o OUT.mp4|gif|webp|png|DIR [OPTIONS]",
+    "a field on its way through values: a film, a sheet of pictures, a table",
+    "Every picture is the one that snapshot draws of the state with that value. Numbers and lists of numbers go evenly "
+    "from "
+    "value to value, everything else (a format, a name) stays until the next. With two fields a sheet has a row for "
+    "each "
+    "value of the first and a column for each of the second. Films are made by ffmpeg, where that is installed.",
+    "sweep --vary light.position[0]=-3:3:61 -o light.mp4 --ease smooth --back\n"
+    "sweep depth-fighting --vary projection.near=0.01:1:9 --size 320x180 -o near.png\n"
+    "sweep --vary light.position[1]=1:6:4 --vary shadow.opacity=0.25:1:4 --size 320x180 -o sheet.png\n"
+    "sweep --vary light.position[1]=1:6:6 --csv table.csv --value S[0][0] --value facts.plane_dot_light\n"
+    "sweep --vary camera.position=[3.9,3,6.6]:[0,3,7]:[-4,2,6]:90 -o frames",
+    "0234589",
+    run};
+
+}  // namespace viewing
