@@ -1,7 +1,7 @@
 #include "app/picture.h"
 
 #include "app/studio.h"
-#include "measure/hidden_answers.h"
+#include "measure/camera_picture.h"
 
 namespace viewing {
 namespace {
@@ -104,13 +104,7 @@ Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const S
     if (request.view == PictureView::observer)
         return draw_window(renderer, wanted, scene, request, ViewName::lower_left);
 
-    const Viewport viewport{request.size_px, renderer.capabilities().clip_control};
-    const Result<FramePlan> frame =
-        plan_at_once(renderer, wanted.params, derive(wanted.params, scene, viewport), scene, request.size_px);
-    if (!frame) return Error{frame.error()};
-    View view;
-    if (Status drawn = renderer.draw(*frame, scene, request.size_px, view); !drawn) return Error{drawn.error()};
-    return renderer.read(view);
+    return camera_picture(renderer, wanted.params, scene, request.size_px);
 }
 
 }  // namespace viewing

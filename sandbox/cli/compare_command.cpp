@@ -3,6 +3,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/thresholds.h"
+#include "cli/values.h"
 #include "image/compare.h"
 #include "image/png.h"
 #include "state/document.h"
@@ -31,6 +32,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const CompareOptions limits = thresholds.values();
     const Image a = value_or_end(read_png(a_file));
     const Image b = value_or_end(read_png(b_file));
+    if (output) check_picture_name(options, "-o", *output);
     for (const auto& target : {output, json})
         if (target) check_output(*target);
 

@@ -1,7 +1,11 @@
 // doctor: what GL and EGL there is, step by step. Works where there is nothing, and says what to install.
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cli/commands.h"
@@ -16,6 +20,7 @@
 #include "report/as_json.h"
 #include "state/presets.h"
 #include "state/scene.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -78,11 +83,33 @@ void examine_capabilities(Examination& examination) {
     add("debug output", facts.debug_output, "errors are asked for with glGetError after each picture");
 }
 
+/// The names of the variables that are set and that a driver or the library before it listens to.
+std::string variables_of_drivers() {
+    constexpr std::array<std::string_view, 6> beginnings{"MESA_", "LIBGL_", "GALLIUM_", "__EGL_", "EGL_", "LP_"};
+    std::vector<std::string> names;
+    for (char** entry = environ; *entry != nullptr; ++entry) {
+        const std::string_view text = *entry;
+        const auto begins = [text](std::string_view beginning) { return text.starts_with(beginning); };
+        if (std::any_of(beginnings.begin(), beginnings.end(), begins))
+            names.emplace_back(text.substr(0, text.find('=')));
+    }
+    std::sort(names.begin(), names.end());
+    return joined(names);
+}
+
+/// What to do where there is no context, though there is a driver.
+std::string advice_for_refusal(const std::string& variables) {
+    const std::string half = "the driver is there, but too old or only half installed: see Debian's libgl1-mesa-dri";
+    return variables.empty() ? half : "try without what tells the driver what to do (" + variables + "); else " + half;
+}
+
 void examine_context(Examination& examination) {
-    require_threads();
-    const Result<gl::EglContext> context = gl::EglContext::make();
+    const bool has_driver = !gl::egl_devices().empty();
+    const std::string variables = variables_of_drivers();
+    const Result<gl::EglContext> context = context_for_pictures("");
     if (!context) {
-        examination.steps.push_back({"context", Health::missing, context.error(), install_drivers});
+        examination.steps.push_back({"context", Health::missing, context.error(),
+                                     has_driver ? advice_for_refusal(variables) : std::string(install_drivers)});
         examination.status = ExitStatus::no_context;
         return;
     }
@@ -107,14 +134,17 @@ void examine_surroundings(Examination& examination) {
     examination.steps.push_back(
         {"fonts", Health::fine, std::to_string(font_bytes / 1024) + " KiB, part of the program", ""});
 
-    if (const auto assets = assets_directory(); assets.empty())
-        examination.steps.push_back({"assets", Health::missing, "no directory beside the program",
-                                     "VIEWING_SANDBOX_ASSETS can name it; presets and named scenes need it"});
-    else
+    if (const std::string problem = assets_problem(); !problem.empty()) {
+        examination.steps.push_back({"assets", Health::missing, problem,
+                                     "install the program whole; VIEWING_SANDBOX_ASSETS, which is there for "
+                                     "programs that stand apart from their assets, is best not set at all"});
+        if (examination.status == ExitStatus::done) examination.status = ExitStatus::bad_input;
+    } else {
         examination.steps.push_back({"assets", Health::fine,
-                                     assets.string() + ": " + std::to_string(presets().size()) + " presets, " +
-                                         std::to_string(scenes().size()) + " scenes",
+                                     assets_directory().string() + ": " + std::to_string(presets().size()) +
+                                         " presets, " + std::to_string(scenes().size()) + " scenes",
                                      ""});
+    }
 
     std::string displays;
     for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"})
@@ -150,9 +180,14 @@ std::string as_text(const Examination& examination) {
         text += head + wrapped(step.found, found_column).substr(found_column);
         if (!step.advice.empty()) text += wrapped(step.advice, found_column);
     }
-    return text + (examination.status == ExitStatus::done
-                       ? "Everything needed to draw is there.\n"
-                       : "Pictures cannot be drawn here: see what is missing above.\n");
+    switch (examination.status) {
+        case ExitStatus::done:
+            return text + "Everything needed to draw is there.\n";
+        case ExitStatus::bad_input:
+            return text + "Pictures can be drawn, but presets and scenes are missing: see above.\n";
+        default:
+            return text + "Pictures cannot be drawn here: see what is missing above.\n";
+    }
 }
 
 Json as_json(const Examination& examination) {
@@ -192,7 +227,11 @@ constinit const Command doctor_command{
     "[--json]",
     "what GL and EGL there is, step by step, and what to install if something is missing",
     "Looks for everything that the program needs to draw without a display, in the order in which it needs it, and "
-    "names the Debian package that helps where something is missing.",
+    "names the Debian package that helps where something is missing. The context is the one that pictures are drawn "
+    "in. "
+    "Presets, scenes, lessons and exercises come from the folder assets beside the program, else from "
+    "../share/viewing-sandbox; the environment variable VIEWING_SANDBOX_ASSETS names another. Without them the exit "
+    "status is 2.",
     "doctor\n"
     "doctor --json",
     "023489",

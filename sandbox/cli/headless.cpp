@@ -13,17 +13,14 @@ void require_threads() {
                       "limits of the container tell how many there may be");
 }
 
-namespace {
-
-gl::EglContext quick_context(const std::string& device) {
+Result<gl::EglContext> context_for_pictures(const std::string& device) {
     require_threads();
     gl::prefer_quick_start();
-    return value_or_end(gl::EglContext::make(device), ExitStatus::no_context);
+    return gl::EglContext::make(device);
 }
 
-}  // namespace
-
-Headless::Headless(const std::string& device) : context_(quick_context(device)) {
+Headless::Headless(const std::string& device)
+    : context_(value_or_end(context_for_pictures(device), ExitStatus::no_context)) {
     Result<Renderer> made = Renderer::make();
     if (!made) throw Failure(ExitStatus::gl_error, made.error());
     renderer_.emplace(*std::move(made));

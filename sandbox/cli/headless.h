@@ -15,6 +15,9 @@ namespace viewing {
 /// Throws Failure where the driver could not start its threads: it would wait for them for ever.
 void require_threads();
 
+/// What every picture is drawn in, made after require_threads(). `device` as EglContext::make takes it.
+Result<gl::EglContext> context_for_pictures(const std::string& device);
+
 class Headless {
 public:
     /// `device` as EglContext::make takes it. Throws Failure: no context, or a driver that refuses a shader.

@@ -46,6 +46,14 @@ struct Options::Parser {
         Target target;
         bool is_doubled = false;
     };
+    struct Positional {
+        std::string name;
+        std::string* target;
+    };
+    struct Leftover {
+        std::string word;
+        bool is_option;
+    };
 
     explicit Parser(const Command& parsed) : command(parsed) { names = {"-h", "--help"}; }
 
@@ -73,6 +81,7 @@ struct Options::Parser {
 
     std::string help() const;
     void take(const Arguments& arguments, const Options& owner);
+    void take_positional(const std::string& word, const Options& owner);
     void check_leftovers(const Options& owner) const;
 
     const Command& command;
@@ -80,9 +89,10 @@ struct Options::Parser {
     std::vector<Entry> entries;
     std::vector<std::string> names;  ///< of all options
     std::vector<Option> options;
-    std::vector<std::string*> positionals;
+    std::vector<Positional> positionals;
+    std::size_t taken = 0;                        ///< how many of them have their word
     std::vector<std::string>* further = nullptr;  ///< takes all that stand behind those
-    std::vector<std::string> leftovers;           ///< what no option and no positional took
+    std::vector<Leftover> leftovers;              ///< what no option and no positional took
 };
 
 std::string Options::Parser::help() const {
@@ -108,22 +118,37 @@ std::string Options::Parser::help() const {
     return text + "\n" + exit_status_table(command.statuses);
 }
 
+void Options::Parser::take_positional(const std::string& word, const Options& owner) {
+    const bool is_wanted = taken < positionals.size();
+    if (word.empty())
+        owner.refuse((is_wanted ? positionals[taken].name : "an argument") + " is empty; see viewing-sandbox " +
+                     command.name + " --help for what may stand there");
+    if (is_wanted)
+        *positionals[taken++].target = word;
+    else if (further != nullptr)
+        further->push_back(word);
+    else
+        leftovers.push_back({word, false});
+}
+
 /// Words to targets: "--name value", "--name=value", "-n value" and "-nvalue". An option takes the word after it,
-/// whatever it looks like.
+/// whatever it looks like; after "--" there are no options.
 void Options::Parser::take(const Arguments& arguments, const Options& owner) {
-    std::size_t positional = 0;
+    bool has_options = true;
     for (auto word = arguments.begin(); word != arguments.end(); ++word) {
-        if (!is_option(*word)) {
-            const bool is_wanted = positional < positionals.size() && *word != "--";
-            if (is_wanted) *positionals[positional++] = *word;
-            if (!is_wanted) (further != nullptr && *word != "--" ? *further : leftovers).push_back(*word);
+        if (has_options && *word == "--") {
+            has_options = false;
+            continue;
+        }
+        if (!has_options || !is_option(*word)) {
+            take_positional(*word, owner);
             continue;
         }
         const bool is_long = word->starts_with("--");
         const std::size_t end = std::min(is_long ? word->find('=') : 2, word->size());
         Option* const option = find(word->substr(0, end));
         if (option == nullptr) {
-            leftovers.push_back(*word);
+            leftovers.push_back({*word, true});
             continue;
         }
         if (bool* const* flag = std::get_if<bool*>(&option->target)) {
@@ -131,8 +156,10 @@ void Options::Parser::take(const Arguments& arguments, const Options& owner) {
             **flag = true;
             continue;
         }
-        std::string value = word->substr(std::min(end + (is_long ? 1 : 0), word->size()));
-        if (value.empty()) {
+        std::string value;
+        if (end < word->size()) {
+            value = word->substr(end + (is_long ? 1 : 0));
+        } else {
             if (++word == arguments.end())
                 owner.refuse(option->names.back() + ": its value is missing; see viewing-sandbox " + command.name +
                              " --help");
@@ -149,8 +176,8 @@ void Options::Parser::take(const Arguments& arguments, const Options& owner) {
 }
 
 void Options::Parser::check_leftovers(const Options& owner) const {
-    for (const std::string& left : leftovers) {
-        if (left.size() > 1 && left.starts_with('-') && left != "--") {
+    for (const auto& [left, is_unknown_option] : leftovers) {
+        if (is_unknown_option) {
             const std::string name = one_line(left.substr(0, left.find('=')));
             const std::string hint = name.starts_with("--") ? suggestion(name, names) : "";
             owner.refuse(name + ": no such option" + hint + "; see viewing-sandbox " + command.name + " --help");
@@ -168,7 +195,7 @@ void Options::group(const char* title) {
 }
 
 void Options::positional(const char* name, std::string& value, const char* help) {
-    parser_->positionals.push_back(&value);
+    parser_->positionals.push_back({name, &value});
     parser_->entries.push_back({parser_->group, name, help});
 }
 

@@ -60,6 +60,7 @@ void check_output(const std::string& target) {
     if (target.empty()) throw Failure(ExitStatus::bad_input, "an output needs a file name, and this one is empty");
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
+    if (there.type() == fs::file_type::none) cannot_write(target, error.message());
     if (fs::is_directory(there)) cannot_write(target, "it is a directory");
     if (fs::exists(there) && !fs::is_regular_file(there)) {
         if (::access(target.c_str(), W_OK) != 0) cannot_write(target, reason(errno));

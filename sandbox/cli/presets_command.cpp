@@ -16,10 +16,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    if (assets_directory().empty())
-        throw Failure(
-            ExitStatus::bad_input,
-            "presets: the assets directory was not found beside the program; VIEWING_SANDBOX_ASSETS can name it");
+    if (assets_directory().empty()) throw Failure(ExitStatus::bad_input, "presets: " + assets_problem());
     std::string lines;
     for (const NamedFile& preset : presets()) lines += line(preset, "");
     for (const NamedFile& scene : scenes()) lines += line(scene, " (scene)");

@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "gl/egl_context.h"
 #include "state/presets.h"
 #include "text/words.h"
 
@@ -110,6 +111,7 @@ const Command* find_command(const std::string& name) {
 }
 
 int run_command_line(const Arguments& arguments) {
+    gl::keep_no_cache_without_a_home();
     try {
         return static_cast<int>(dispatch(arguments));
     } catch (const Failure& failure) {

@@ -96,6 +96,8 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     wish.limits = thresholds.values();
+    if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
+    if (typed.output) check_picture_name(options, "-o", *typed.output);
     for (const auto& target : {typed.output, typed.json})
         if (target) check_output(*target);
     return wish;

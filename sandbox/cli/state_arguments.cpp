@@ -70,8 +70,8 @@ LoadedState StateArguments::load() const {
 
     LoadedState loaded = value_or_end(load_state(state_is_mesh ? "" : state_));
     if (mesh_ || state_is_mesh) {
-        std::error_code error;
-        loaded.params.scene = fs::absolute(mesh_.value_or(state_), error).string();
+        loaded.params.scene = mesh_.value_or(state_);
+        loaded.base.clear();
         loaded.scene_origin = mesh_ ? "--mesh" : "STATE";
         loaded.reach.add(mesh_.value_or(state_));
         loaded.preset.reset();  // its sentence tells of other objects

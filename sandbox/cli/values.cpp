@@ -1,7 +1,10 @@
 #include "cli/values.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "image/png.h"
@@ -77,7 +80,20 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
     for (std::size_t i = 0; i < names.size(); ++i)
         if (text == names[i]) return i;
     const std::vector<std::string> known(names.begin(), names.end());
-    options.refuse(std::string(name) + ": must be one of " + joined(names) + got(text) + suggestion(text, known));
+    const std::string allowed = names.size() == 2 ? known[0] + " or " + known[1] : "one of " + joined(names);
+    options.refuse(std::string(name) + ": must be " + allowed + got(text) + suggestion(text, known));
+}
+
+void check_picture_name(const Options& options, const char* name, const std::string& target) {
+    namespace fs = std::filesystem;
+    std::string ending = fs::path(target).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    std::error_code error;
+    const fs::file_status there = fs::status(target, error);
+    const bool is_named = !fs::exists(there) || fs::is_regular_file(there);
+    if (target != "-" && !target.empty() && is_named && ending != ".png")
+        options.refuse(std::string(name) + ": must end in .png, or be - for standard output" + got(target));
 }
 
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text) {

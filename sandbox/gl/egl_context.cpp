@@ -3,8 +3,10 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -81,6 +83,29 @@ EGLContext core_context(EGLDisplay display) {
     return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
 }
 
+/// What EGL says of its last call: "EGL_BAD_MATCH".
+std::string egl_error() {
+    constexpr const char* names[] = {"no error",          "EGL_NOT_INITIALIZED",     "EGL_BAD_ACCESS",
+                                     "EGL_BAD_ALLOC",     "EGL_BAD_ATTRIBUTE",       "EGL_BAD_CONFIG",
+                                     "EGL_BAD_CONTEXT",   "EGL_BAD_CURRENT_SURFACE", "EGL_BAD_DISPLAY",
+                                     "EGL_BAD_MATCH",     "EGL_BAD_NATIVE_PIXMAP",   "EGL_BAD_NATIVE_WINDOW",
+                                     "EGL_BAD_PARAMETER", "EGL_BAD_SURFACE",         "EGL_CONTEXT_LOST"};
+    const EGLint code = eglGetError() - EGL_SUCCESS;
+    return code >= 0 && code < static_cast<EGLint>(std::size(names)) ? names[code] : "an error of its own";
+}
+
+/// Adds to a list what a display did not do; nobody may want to know.
+void note(std::string* refused, const std::string& description, const char* what) {
+    const std::string why = egl_error();
+    if (refused == nullptr) return;
+    *refused += (refused->empty() ? "" : "; ") + description + " " + what + " (" + why + ")";
+}
+
+bool is_set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value != nullptr && *value != '\0';
+}
+
 }  // namespace
 
 std::vector<DeviceInfo> egl_devices() {
@@ -94,39 +119,50 @@ void prefer_quick_start() {
     setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
 }
 
-std::optional<EglContext> EglContext::on_display(void* display, std::string description) {
+void keep_no_cache_without_a_home() {
+    constexpr const char* places[] = {"HOME", "XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR", "MESA_GLSL_CACHE_DIR"};
+    if (std::none_of(std::begin(places), std::end(places), is_set)) setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+}
+
+std::optional<EglContext> EglContext::on_display(void* display, std::string description, std::string* refused) {
     if (display == EGL_NO_DISPLAY) return std::nullopt;
     EglContext made;
     {
         const std::lock_guard lock(display_use.mutex);
-        if (!eglInitialize(display, nullptr, nullptr)) return std::nullopt;
+        if (!eglInitialize(display, nullptr, nullptr)) {
+            note(refused, description, "cannot be initialised");
+            return std::nullopt;
+        }
         ++display_use.contexts[display];
     }
     made.display_ = display;
     made.description_ = std::move(description);
     made.context_ = core_context(display);
-    if (made.context_ == EGL_NO_CONTEXT || !made.is_made_current()) return std::nullopt;
+    if (made.context_ == EGL_NO_CONTEXT || !made.is_made_current()) {
+        note(refused, made.description_, "gives no OpenGL 3.3 core context");
+        return std::nullopt;
+    }
     return made;
 }
 
-std::optional<EglContext> EglContext::on_device(void* device, int index) {
+std::optional<EglContext> EglContext::on_device(void* device, int index, std::string* refused) {
     const bool is_software = describe(device, index).software;
     return on_display(platform_display(EGL_PLATFORM_DEVICE_EXT, device),
-                      "EGL device " + std::to_string(index) + (is_software ? " (software)" : ""));
+                      "EGL device " + std::to_string(index) + (is_software ? " (software)" : ""), refused);
 }
 
-std::optional<EglContext> EglContext::on_first_device(bool is_software) {
+std::optional<EglContext> EglContext::on_first_device(bool is_software, std::string* refused) {
     int index = 0;
     for (EGLDeviceEXT device : raw_devices()) {
         if (describe(device, index).software == is_software)
-            if (std::optional<EglContext> made = on_device(device, index)) return made;
+            if (std::optional<EglContext> made = on_device(device, index, refused)) return made;
         ++index;
     }
     return std::nullopt;
 }
 
 std::optional<EglContext> EglContext::make_software() {
-    return on_first_device(true);
+    return on_first_device(true, nullptr);
 }
 
 bool EglContext::is_made_current() const {
@@ -139,8 +175,8 @@ void EglContext::let_go() const {
 
 Result<EglContext> EglContext::make(const std::string& wish) {
     const std::vector<EGLDeviceEXT> devices = raw_devices();
-    const auto try_device = [&](int index) { return on_device(devices[static_cast<std::size_t>(index)], index); };
     const auto count = static_cast<int>(devices.size());
+    std::string refused;
 
     if (!wish.empty() && wish != "auto") {
         char* end = nullptr;
@@ -148,16 +184,19 @@ Result<EglContext> EglContext::make(const std::string& wish) {
         if (*end != '\0' || index < 0 || index >= count)
             return Error{"--device " + wish + ": there is no such EGL device; allowed are auto and 0 … " +
                          std::to_string(count - 1) + " (see viewing-sandbox doctor)"};
-        if (std::optional<EglContext> made = try_device(static_cast<int>(index))) return std::move(*made);
-        return Error{"--device " + wish + ": this EGL device gives no OpenGL 3.3 core context"};
+        const auto at = static_cast<int>(index);
+        if (auto made = on_device(devices[static_cast<std::size_t>(at)], at, &refused)) return std::move(*made);
+        return Error{"--device " + wish + ": " + refused};
     }
     if (wish == "auto")
-        if (std::optional<EglContext> made = on_first_device(false)) return std::move(*made);
-    if (std::optional<EglContext> made = on_first_device(true)) return std::move(*made);
+        if (std::optional<EglContext> made = on_first_device(false, &refused)) return std::move(*made);
+    if (std::optional<EglContext> made = on_first_device(true, &refused)) return std::move(*made);
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     if (auto made = on_display(platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY),
-                               "EGL surfaceless (software forced)"))
+                               "EGL surfaceless (software forced)", &refused))
         return std::move(*made);
+    if (!refused.empty())
+        return Error{"no OpenGL 3.3 core context: there is a driver, but " + refused + "; see viewing-sandbox doctor"};
     return Error{
         "no OpenGL 3.3 core context: EGL offers neither a software device nor a surfaceless display; install libegl1 "
         "and libgl1-mesa-dri, and see viewing-sandbox doctor"};

@@ -24,13 +24,17 @@ std::vector<DeviceInfo> egl_devices();
 /// GALLIVM_PERF and LP_NATIVE_VECTOR_WIDTH stay.
 void prefer_quick_start();
 
+/// Where neither HOME nor a folder for caches is set, the driver keeps no compiled shaders: it would look up a home by
+/// itself and write there. Call before the first context.
+void keep_no_cache_without_a_home();
+
 /// Owns an OpenGL 3.3 core context without a surface, current when it is made, on an EGL display that it shares with
 /// others on the same device. Move-only; ends in the thread that has it.
 class EglContext {
 public:
     /// `device`: "" for software (the device that says so, else surfaceless with software forced), "auto" for the first
     /// hardware device that works, else software; or a device's index. Asks for debug output. One sentence when there
-    /// is none.
+    /// is none: what there is, and what each of it refused.
     static Result<EglContext> make(const std::string& device = "");
     /// On the first software device; none where there is none. Leaves the environment alone: any thread may ask.
     static std::optional<EglContext> make_software();
@@ -48,9 +52,9 @@ public:
 
 private:
     EglContext() = default;
-    static std::optional<EglContext> on_display(void* display, std::string description);
-    static std::optional<EglContext> on_device(void* device, int index);
-    static std::optional<EglContext> on_first_device(bool is_software);
+    static std::optional<EglContext> on_display(void* display, std::string description, std::string* refused);
+    static std::optional<EglContext> on_device(void* device, int index, std::string* refused);
+    static std::optional<EglContext> on_first_device(bool is_software, std::string* refused);
 
     void* display_ = nullptr;
     void* context_ = nullptr;

@@ -148,11 +148,18 @@ Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
 
 Status check_readable(const fs::path& file) {
     if (file.empty()) return Error{"an input needs a file name, and this one is empty"};
+    const auto cannot_read = [&file](const std::error_code& why) {
+        return Error{file.string() + ": cannot be read: " + why.message()};
+    };
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
-    if (!fs::exists(status)) return Error{file.string() + ": no such file"};
+    if (status.type() == fs::file_type::not_found) return Error{file.string() + ": no such file"};
+    if (status.type() == fs::file_type::none) return cannot_read(error);
     if (fs::is_directory(status)) return Error{file.string() + ": is a directory, not a file"};
     if (!fs::is_regular_file(status)) return Error{file.string() + ": is not a file"};
+    const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (opened < 0) return cannot_read({errno, std::generic_category()});
+    ::close(opened);
     return std::monostate{};
 }
 

@@ -33,7 +33,7 @@ struct FileBytes {
 Status write_files(std::span<const FileBytes> files);
 
 /// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
-/// it.
+/// it and says why it cannot be: missing, a directory, or what the system says.
 Status check_readable(const std::filesystem::path& file);
 
 }  // namespace viewing

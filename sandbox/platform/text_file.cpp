@@ -1,7 +1,9 @@
 #include "platform/text_file.h"
 
 #include <array>
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include "platform/file.h"
 
@@ -10,6 +12,7 @@ namespace viewing {
 Result<std::string> read_text(std::istream& stream, const std::string& name) {
     std::string text;
     std::array<char, 16U << 10U> block;
+    errno = 0;
     while (stream) {
         stream.read(block.data(), block.size());
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
@@ -18,7 +21,8 @@ Result<std::string> read_text(std::istream& stream, const std::string& name) {
         }
     }
     if (stream.bad()) {
-        return Error{name + ": cannot be read"};
+        const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+        return Error{name + ": cannot be read" + why};
     }
     return text;
 }

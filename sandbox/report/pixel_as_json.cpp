@@ -1,6 +1,9 @@
 #include "report/pixel_as_json.h"
 
+#include <optional>
+
 #include "frame/depth/reconcile.h"
+#include "measure/camera_picture.h"
 #include "measure/hidden_answers.h"
 #include "render/probe.h"
 #include "report/as_json.h"
@@ -53,10 +56,28 @@ Json raster_as_json(const HiddenRequest& request, glm::ivec2 pixel, glm::ivec2 s
     return {{"size", as_json(request.size_px)}, {"pixel", own ? as_json(*own) : Json()}};
 }
 
+/// What view.shows makes of the picture where that is not what the probe draws; none where it is.
+Result<std::optional<Image>> picture_of_its_own(Renderer& renderer, Params params, const Scene& scene,
+                                                glm::ivec2 size_px) {
+    if (params.view.shows == Shows::color || params.view.shows == Shows::facing) return std::optional<Image>{};
+    params.view.samples = 0;
+    Result<Image> picture = camera_picture(renderer, params, scene, size_px);
+    if (!picture) return Error{picture.error()};
+    return std::optional<Image>(*std::move(picture));
+}
+
+Color color_at(const Image& picture, glm::ivec2 pixel) {
+    const auto at = 4 * (static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(picture.width) +
+                         static_cast<std::size_t>(pixel.x));
+    return {picture.rgba[at], picture.rgba[at + 1], picture.rgba[at + 2]};
+}
+
 }  // namespace
 
-Result<Json> pixel_as_json(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 pixel,
-                           glm::ivec2 size_px) {
+Result<Json> pixels_as_json(Renderer& renderer, const Params& state, const Scene& scene,
+                            std::span<const glm::ivec2> pixels, glm::ivec2 size_px) {
+    const Result<std::optional<Image>> picture = picture_of_its_own(renderer, state, scene, size_px);
+    if (!picture) return Error{picture.error()};
     const Params params = probed(state);
     const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
     const Result<FramePlan> frame = plan_at_once(renderer, params, derived, scene, size_px);
@@ -64,14 +85,27 @@ Result<Json> pixel_as_json(Renderer& renderer, const Params& state, const Scene&
     PixelProbe probe;
     if (const Status ready = probe.prepare(renderer, *frame, scene, derived, size_px); !ready)
         return Error{ready.error()};
-    const PixelReport report = probe.at(pixel, scene);
-    Json json = report_as_json(report);
-    std::vector<Fragment> fragments = FragmentFinder(scene).at(*frame, pixel, size_px);
-    reconcile(fragments, report, frame->clears_depth());
-    json["fragments"] = fragments_as_json(fragments);
-    if (has_raster(params.visibility))
-        json["raster"] = raster_as_json(hidden_request(params, derived, size_px), pixel, size_px);
-    return json;
+    const FragmentFinder finder(scene);
+    Json list = Json::array();
+    for (const glm::ivec2& pixel : pixels) {
+        PixelReport report = probe.at(pixel, scene);
+        std::vector<Fragment> fragments = finder.at(*frame, pixel, size_px);
+        reconcile(fragments, report, frame->clears_depth());
+        if (*picture) report.color = color_at(**picture, pixel);
+        Json json = report_as_json(report);
+        json["fragments"] = fragments_as_json(fragments);
+        if (has_raster(params.visibility))
+            json["raster"] = raster_as_json(hidden_request(params, derived, size_px), pixel, size_px);
+        list.push_back(std::move(json));
+    }
+    return list;
+}
+
+Result<Json> pixel_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 pixel,
+                           glm::ivec2 size_px) {
+    Result<Json> list = pixels_as_json(renderer, params, scene, {&pixel, 1}, size_px);
+    if (!list) return Error{list.error()};
+    return std::move(list->front());
 }
 
 }  // namespace viewing

@@ -1,14 +1,48 @@
-// Where the assets directory is.
+// Where the assets directory is, and what is wrong with it.
 #include <cstdlib>
+#include <vector>
 
+#include "platform/file.h"
 #include "state/scene.h"
+#include "text/words.h"
 
 namespace viewing {
 
-std::filesystem::path assets_directory() {
-    namespace fs = std::filesystem;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* variable = "VIEWING_SANDBOX_ASSETS";
+
+/// What the variable says; "" where it says nothing.
+std::string chosen_by_variable() {
+    const char* chosen = std::getenv(variable);
+    return chosen != nullptr ? chosen : "";
+}
+
+}  // namespace
+
+std::string assets_problem() {
+    const std::string chosen = chosen_by_variable();
+    const std::string blamed =
+        std::string("the environment variable ") + variable + " says that the assets are in " + one_line(chosen) + ", ";
+    const fs::path assets = assets_directory();
+    if (assets.empty() && !chosen.empty()) return blamed + "which is no folder";
+    if (assets.empty())
+        return std::string(
+                   "there is no folder assets beside the program and no ../share/viewing-sandbox; the "
+                   "environment variable ") +
+               variable + " can name one";
+    std::vector<std::string> missing;
+    for (const char* kind : {"presets", "scenes", "lessons", "exercises"})
+        if (files_in(assets / kind, ".json").empty()) missing.emplace_back(kind);
+    if (missing.empty()) return "";
+    return (chosen.empty() ? one_line(assets.string()) + ", which" : blamed + "which") + " holds no " + joined(missing);
+}
+
+fs::path assets_directory() {
     std::error_code error;
-    if (const char* chosen = std::getenv("VIEWING_SANDBOX_ASSETS"); chosen != nullptr && *chosen != '\0') {
+    if (const std::string chosen = chosen_by_variable(); !chosen.empty()) {
         return fs::is_directory(chosen, error) ? fs::path(chosen) : fs::path();
     }
     const fs::path program = fs::read_symlink("/proc/self/exe", error);

@@ -49,26 +49,43 @@ Json field_description(const Field& field) {
 
 }  // namespace
 
-Result<Params> parse_state(std::string_view json, std::string_view source) {
+Result<StateDocument> parse_state_document(std::string_view json, std::string_view source) {
     return guarded([&] {
         const Where root{std::string(source) + ": ", ""};
         Json document = parse_document(json, root.prefix);
-        take_titles(document, root);
+        StateDocument state;
+        state.titles = take_titles(document, root);
         if (document.is_object() && document.contains("objects")) {
             root.key("objects").refuse("no such field; this is a scene: use --set scene=" +
                                        one_line(source.ends_with(".json") ? source : "FILE.json"));
         }
         if (document.is_object() && document.contains("lesson") && document.contains("steps"))
             root.refuse("this is a lesson: open it with viewing-sandbox lesson " + one_line(source));
-        Params params;
-        read_group(params, document, root);
-        check_together(params, root.prefix);
-        return params;
+        read_group(state.params, document, root);
+        check_together(state.params, root.prefix);
+        return state;
     });
 }
 
-std::string write_state(const Params& params) {
-    return print_document(params_as_document(params)) + "\n";
+Result<Params> parse_state(std::string_view json, std::string_view source) {
+    Result<StateDocument> state = parse_state_document(json, source);
+    if (!state) return Error{state.error()};
+    return std::move(state->params);
+}
+
+std::string write_state(const Params& params, const Titles& titles) {
+    Json document = Json::object();
+    const auto put = [&document](const char* key, const std::string& text) {
+        if (!text.empty()) document[key] = text;
+    };
+    put("$schema", titles.schema);
+    document["version"] = nullptr;  // its place; the value follows
+    put("title", titles.title);
+    put("about", titles.about);
+    put("group", titles.group);
+    put("mended_by", titles.mended_by);
+    document.update(params_as_document(params));
+    return print_document(document) + "\n";
 }
 
 Result<SceneDescription> parse_scene(std::string_view json, std::string_view source) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "state/params.h"
+#include "state/titles.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -15,8 +16,16 @@ namespace viewing {
 /// Reads a whole state; left-out fields have their defaults. `source` opens every message ("state.json").
 Result<Params> parse_state(std::string_view json, std::string_view source);
 
-/// Every field, in the order of the list, two spaces a level; reads back to the same Params exactly.
-std::string write_state(const Params& params);
+/// The same with what the file says about itself.
+struct StateDocument {
+    Params params;
+    Titles titles;
+};
+Result<StateDocument> parse_state_document(std::string_view json, std::string_view source);
+
+/// Every field, in the order of the list, two spaces a level; reads back to the same Params exactly. Titles stand
+/// before the fields, those that are not empty.
+std::string write_state(const Params& params, const Titles& titles = {});
 
 /// Applies PATH=VALUE in order. A PATH may name a leaf (projection.near), a group (camera={"yaw":3}: the
 /// fields it names change), or an element (light.position[0]). VALUE is JSON, else a string. `source` opens every

@@ -72,11 +72,12 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
     if (!text) {
         return Error{text.error()};
     }
-    Result<Params> params = parse_state(*text, source);
-    if (!params) {
-        return Error{params.error()};
+    Result<StateDocument> state = parse_state_document(*text, source);
+    if (!state) {
+        return Error{state.error()};
     }
-    return LoadedState{std::move(*params), base, source + ": scene", nullptr, reach_of_folder(base)};
+    return LoadedState{std::move(state->params), base, source + ": scene", nullptr, std::move(state->titles),
+                       reach_of_folder(base)};
 }
 
 Result<std::string> state_in_picture(const fs::path& path) {
@@ -87,6 +88,9 @@ Result<std::string> state_in_picture(const fs::path& path) {
 }
 
 Error unknown_state(const std::string& argument) {
+    for (const NamedFile& scene : scenes())
+        if (scene.name == argument)
+            return Error{argument + ": is a scene, not a preset: to see it, use --set scene=" + argument};
     return Error{one_line(argument) + ": neither a file nor a preset" + names_hint(argument, presets())};
 }
 
@@ -94,7 +98,7 @@ Error unknown_state(const std::string& argument) {
 
 std::string names_hint(std::string_view word, std::span<const NamedFile> files) {
     if (files.empty()) {
-        return "; there are none, the assets directory was not found";
+        return "; there are none: " + assets_problem();
     }
     std::vector<std::string> names;
     for (const NamedFile& file : files) {
@@ -130,9 +134,11 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {
         const fs::path preset = assets / "presets" / (argument + ".json");
         if (std::error_code error; fs::exists(preset, error)) {
-            const Result<LoadedState> state = parsed(read_text_file(preset), argument + ".json", preset.parent_path());
+            Result<LoadedState> state = parsed(read_text_file(preset), argument + ".json", preset.parent_path());
             if (!state) return Error{state.error()};
-            return preset_state(argument, state->params, state->base);
+            LoadedState named = preset_state(argument, state->params, state->base);
+            named.titles = std::move(state->titles);
+            return named;
         }
     }
     if (std::error_code error; is_name && !fs::exists(path, error)) {

@@ -10,6 +10,7 @@
 
 #include "state/file_reach.h"
 #include "state/params.h"
+#include "state/titles.h"
 #include "text/result.h"
 
 namespace viewing {
@@ -45,6 +46,7 @@ struct LoadedState {
     std::filesystem::path base;          ///< what the scene's relative paths are relative to
     std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
     std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a file of one's own
+    Titles titles = {};    ///< what its file says about itself; none for the opening state
     FileReach reach = {};  ///< what its scene may be read from; of one that was loaded, its own folder
 };
 

@@ -366,16 +366,27 @@ void check_together(const Params& params, const std::string& prefix) {
     check_overrides(params, root.key("overrides.further"));
 }
 
-void take_titles(Json& document, const Where& where) {
-    for (const char* key : {"title", "about", "group", "mended_by"}) {
-        if (!document.is_object() || !document.contains(key)) {
-            continue;
+Titles take_titles(Json& document, const Where& where) {
+    Titles titles;
+    if (!document.is_object()) {
+        return titles;
+    }
+    const auto take = [&](const char* key, std::string& text) {
+        if (!document.contains(key)) {
+            return;
         }
         if (!document[key].is_string()) {
             refuse_value(document[key], where.key(key), "a text");
         }
+        text = document[key].get<std::string>();
         document.erase(key);
-    }
+    };
+    take("$schema", titles.schema);
+    take("title", titles.title);
+    take("about", titles.about);
+    take("group", titles.group);
+    take("mended_by", titles.mended_by);
+    return titles;
 }
 
 }  // namespace viewing

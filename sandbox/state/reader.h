@@ -11,6 +11,7 @@
 #include "state/document.h"
 #include "state/fields.h"
 #include "state/params.h"
+#include "state/titles.h"
 
 namespace viewing {
 
@@ -58,8 +59,8 @@ Json params_as_document(Params params);
 /// Rules that tie fields together or are broken for a moment between two settings: near < far, a normal, a light.
 void check_together(const Params& params, const std::string& prefix);
 
-/// Checks a file's optional "title", "about", "group" and "mended_by" and takes them out of the tree.
-void take_titles(Json& document, const Where& where);
+/// Checks what a file says about itself, which it need not, and takes it out of the tree.
+Titles take_titles(Json& document, const Where& where);
 
 // ---- scenes (scene_reader.cpp) ------------------------------------------------------------------------------------
 

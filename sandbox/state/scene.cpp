@@ -72,7 +72,7 @@ Result<Described> described(const SceneSource& source, const fs::path& base, con
     }
     const auto& name = std::get<std::string>(source);
     const fs::path path(name);
-    const bool is_name = !path.has_parent_path() && path.extension() != ".json";
+    const bool is_name = !path.has_parent_path() && path.extension() != ".json" && !is_obj_file(path);
     std::error_code error;
     if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {
         const fs::path known = assets / "scenes" / (name + ".json");

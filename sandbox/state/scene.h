@@ -35,6 +35,10 @@ struct Scene {
 /// ../share/viewing-sandbox below it. Empty when there is none.
 std::filesystem::path assets_directory();
 
+/// What is wrong with it: it is not there, or has no presets, scenes, lessons or exercises; "" where all is well. Says
+/// so where the environment variable is at fault.
+std::string assets_problem();
+
 /// How a scene is read. `origin`: what messages about the source itself open with.
 struct SceneReading {
     WorkProgress* progress = nullptr;

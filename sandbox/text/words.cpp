@@ -141,7 +141,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 bool is_near(std::size_t distance, std::size_t word_length) {
-    return distance <= std::clamp<std::size_t>(word_length / 2, 1, 3);
+    return word_length > 1 && distance <= std::clamp<std::size_t>(word_length / 2, 1, 3);
 }
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> candidates) {

@@ -49,7 +49,7 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 /// `; did you mean "less"?` for a misspelt word, "" when nothing is near.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
-/// Whether so many edits still look like a slip of the pen in a word of this length.
+/// Whether so many edits still look like a slip of the pen in a word of this length: never in a single letter.
 bool is_near(std::size_t distance, std::size_t word_length);
 
 }  // namespace viewing

@@ -4,8 +4,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 
 #include "cli/program.h"
+#include "image/png.h"
 
 namespace cli_tests {
 namespace {
@@ -339,15 +342,67 @@ TEST_F(Inspect, ListsWhatAMethodSorted) {
     }
 }
 
-TEST_F(Inspect, SaysTheSameWhateverTheColoursShow) {
+TEST_F(Inspect, TheColorIsThatOfThePicture) {
+    for (const char* shows : {"color", "depth", "stencil", "facing", "overdraw", "difference", "fighting"}) {
+        SCOPED_TRACE(shows);
+        const Words state{"coplanar", "--set", "visibility.method=painter", "--set", std::string("view.shows=") + shows,
+                          "--size",   "64x48"};
+        Words drawing{"snapshot", "--view", "camera", "--samples", "0", "-o", "camera.png"};
+        drawing.insert(drawing.end(), state.begin(), state.end());
+        expect(0, drawing);
+        const viewing::Image picture = *viewing::read_png(folder() / "camera.png");
+        Words inspecting{"inspect"};
+        inspecting.insert(inspecting.end(), state.begin(), state.end());
+        std::vector<std::string> expected;
+        for (int y = 3; y < 48; y += 11)
+            for (int x = 2; x < 64; x += 9) {
+                inspecting.insert(inspecting.end(), {"--pixel", std::to_string(x) + "," + std::to_string(y)});
+                const std::uint8_t* const color = picture.row(y) + 4 * static_cast<std::size_t>(x);
+                char text[8];
+                std::snprintf(text, sizeof text, "#%02x%02x%02x", color[0], color[1], color[2]);
+                expected.emplace_back(text);
+            }
+        const Json report = expect(0, inspecting).json();
+        std::vector<std::string> found;
+        for (const Json& pixel : report) found.push_back(pixel.at("color"));
+        EXPECT_EQ(found, expected);
+    }
+}
+
+TEST_F(Inspect, TakesSeveralPixelsInOneRun) {
+    const auto inspected = [this](Words words) {
+        words.insert(words.begin(), {"inspect", "--size", "64x48"});
+        return expect(0, words).json();
+    };
+    const Json a = inspected({"--pixel", "3,4"}), b = inspected({"--pixel", "32,30"});
+    EXPECT_TRUE(a.is_object());
+    EXPECT_EQ(inspected({"--pixel", "3,4", "--pixel", "32,30"}), Json::array({a, b}));
+    write("pixels.txt", "32,30\r\n\n3,4\n");
+    EXPECT_EQ(inspected({"--pixels", "pixels.txt", "--pixel", "3,4"}), Json::array({a, b, a}));
+    write("one.txt", "3,4");
+    EXPECT_EQ(inspected({"--pixels", "one.txt"}), Json::array({a}));
+    write("none.txt", "");
+    EXPECT_EQ(inspected({"--pixels", "none.txt"}), Json::array());
+    EXPECT_EQ(expect(0, {"inspect", "--size", "64x48", "--pixels", "-"}, {.input = "3,4\n"}).json(), Json::array({a}));
+    write("bad.txt", "3,4\n64,4\n");
+    refused({"inspect", "--size", "64x48", "--pixels", "bad.txt"}, {"--pixel", "64,4", "0 to 63"});
+    refused({"inspect", "--pixels", "missing.txt"}, {"missing.txt: no such file"});
+    refused({"inspect", "-", "--pixels", "-"}, {"standard input"});
+}
+
+TEST_F(Inspect, SaysTheSameOfTheSurfaceWhateverTheColoursShow) {
     const auto inspected = [this](const std::string& setting) {
         return expect(0, {"inspect", "--pixel", "160,90", "--size", "320x180", "--set", "visibility.method=painter",
                           "--set", setting})
             .json();
     };
-    const Json expected = inspected("view.shows=color");
-    for (const char* setting : {"view.shows=overdraw", "view.shows=difference", "view.shows=fighting"})
-        EXPECT_EQ(inspected(setting), expected) << setting;
+    Json expected = inspected("view.shows=color");
+    expected.erase("color");
+    for (const char* setting : {"view.shows=overdraw", "view.shows=difference", "view.shows=fighting"}) {
+        Json found = inspected(setting);
+        found.erase("color");
+        EXPECT_EQ(found, expected) << setting;
+    }
 }
 
 TEST_F(Inspect, TheBackgroundIsNobody) {
@@ -398,6 +453,70 @@ TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {
     const Ended json = run({"doctor", "--json"}, without_gl);
     EXPECT_EQ(json.status, 3);
     EXPECT_EQ(json.json().at("fine"), false);
+}
+
+/// What a step of `doctor --json` says.
+Json step_of(const Ended& doctor, const std::string& name) {
+    const Json report = doctor.json();
+    for (const Json& step : report.at("steps"))
+        if (step.at("step") == name) return step;
+    return {};
+}
+
+TEST_F(Doctor, FailsWithoutAssetsAndSaysWhoseFaultThatIs) {
+    std::filesystem::create_directories(folder() / "half" / "presets");
+    write("half/presets/a.json", "{}");
+    const std::map<std::string, std::string> said{
+        {"/nowhere", "the assets are in /nowhere, which is no folder"},
+        {folder().string(), "holds no presets, scenes, lessons, exercises"},
+        {(folder() / "half").string(), "half, which holds no scenes, lessons, exercises"}};
+    for (const auto& [place, sentence] : said) {
+        const Surroundings elsewhere{.environment = {{"VIEWING_SANDBOX_ASSETS", place}}};
+        const Ended doctor = run({"doctor", "--json"}, elsewhere);
+        EXPECT_EQ(doctor.status, 2) << doctor.told();
+        EXPECT_EQ(doctor.json().at("fine"), false);
+        const Json assets = step_of(doctor, "assets");
+        EXPECT_EQ(assets.at("health"), "missing");
+        EXPECT_NE(assets.at("found").get<std::string>().find(sentence), std::string::npos) << assets;
+        EXPECT_NE(assets.at("found").get<std::string>().find("VIEWING_SANDBOX_ASSETS"), std::string::npos) << assets;
+        EXPECT_NE(run({"doctor"}, elsewhere).out.find("presets and scenes are missing"), std::string::npos);
+    }
+    // Beside a program that stands alone there is no folder, and nobody set a variable.
+    std::filesystem::copy_file(std::getenv("VIEWING_SANDBOX"), folder() / "alone");
+    const std::string command = "env -u VIEWING_SANDBOX_ASSETS '" + (folder() / "alone").string() +
+                                "' doctor --json > '" + (folder() / "told").string() + "'";
+    const int ended = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(ended), 2);
+    EXPECT_NE(read("told").find("there is no folder assets beside the program"), std::string::npos) << read("told");
+    EXPECT_NE(expect(0, {"doctor", "--help"}).out.find("VIEWING_SANDBOX_ASSETS"), std::string::npos);
+    refused({"state", "teapot"}, {"VIEWING_SANDBOX_ASSETS says that the assets are in /nowhere"},
+            {.environment = {{"VIEWING_SANDBOX_ASSETS", "/nowhere"}}});
+}
+
+TEST_F(Doctor, SaysWhereADriverIsThereAndRefuses) {
+    const Surroundings old{.environment = {{"MESA_GL_VERSION_OVERRIDE", "2.1"}}};
+    const Ended doctor = run({"doctor", "--json"}, old);
+    if (doctor.status == 0) GTEST_SKIP() << "this driver does not pretend to be older";
+    EXPECT_EQ(doctor.status, 3) << doctor.told();
+    const Json context = step_of(doctor, "context");
+    EXPECT_NE(context.at("found").get<std::string>().find("there is a driver, but EGL device"), std::string::npos);
+    EXPECT_EQ(context.at("found").get<std::string>().find("offers neither"), std::string::npos);
+    EXPECT_NE(context.at("advice").get<std::string>().find("MESA_GL_VERSION_OVERRIDE"), std::string::npos);
+    expect(3, {"snapshot", "-o", "x.png"}, old);
+}
+
+TEST_F(Doctor, ReportsWhatPicturesAreDrawnWith) {
+    // What the tests set for speed would make them alike.
+    const Surroundings bare{.without = {"LP_NATIVE_VECTOR_WIDTH", "GALLIVM_PERF"}};
+    const Json report =
+        expect(0, {"snapshot", "--view", "camera", "--size", "32x32", "-o", "x.png", "--json", "-"}, bare).json();
+    const Ended doctor = expect(0, {"doctor", "--json"}, bare);
+    const auto has = [](const Json& step, const Json& part) {
+        return step.at("found").get<std::string>().find(part.get<std::string>()) != std::string::npos;
+    };
+    EXPECT_TRUE(has(step_of(doctor, "OpenGL"), report.at("renderer"))) << doctor.out << report;
+    EXPECT_TRUE(has(step_of(doctor, "OpenGL"), report.at("gl_version"))) << doctor.out << report;
+    EXPECT_TRUE(has(step_of(doctor, "context"), report.at("device"))) << doctor.out << report;
 }
 
 TEST_F(Open, AnEmptyDisplayLeavesNoBlankBehind) {

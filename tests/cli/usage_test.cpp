@@ -88,7 +88,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
                              "99999999999x1", "", "10 x10"})
         refused({"snapshot", "--view", "camera", "-o", "x.png", "--size", size}, {"--size", "must be"});
     refused({"snapshot", "-o", "x.png", "--size", "319x240"}, {"--size", "320x240"});
-    refused({"snapshot", "-o", "x.png", "--samples", "2"}, {"--samples", "0, 4"});
+    refused({"snapshot", "-o", "x.png", "--samples", "2"}, {"--samples", "0 or 4"});
     refused({"snapshot", "-o", "x.png", "--repeat", "0"}, {"--repeat", "from 1"});
     refused({"snapshot", "-o", "x.png", "--timeout", "0"}, {"--timeout"});
     refused({"snapshot", "-o", "x.png", "--timeout", "nan"}, {"--timeout"});
@@ -97,7 +97,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"snapshot", "-o", "x.png", "--worst", "3"}, {"--compare"});
     refused({"snapshot", "-o", "-", "--json", "-"}, {"standard output"});
     refused({"matrices", "--format", "jsn"}, {"--format", "did you mean json?"});
-    refused({"params", "--format", "xml"}, {"--format", "json, text"});
+    refused({"params", "--format", "xml"}, {"--format", "json or text"});
     refused({"inspect", "--pixel", "1280,0"}, {"--pixel", "0 to 1279"});
     refused({"inspect", "--pixel", "-1,0"}, {"--pixel"});
     refused({"inspect", "--pixel", "12"}, {"--pixel"});
@@ -121,7 +121,7 @@ TEST_F(Usage, MeasureSaysWhatItTakes) {
     refused({"measure", "--what", "growth", "--max", "0"}, {"--max", "1"});
     refused({"measure", "--what", "growth", "--max", "1000001"}, {"--max", "1000000"});
     refused({"measure", "--what", "growth", "--polygons", "huge"}, {"--polygons", "small, large, scene"});
-    refused({"measure", "--what", "growth", "--format", "xml"}, {"--format", "json, csv"});
+    refused({"measure", "--what", "growth", "--format", "xml"}, {"--format", "json or csv"});
 }
 
 }  // namespace

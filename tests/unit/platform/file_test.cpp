@@ -3,6 +3,7 @@
 #include "platform/file.h"
 
 #include <gtest/gtest.h>
+#include <sys/fsuid.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -105,6 +106,26 @@ TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
     EXPECT_EQ(text.error(), (folder / "pipe").string() + ": is not a file");
     EXPECT_FALSE(check_readable("/dev/zero"));
     EXPECT_EQ(check_readable(folder / "missing").error(), (folder / "missing").string() + ": no such file");
+}
+
+TEST_F(Files, WhatMayNotBeReadSaysSo) {
+    std::ofstream(folder / "secret") << "secret";
+    fs::permissions(folder / "secret", fs::perms::none);
+    fs::create_directory(folder / "closed");
+    std::ofstream(folder / "closed" / "file") << "file";
+    fs::permissions(folder / "closed", fs::perms::none);
+    fs::permissions(folder, fs::perms(0711));
+    // A superuser reads as somebody else does; without that right these calls change nothing and are not needed.
+    const auto own = static_cast<uid_t>(::setfsuid(65534));
+    const Status secret = check_readable(folder / "secret"), inside = check_readable(folder / "closed" / "file");
+    ::setfsuid(own);
+    fs::permissions(folder / "closed", fs::perms(0700));
+    ASSERT_FALSE(secret);
+    EXPECT_EQ(secret.error(), (folder / "secret").string() + ": cannot be read: Permission denied");
+    ASSERT_FALSE(inside);
+    EXPECT_EQ(inside.error(), (folder / "closed" / "file").string() + ": cannot be read: Permission denied");
+    const fs::path long_name = folder / std::string(256, 'x');
+    EXPECT_EQ(check_readable(long_name).error(), long_name.string() + ": cannot be read: File name too long");
 }
 
 }  // namespace

@@ -1,0 +1,222 @@
+#include "cli/bundle.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "cli/exit_status.h"
+#include "platform/file.h"
+#include "platform/text_file.h"
+#include "report/as_json.h"
+#include "state/json.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* state_name = "state.json";
+
+[[noreturn]] void refuse(const std::string& what) {
+    throw Failure(ExitStatus::bad_input, "--bundle: " + what);
+}
+
+/// A file's name as every system takes it: no sign that one of them or a shell understands, no sign that is no text.
+std::string safe_name(const fs::path& file) {
+    std::string name = printable(file.filename().string());
+    const auto is_unsafe = [](char sign) {
+        return std::string_view("\\/:*?\"<>|$`'!&;").find(sign) != std::string_view::npos;
+    };
+    std::replace_if(name.begin(), name.end(), is_unsafe, '_');
+    if (name.starts_with('-') || name.starts_with('.')) name.front() = '_';
+    constexpr std::size_t longest_stem = 150;  // bytes; file systems take 255, and a number may follow
+    const std::string ending = fs::path(name).extension().string();
+    std::string stem = name.substr(0, name.size() - ending.size());
+    while (stem.size() > longest_stem) remove_last_character(stem);
+    return stem + ending.substr(0, longest_stem / 2);
+}
+
+/// What two names have in common that are one file on some systems.
+std::string folded(std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return name;
+}
+
+/// A folder beside the one that is wanted, gone again unless it is kept.
+class Prepared {
+public:
+    explicit Prepared(const fs::path& beside) {
+        std::string name = (beside / ".viewing-sandbox-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            refuse(name + ": cannot be made: " + std::generic_category().message(errno));
+        folder_ = name;
+        const mode_t mask = ::umask(0);
+        ::umask(mask);
+        fs::permissions(folder_, static_cast<fs::perms>(0777 & ~mask));
+    }
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+    ~Prepared() {
+        std::error_code error;
+        if (!folder_.empty()) fs::remove_all(folder_, error);
+    }
+
+    const fs::path& folder() const { return folder_; }
+    void take_name(const fs::path& name) {
+        std::error_code error;
+        fs::rename(folder_, name, error);
+        if (error) refuse(name.string() + ": cannot be written: " + error.message());
+        folder_.clear();
+    }
+
+private:
+    fs::path folder_;
+};
+
+/// Puts files into the prepared folder and says what they are called there.
+class Packer {
+public:
+    explicit Packer(fs::path folder) : folder_(std::move(folder)) { taken_.insert(state_name); }
+
+    /// The name of a mesh file, copied at its first mention together with its material libraries.
+    std::string mesh(const fs::path& file) {
+        const std::string place = place_of(file);
+        if (const auto known = names_.find(file); known != names_.end()) return known->second;
+        const std::string name = free_name(place, safe_name(file));
+        copy(file, name);
+        names_[file] = name;
+        for (const std::string& library : material_libraries(file)) {
+            const fs::path beside = file.parent_path() / library;
+            const bool is_there = check_readable(beside) && resolved(beside).parent_path() == file.parent_path();
+            if (is_there && taken_.insert(folded(place + library)).second) copy(beside, place + library);
+        }
+        return name;
+    }
+
+    void text(const std::string& name, const std::string& text) {
+        value_or_end(write_file(folder_ / name, std::string_view(text)));
+    }
+
+    /// A name that no other file of the bundle has, made into "name-2.obj" where it must be.
+    std::string free_name(const std::string& place, const std::string& wanted) {
+        const fs::path path(wanted);
+        std::string name = wanted;
+        for (int number = 2; !taken_.insert(folded(place + name)).second; ++number)
+            name = path.stem().string() + "-" + std::to_string(number) + path.extension().string();
+        return place + name;
+    }
+
+private:
+    /// "" for files of the first folder, then "2/", "3/", …: names that belong together stay together.
+    std::string place_of(const fs::path& file) {
+        const auto [found, is_new] = places_.try_emplace(file.parent_path(), places_.size() + 1);
+        if (found->second == 1) return "";
+        const std::string place = std::to_string(found->second);
+        if (is_new) {
+            std::error_code error;
+            fs::create_directory(folder_ / place, error);
+            taken_.insert(place);
+        }
+        return place + "/";
+    }
+
+    void copy(const fs::path& from, const std::string& name) {
+        std::error_code error;
+        fs::copy_file(from, folder_ / name, error);
+        if (error) refuse(from.string() + ": cannot be copied: " + error.message());
+    }
+
+    /// The plain names behind "mtllib"; the program itself reads none of them.
+    static std::vector<std::string> material_libraries(const fs::path& mesh) {
+        std::vector<std::string> names;
+        std::ifstream lines(mesh, std::ios::binary);
+        for (std::string line; std::getline(lines, line);) {
+            std::istringstream words(line);
+            std::string word;
+            if (!(words >> word) || word != "mtllib") continue;
+            while (words >> word)
+                if (safe_name(word) == word) names.push_back(word);
+        }
+        return names;
+    }
+
+    fs::path folder_;
+    std::map<fs::path, std::size_t> places_;
+    std::map<fs::path, std::string> names_;
+    std::set<std::string> taken_;
+};
+
+/// A scene whose objects' files are called as they are in the bundle.
+void pack_objects(Packer& packer, SceneDescription& scene, const fs::path& base) {
+    for (ObjectDescription& object : scene.objects)
+        if (!object.file.empty()) object.file = packer.mesh(resolved(base / object.file));
+}
+
+/// The same of a scene's file, with everything else as its author has it.
+std::string packed_scene_file(Packer& packer, const fs::path& file) {
+    const std::string text = value_or_end(read_text_file(file));
+    return value_or_end(guarded([&] {
+        Json scene = parse_document(text, file.string() + ": ");
+        if (!scene.contains("objects")) return print_document(scene) + "\n";
+        for (Json& object : scene["objects"])
+            if (object.contains("file"))
+                object["file"] = packer.mesh(resolved(file.parent_path() / object["file"].get<std::string>()));
+        return print_document(scene) + "\n";
+    }));
+}
+
+/// The state's scene as it is called in the bundle.
+void pack_scene(Packer& packer, LoadedState& state, const Scene& scene) {
+    SceneSource& source = state.params.scene;
+    if (auto* inline_scene = std::get_if<SceneDescription>(&source)) {
+        pack_objects(packer, *inline_scene, state.base);
+    } else if (is_obj_file(scene.file)) {
+        const std::string name = packer.mesh(resolved(scene.file));
+        // The object is called after its file.
+        const std::string before = scene.file.stem().string(), after = fs::path(name).stem().string();
+        if (state.params.follow && state.params.follow->object == before) state.params.follow->object = after;
+        if (state.params.view.pin && state.params.view.pin->object == before) state.params.view.pin->object = after;
+        source = name;
+    } else if (!scene.file.empty()) {
+        std::string name = safe_name(scene.file);
+        if (!name.ends_with(".json")) name += ".json";
+        name = packer.free_name("", name);
+        packer.text(name, packed_scene_file(packer, scene.file));
+        source = name;
+    }
+}
+
+}  // namespace
+
+std::string write_bundle(const std::string& folder, const LoadedState& state, const Scene& scene) {
+    if (folder.empty()) refuse("must be the name of a new folder, got an empty text");
+    fs::path target = fs::path(folder).lexically_normal();
+    if (!target.has_filename()) target = target.parent_path();
+    std::error_code error;
+    if (fs::exists(target, error) && !(fs::is_directory(target, error) && fs::is_empty(target, error)))
+        refuse(target.string() + " is there already: it must be a new folder, or an empty one");
+    const fs::path parent = target.has_parent_path() ? target.parent_path() : ".";
+    if (!fs::is_directory(parent, error)) refuse(target.string() + ": there is no folder " + parent.string());
+
+    Prepared prepared(parent);
+    Packer packer(prepared.folder());
+    LoadedState packed = state;
+    pack_scene(packer, packed, scene);
+    packer.text(state_name, write_state(packed.params, packed.titles));
+    prepared.take_name(target);
+    return (target / state_name).string();
+}
+
+}  // namespace viewing
