@@ -2,13 +2,14 @@
 #include <array>
 #include <utility>
 
+#include "cli/chosen_matrices.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
-#include "frame/matrix_facts.h"
 #include "frame/matrix_text.h"
+#include "report/as_json.h"
 #include "report/matrices_report.h"
 
 namespace viewing {
@@ -18,45 +19,92 @@ constexpr std::array format_names{"json", "text", "latex", "glm", "glsl", "numpy
 constexpr std::array formats{MatrixFormat::text, MatrixFormat::latex, MatrixFormat::glm,
                              MatrixFormat::glsl, MatrixFormat::numpy, MatrixFormat::matlab};
 
-std::string all_as_text(const Derived& derived, const std::vector<Problem>& problems, MatrixFormat format) {
-    const DerivedPlane& plane = derived.planes.front();
-    const CastShadow& cast = plane.shadows.front();
-    const std::array named{std::pair("world_from_view", &derived.world_from_view),
-                           std::pair("view_from_world", &derived.view_from_world),
-                           std::pair("clip_from_view", &derived.clip_from_view),
-                           std::pair("clip_from_world", &derived.clip_from_world),
-                           std::pair("shadow_from_world", &cast.shadowed_world_from_world),
-                           std::pair("mirror_from_world", &plane.mirrored_world_from_world)};
+constexpr int most_digits = 17;
+
+/// What is printed, and how.
+struct Wish {
+    std::vector<ChosenMatrix> matrices;
+    int digits = 0;  ///< significant ones; 0: all
+    bool is_symbolic = false;
+};
+
+std::string listed_as_text(const Wish& wish, const std::vector<Problem>& problems, MatrixFormat format) {
+    // What stands between $ and $ has no empty lines.
+    const std::string between = format == MatrixFormat::latex ? "\\quad\n" : "\n";
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
-    for (const auto& [name, matrix] : named)
-        text += (name == named.front().first ? "" : "\n") + matrix_text(name, *matrix, format);
-    if (format != MatrixFormat::text) return text;
-    text += "\nshadow_sign = " + std::string(cast.sign < 0.0 ? "-1" : "1") + "\n";
-    for (const Problem& problem : problems) text += problem.sentence + "\n";
+    for (const ChosenMatrix& chosen : wish.matrices) {
+        if (&chosen != &wish.matrices.front()) text += between;
+        text += wish.is_symbolic && chosen.symbols ? matrix_text(chosen.name, *chosen.symbols, format)
+                                                   : matrix_text(chosen.name, chosen.matrix, format, wish.digits);
+        if (!chosen.sign) continue;
+        if (format == MatrixFormat::latex) text += between;
+        text += number_text(chosen.sign_name, *chosen.sign, format,
+                            "uploaded is " + chosen.sign_name + " * " + chosen.name);
+    }
+    if (format == MatrixFormat::text && !problems.empty()) text += "\n";
+    for (const Problem& problem : problems)
+        if (format == MatrixFormat::text) text += problem.sentence + "\n";
     return text;
+}
+
+Json rounded(Json json, int digits) {
+    if (json.is_number_float()) return rounded_to(json.get<double>(), digits);
+    if (json.is_structured())
+        for (Json& part : json) part = rounded(std::move(part), digits);
+    return json;
+}
+
+Json symbols_as_json(const MatrixSymbols& symbols) {
+    Json rows = Json::array();
+    for (std::size_t row = 0; row < 4; ++row)
+        rows.push_back({symbols[4 * row], symbols[4 * row + 1], symbols[4 * row + 2], symbols[4 * row + 3]});
+    return rows;
+}
+
+/// `all` is what is printed where nothing is chosen.
+Json listed_as_json(const Wish& wish, const Json& all, bool is_chosen) {
+    Json json = is_chosen ? Json::object() : all;
+    for (const ChosenMatrix& chosen : wish.matrices) {
+        json[chosen.key] =
+            wish.is_symbolic && chosen.symbols ? symbols_as_json(*chosen.symbols) : as_json(chosen.matrix);
+        if (chosen.sign) json[chosen.sign_key] = static_cast<int>(*chosen.sign);
+    }
+    if (is_chosen) json["problems"] = all["problems"];
+    return rounded(std::move(json), wish.digits);
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    std::optional<std::string> size, format;
+    std::optional<std::string> size, format, only, digits;
+    Wish wish;
     options.group("Output");
     options.text("--size", "WxH", size,
                  "Size of the picture in pixels, whose aspect the projection has; default 1280x720");
     options.text(
         "--format", "FORMAT", format,
         "json (default), text, latex, numpy, matlab: rows as on the slides; glm, glsl: columns first, as their "
-        "constructors take them");
+        "constructors take them. LaTeX's stands between $ and $");
+    options.text("--only", "LIST", only,
+                 "The chosen ones, in this order: C, V, P, PV, S, R of the first plane and light, S[2,1] of the second "
+                 "plane and the first light, R[2] of the second plane: --only V,S[2,1],R");
+    options.text("--digits", "N", digits, "So many significant digits, 1 to 17; left out, all that there are");
+    options.flag("--symbolic", wish.is_symbolic,
+                 "What stands in each place, as under the numbers in the window; numbers where there is no such form: "
+                 "PV, and what was entered by hand");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), format_names);
+    if (digits) wish.digits = whole_option(options, "--digits", *digits, 1, most_digits);
     const Viewport viewport{size_option(options, size)};
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
     const Derived derived = derive(state.params, scene, viewport);
     const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
-    print(chosen == 0 ? print_document(matrices_as_json(derived, problems)) + "\n"
-                      : all_as_text(derived, problems, formats[chosen - 1]));
+    wish.matrices = chosen_matrices(options, only, state.params, derived);
+    print(chosen == 0
+              ? print_document(listed_as_json(wish, matrices_as_json(derived, problems), only.has_value())) + "\n"
+              : listed_as_text(wish, problems, formats[chosen - 1]));
     return ExitStatus::done;
 }
 
@@ -64,15 +112,16 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
 constinit const Command matrices_command{
     "matrices",
-    "[STATE] [--set PATH=VALUE]… [--size WxH] [--format json|text|latex|glm|glsl|numpy|matlab]",
+    "[STATE] [--set PATH=VALUE]… [--only LIST] [--digits N] [--symbolic] [--format FORMAT] [OPTIONS]",
     "V, P, S and R with their facts, in the format of your choice",
     "Prints the matrices of a state in double precision: camera and view, projection as uploaded, shadow S (uploaded "
     "is shadow_sign · S), mirror R. JSON adds measured facts (determinant, rank, residuals of S² = (Π·L) S and R² = I) "
     "and sentences about what is wrong; followed has the followed point p: shadow_homogeneous is S p as it comes, "
-    "shadow "
-    "what it is after the division by w, or null, mirrored R p. Needs no GL.",
+    "shadow what it is after the division by w, or null, mirrored R p. Needs no GL.",
     "matrices\n"
     "matrices --set light.position=[12,20,0,0] --format latex\n"
+    "matrices --only S,R --digits 4 --format latex\n"
+    "matrices mirrors-facing-once --only S[1,1],R[2] --symbolic --format text\n"
     "matrices --format numpy > matrices.py",
     "0289",
     run};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "text/numbers.h"
@@ -37,7 +38,7 @@ constexpr Notation glsl{
 constexpr Notation python{{"np.nan", "np.inf", "-np.inf"}, false, true};
 constexpr Notation matlab{{"NaN", "Inf", "-Inf"}, false, false};
 
-std::string number_text(double value, const Notation& notation) {
+std::string digits_of(double value, const Notation& notation) {
     if (std::isnan(value)) return notation.specials.nan;
     if (std::isinf(value)) return value > 0.0 ? notation.specials.infinity : notation.specials.minus_infinity;
     const double without_negative_zero = value + 0.0;
@@ -53,13 +54,13 @@ std::string with_power_of_ten(const std::string& number) {
     return number.substr(0, e) + R"( \cdot 10^{)" + std::to_string(std::stoi(number.substr(e + 1))) + "}";
 }
 
-Entries entries_of(const glm::dmat4& matrix, const Notation& notation) {
+/// `entry(row, column)` of each.
+template <typename Entry>
+Entries entries_of(const Notation& notation, const Entry& entry) {
     Entries entries;
-    for (glm::length_t line = 0; line < 4; ++line)
-        for (glm::length_t place = 0; place < 4; ++place) {
-            const double value = notation.columns_first ? matrix[line][place] : matrix[place][line];
-            entries[static_cast<std::size_t>(line)][static_cast<std::size_t>(place)] = number_text(value, notation);
-        }
+    for (std::size_t line = 0; line < 4; ++line)
+        for (std::size_t place = 0; place < 4; ++place)
+            entries[line][place] = notation.columns_first ? entry(place, line) : entry(line, place);
     return entries;
 }
 
@@ -87,43 +88,120 @@ std::string constructor_text(std::string_view opening, const Entries& entries) {
     return "// columns first\n" + std::string(opening) + "(\n    " + joined(entries, ", ", ",\n    ") + ");\n";
 }
 
-std::string latex_text(std::string_view name, Entries entries) {
-    std::string escaped;
-    for (const char letter : name) {
-        if (letter == '_') escaped += '\\';
-        escaped += letter;
+/// "S[2,1]" as S_{2,1}; a word as letters that stand upright.
+std::string latex_name(std::string_view name) {
+    const std::size_t bracket = name.find('[');
+    std::string letters, index;
+    for (const char sign : name.substr(0, bracket)) {
+        if (sign == '_') letters += '\\';
+        letters += sign;
     }
-    for (auto& line : entries) std::transform(line.begin(), line.end(), line.begin(), with_power_of_ten);
-    return "\\mathrm{" + escaped + "} =\n\\begin{bmatrix}\n    " + joined(entries, " & ", " \\\\\n    ") +
-           "\n\\end{bmatrix}\n";
+    if (bracket != std::string_view::npos)
+        index = "_{" + std::string(name.substr(bracket + 1, name.size() - bracket - 2)) + "}";
+    return (letters.size() > 2 ? "\\mathrm{" + letters + "}" : letters) + index;
+}
+
+/// "S[2,1]" as S_2_1.
+std::string code_name(std::string_view name) {
+    std::string code(name.substr(0, name.find(']')));
+    std::replace_if(
+        code.begin(), code.end(), [](char sign) { return sign == '[' || sign == ','; }, '_');
+    return code;
+}
+
+const Notation& notation_of(MatrixFormat format) {
+    switch (format) {
+        case MatrixFormat::latex:
+            return latex;
+        case MatrixFormat::glm:
+            return cpp;
+        case MatrixFormat::glsl:
+            return glsl;
+        case MatrixFormat::numpy:
+            return python;
+        case MatrixFormat::matlab:
+            return matlab;
+        case MatrixFormat::text:
+            break;
+    }
+    return plain;
+}
+
+std::string entries_text(std::string_view name, Entries entries, MatrixFormat format) {
+    const std::string code = code_name(name);
+    switch (format) {
+        case MatrixFormat::text:
+            align(entries);
+            return std::string(name) + " =\n  " + joined(entries, "  ", "\n  ") + "\n";
+        case MatrixFormat::latex:
+            return latex_name(name) + " =\n\\begin{bmatrix}\n    " + joined(entries, " & ", " \\\\\n    ") +
+                   "\n\\end{bmatrix}\n";
+        case MatrixFormat::glm:
+            return constructor_text("const glm::dmat4 " + code, entries);
+        case MatrixFormat::glsl:
+            return constructor_text("const mat4 " + code + " = mat4", entries);
+        case MatrixFormat::numpy: {
+            const std::string opening = code + " = np.array([";
+            const std::string indent = "],\n" + std::string(opening.size(), ' ') + "[";
+            return opening + "[" + joined(entries, ", ", indent) + "]])\n";
+        }
+        case MatrixFormat::matlab: {
+            const std::string opening = code + " = [";
+            const std::string indent = ";\n" + std::string(opening.size(), ' ');
+            return opening + joined(entries, ", ", indent) + "];\n";
+        }
+    }
+    return {};
+}
+
+std::string digits_in(MatrixFormat format, double value) {
+    const std::string digits = digits_of(value, notation_of(format));
+    return format == MatrixFormat::latex ? with_power_of_ten(digits) : digits;
 }
 
 }  // namespace
 
-std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixFormat format) {
-    const std::string title(name);
+double rounded_to(double value, int digits) {
+    if (digits == 0 || !std::isfinite(value)) return value;
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, digits - 1).ptr;
+    double rounded = value;
+    std::from_chars(text.data(), end, rounded);
+    return rounded;
+}
+
+std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixFormat format, int digits) {
+    const auto entry = [&](std::size_t row, std::size_t column) {
+        const double value = matrix[static_cast<glm::length_t>(column)][static_cast<glm::length_t>(row)];
+        return digits_in(format, rounded_to(value, digits));
+    };
+    return entries_text(name, entries_of(notation_of(format), entry), format);
+}
+
+std::string matrix_text(std::string_view name, const MatrixSymbols& symbols, MatrixFormat format) {
+    const auto entry = [&](std::size_t row, std::size_t column) {
+        const std::string symbol = symbols[4 * row + column];
+        if (format == MatrixFormat::text) return symbol;
+        return format == MatrixFormat::latex ? symbol_as_latex(symbol) : symbol_as_code(symbol);
+    };
+    return entries_text(name, entries_of(notation_of(format), entry), format);
+}
+
+std::string number_text(std::string_view name, double value, MatrixFormat format, std::string_view remark) {
+    const std::string is = " = " + digits_in(format, value), code = code_name(name), said(remark);
     switch (format) {
-        case MatrixFormat::text: {
-            Entries entries = entries_of(matrix, plain);
-            align(entries);
-            return title + " =\n  " + joined(entries, "  ", "\n  ") + "\n";
-        }
+        case MatrixFormat::text:
+            return std::string(name) + is + " (" + said + ")\n";
         case MatrixFormat::latex:
-            return latex_text(name, entries_of(matrix, latex));
+            return latex_name(name) + is + "\n";
         case MatrixFormat::glm:
-            return constructor_text("const glm::dmat4 " + title, entries_of(matrix, cpp));
+            return "const double " + code + is + ";  // " + said + "\n";
         case MatrixFormat::glsl:
-            return constructor_text("const mat4 " + title + " = mat4", entries_of(matrix, glsl));
-        case MatrixFormat::numpy: {
-            const std::string opening = title + " = np.array([";
-            const std::string indent = "],\n" + std::string(opening.size(), ' ') + "[";
-            return opening + "[" + joined(entries_of(matrix, python), ", ", indent) + "]])\n";
-        }
-        case MatrixFormat::matlab: {
-            const std::string opening = title + " = [";
-            const std::string indent = ";\n" + std::string(opening.size(), ' ');
-            return opening + joined(entries_of(matrix, matlab), ", ", indent) + "];\n";
-        }
+            return "const float " + code + is + ";  // " + said + "\n";
+        case MatrixFormat::numpy:
+            return code + is + "  # " + said + "\n";
+        case MatrixFormat::matlab:
+            return code + is + ";  % " + said + "\n";
     }
     return {};
 }

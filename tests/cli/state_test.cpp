@@ -179,6 +179,17 @@ TEST_F(State, PresetsAreListedALineEach) {
     const std::string lines = expect(0, {"presets"}).out;
     EXPECT_EQ(lines.find("opening — "), 0U) << lines;
     EXPECT_NE(lines.find("\nteapot (scene) — "), std::string::npos) << lines;
+    const Json listed = expect(0, {"presets", "--json"}).json();
+    std::string again;
+    for (const Json& file : listed) {
+        EXPECT_TRUE(file["kind"] == "preset" || file["kind"] == "scene") << file;
+        again += file["name"].get<std::string>() + (file["kind"] == "scene" ? " (scene)" : "") + " — " +
+                 file["title"].get<std::string>();
+        const std::string about = file["about"];
+        again += (about.empty() ? "" : ": " + about) + "\n";
+        EXPECT_TRUE(file["group"].is_string()) << file;
+    }
+    EXPECT_EQ(again, lines);
     refused({"presets"}, {"assets", "VIEWING_SANDBOX_ASSETS"},
             {.environment = {{"VIEWING_SANDBOX_ASSETS", "/nowhere"}}});
 }
