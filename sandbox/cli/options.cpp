@@ -15,10 +15,15 @@ namespace {
 constexpr std::size_t help_width = 100;
 constexpr std::size_t names_width = 28;
 
-/// One line of the help.
-struct Entry {
-    std::string group, names, help;
-};
+/// Where a command writes what it takes in place of doing anything; of the thread, since it is asked for by a call.
+thread_local std::vector<OptionDescription>* wanted_descriptions = nullptr;
+
+/// "-o, --output OUT.png"
+std::string shown_names(const OptionDescription& option) {
+    std::string shown;
+    for (const std::string& name : option.names) shown += (shown.empty() ? "" : ", ") + name;
+    return shown + (option.value_name.empty() ? "" : " " + option.value_name);
+}
 
 /// Not "-" alone, "--" or a number.
 bool is_option(const std::string& word) {
@@ -37,6 +42,14 @@ std::string exit_status_table(const std::string& digits) {
     for (const char digit : digits)
         table += std::string("  ") + digit + "  " + meaning(static_cast<ExitStatus>(digit - '0')) + "\n";
     return table;
+}
+
+std::vector<OptionDescription> options_of(const Command& command) {
+    std::vector<OptionDescription> descriptions;
+    wanted_descriptions = &descriptions;
+    command.run(command, {});
+    wanted_descriptions = nullptr;
+    return descriptions;
 }
 
 struct Options::Parser {
@@ -60,15 +73,10 @@ struct Options::Parser {
     void add(const char* option_names, const char* value_name, const Target& target, const char* help) {
         Option option{{}, target};
         std::istringstream parts(option_names);
-        std::string shown;
-        for (std::string name; std::getline(parts, name, ',');) {
-            shown += (shown.empty() ? "" : ", ") + name;
-            option.names.push_back(name);
-        }
+        for (std::string name; std::getline(parts, name, ',');) option.names.push_back(name);
         names.insert(names.end(), option.names.begin(), option.names.end());
+        entries.push_back({group, option.names, value_name, help});
         options.push_back(std::move(option));
-        if (*value_name != '\0') shown += " " + std::string(value_name);
-        entries.push_back({group, shown, help});
     }
 
     Option* find(const std::string& name) {
@@ -86,7 +94,7 @@ struct Options::Parser {
 
     const Command& command;
     std::string group = "Options";
-    std::vector<Entry> entries;
+    std::vector<OptionDescription> entries;
     std::vector<std::string> names;  ///< of all options
     std::vector<Option> options;
     std::vector<Positional> positionals;
@@ -101,12 +109,13 @@ std::string Options::Parser::help() const {
     text += wrapped(command.details, 0);
 
     std::string last_group;
-    for (const Entry& entry : entries) {
+    for (const OptionDescription& entry : entries) {
         if (entry.group != last_group) text += "\n" + entry.group + ":\n";
         last_group = entry.group;
-        const std::size_t shown = character_count(entry.names) + 2;
+        const std::string names_of_entry = shown_names(entry);
+        const std::size_t shown = character_count(names_of_entry) + 2;
         const std::string explanation = wrapped(entry.help, names_width);
-        text += "  " + entry.names;
+        text += "  " + names_of_entry;
         text += shown < names_width ? std::string(names_width - shown, ' ') : "\n" + std::string(names_width, ' ');
         text += explanation.substr(names_width);
     }
@@ -196,12 +205,12 @@ void Options::group(const char* title) {
 
 void Options::positional(const char* name, std::string& value, const char* help) {
     parser_->positionals.push_back({name, &value});
-    parser_->entries.push_back({parser_->group, name, help});
+    parser_->entries.push_back({parser_->group, {name}, "", help, true});
 }
 
 void Options::positionals(const char* name, std::vector<std::string>& values, const char* help) {
     parser_->further = &values;
-    parser_->entries.push_back({parser_->group, name, help});
+    parser_->entries.push_back({parser_->group, {name}, "", help, true});
 }
 
 void Options::text(const char* names, const char* value_name, std::optional<std::string>& value, const char* help) {
@@ -220,6 +229,10 @@ bool Options::parse(const Arguments& arguments) {
     std::optional<std::string> timeout;
     group("Running");
     text("--timeout", "S", timeout, "Exit 8 when the command is not done after so many seconds");
+    if (wanted_descriptions != nullptr) {
+        *wanted_descriptions = parser_->entries;
+        return false;
+    }
     // A wish for help comes before whatever else may be wrong.
     const auto last = std::find(arguments.begin(), arguments.end(), "--");
     const bool asks =

@@ -12,6 +12,18 @@
 
 namespace viewing {
 
+/// One option or positional of a command, as it was declared.
+struct OptionDescription {
+    std::string group;
+    std::vector<std::string> names;  ///< "-o", "--output"; of a positional its name
+    std::string value_name;          ///< "WxH"; "" for a flag and for a positional
+    std::string help;
+    bool is_positional = false;
+};
+
+/// All that a command takes, in the order of its help; the command itself does nothing.
+std::vector<OptionDescription> options_of(const Command& command);
+
 class Options {
 public:
     explicit Options(const Command& command);

@@ -6,6 +6,7 @@
 #include "cli/output.h"
 #include "cli/values.h"
 #include "state/json.h"
+#include "state/schema.h"
 
 namespace viewing {
 namespace {
@@ -13,12 +14,14 @@ namespace {
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     std::optional<std::string> format;
-    options.text("--format", "json|text", format, "json (default) for programs, text to read");
+    options.text("--format", "FORMAT", format,
+                 "json (default) for programs, text to read; schema: the JSON Schema of a state file, which editors "
+                 "complete and check by; scene-schema: that of a scene file");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    constexpr std::array formats{"json", "text"};
-    const bool as_text = choice_option(options, "--format", format.value_or("json"), formats) == 1;
-    std::string listed = as_text ? params_as_text() : params_as_json();
+    constexpr std::array formats{"json", "text", "schema", "scene-schema"};
+    constexpr std::array lists{params_as_json, params_as_text, state_schema, scene_schema};
+    std::string listed = lists[choice_option(options, "--format", format.value_or("json"), formats)]();
     if (!listed.ends_with('\n')) listed += '\n';
     print(listed);
     return ExitStatus::done;
@@ -27,10 +30,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command params_command{"params",
-                                       "[--format json|text]",
+                                       "[--format json|text|schema|scene-schema]",
                                        "every parameter: path, type, unit, range, default, what it does",
-                                       "Lists every field of the state file, and so everything that --set can change.",
+                                       "Lists every field of the state file, and so everything that --set can change. "
+                                       "A state or a scene may name a schema in a member \"$schema\".",
                                        "params --format text\n"
+                                       "params --format schema > state.schema.json\n"
                                        "params | jq '.[].path'",
                                        "0289",
                                        run};

@@ -4,18 +4,12 @@
 #include <unordered_set>
 
 #include "state/reader.h"
+#include "state/scene_limits.h"
 #include "text/words.h"
 
 namespace viewing {
 
 namespace {
-
-constexpr std::size_t max_objects = 10'000;
-constexpr Range position_range{-1e6, 1e6};
-constexpr Range angle_range{-3600.0, 3600.0};
-constexpr Range scale_range{1e-6, 1e6};  // of the absolute value: a negative scale mirrors
-constexpr int max_resolution = 64;
-constexpr const char* formulas[] = {"coplanar"};
 
 glm::dvec3 read_scale(const Json& value, const Where& where) {
     const glm::dvec3 scale = read_vec3(value, where, {-scale_range.max, scale_range.max}, "three factors [x, y, z]");

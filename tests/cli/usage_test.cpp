@@ -97,7 +97,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"snapshot", "-o", "x.png", "--worst", "3"}, {"--compare"});
     refused({"snapshot", "-o", "-", "--json", "-"}, {"standard output"});
     refused({"matrices", "--format", "jsn"}, {"--format", "did you mean json?"});
-    refused({"params", "--format", "xml"}, {"--format", "json or text"});
+    refused({"params", "--format", "xml"}, {"--format", "json, text, schema"});
     refused({"inspect", "--pixel", "1280,0"}, {"--pixel", "0 to 1279"});
     refused({"inspect", "--pixel", "-1,0"}, {"--pixel"});
     refused({"inspect", "--pixel", "12"}, {"--pixel"});
