@@ -229,7 +229,7 @@ constinit const Command exercises_command{
     "exercises --student 32201234 --solutions --format json\n"
     "exercises --test\n"
     "exercises mine.json --test",
-    "012349",
+    "0123489",
     run};
 
 }  // namespace viewing

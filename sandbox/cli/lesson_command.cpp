@@ -182,7 +182,7 @@ constinit const Command lesson_command{"lesson",
                                        "lesson --list\n"
                                        "lesson --check mine.json\n"
                                        "lesson --names",
-                                       "012349",
+                                       "0123489",
                                        run};
 
 }  // namespace viewing

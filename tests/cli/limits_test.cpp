@@ -21,8 +21,8 @@ TEST_F(Limits, EveryCommandHasATimeout) {
         const Ended ended = expect(8, arguments, {.input_stays_open = true});
         EXPECT_NE(ended.err.find("--timeout"), std::string::npos) << ended.told();
     }
-    for (const char* command :
-         {"open", "snapshot", "compare", "matrices", "inspect", "measure", "state", "params", "presets", "doctor"}) {
+    for (const char* command : {"open", "snapshot", "compare", "matrices", "inspect", "measure", "state", "params",
+                                "presets", "doctor", "lesson", "exercises", "grade", "suite"}) {
         const Ended help = expect(0, {command, "--help"});
         EXPECT_NE(help.out.find("--timeout S"), std::string::npos) << command;
         EXPECT_NE(help.out.find("\n  8  "), std::string::npos) << command;
