@@ -79,7 +79,7 @@ std::string joined_names(const std::vector<std::string>& names, std::string_view
 }
 
 /// "'" within a text that stands between such signs.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
     std::string result = "'";
     for (const char sign : text) result += sign == '\'' ? "'\\''" : std::string(1, sign);
     return result + "'";
@@ -173,7 +173,7 @@ std::string bash_completion() {
                 text +=
                     "                " + joined_names(option.names, "|") + ") " + bash_offer(option) + "; return ;;\n";
         }
-        text += "            esac\n            options=" + quoted(all) + "\n            " + positional +
+        text += "            esac\n            options=" + in_quotes(all) + "\n            " + positional +
                 "\n            ;;\n";
     }
     text +=
@@ -188,7 +188,7 @@ std::string zsh_completion() {
             ")\"})\n    _alternative 'presets:preset:compadd -a presets' 'files:state file:_files'\n}\n\n";
     text += "_viewing_sandbox() {\n    local -a commands\n    commands=(\n";
     for (const Command* command : commands())
-        text += "        " + quoted(std::string(command->name) + ":" + escaped(command->about, ":")) + "\n";
+        text += "        " + in_quotes(std::string(command->name) + ":" + escaped(command->about, ":")) + "\n";
     text +=
         "    )\n    if ((CURRENT == 2)); then\n        _describe command commands\n        _viewing_sandbox_states\n"
         "        return\n    fi\n    local command=$words[2]\n    shift words\n    ((CURRENT--))\n    case $command "
@@ -202,16 +202,16 @@ std::string zsh_completion() {
                 if (has_positional) continue;  // the first one stands for all
                 has_positional = true;
                 text += "                " +
-                        quoted("*:" + escaped(option.names.front(), ":") + ":" + zsh_action(option)) + " \\\n";
+                        in_quotes("*:" + escaped(option.names.front(), ":") + ":" + zsh_action(option)) + " \\\n";
                 continue;
             }
             for (const std::string& name : option.names) {
                 const std::string value =
                     option.value_name.empty() ? "" : ":" + escaped(option.value_name, ":") + ":" + zsh_action(option);
-                text += "                " + quoted("*" + name + "[" + help + "]" + value) + " \\\n";
+                text += "                " + in_quotes("*" + name + "[" + help + "]" + value) + " \\\n";
             }
         }
-        text += "                " + quoted("(- *)--help[all about this command]") + "\n            ;;\n";
+        text += "                " + in_quotes("(- *)--help[all about this command]") + "\n            ;;\n";
     }
     return text + "    esac\n}\n\n_viewing_sandbox \"$@\"\n";
 }

@@ -6,19 +6,13 @@
 #include <type_traits>
 
 #include "state/fields.h"
+#include "state/overloaded.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
 
 namespace {
-
-template <typename... Handlers>
-struct Overloaded : Handlers... {
-    using Handlers::operator()...;
-};
-template <typename... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 bool is_light(const Field& field) {
     return field.path == "light.position";

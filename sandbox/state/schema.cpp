@@ -1,17 +1,11 @@
 #include "state/schema.h"
 
+#include "state/overloaded.h"
 #include "state/reader.h"
 #include "state/scene_limits.h"
 
 namespace viewing {
 namespace {
-
-template <typename... Handlers>
-struct Overloaded : Handlers... {
-    using Handlers::operator()...;
-};
-template <typename... Handlers>
-Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
 constexpr const char* draft = "https://json-schema.org/draft/2020-12/schema";
 

@@ -1,0 +1,13 @@
+// One call operator out of several, for std::visit.
+#pragma once
+
+namespace viewing {
+
+template <typename... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+template <typename... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+}  // namespace viewing
