@@ -7,6 +7,7 @@
 #include "cli/values.h"
 #include "state/json.h"
 #include "state/schema.h"
+#include "suite/schema.h"
 
 namespace viewing {
 namespace {
@@ -16,11 +17,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
                  "json (default) for programs, text to read; schema: the JSON Schema of a state file, which editors "
-                 "complete and check by; scene-schema: that of a scene file");
+                 "complete and check by; scene-schema, suite-schema: those of scenes and suites");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    constexpr std::array formats{"json", "text", "schema", "scene-schema"};
-    constexpr std::array lists{params_as_json, params_as_text, state_schema, scene_schema};
+    constexpr std::array formats{"json", "text", "schema", "scene-schema", "suite-schema"};
+    constexpr std::array lists{params_as_json, params_as_text, state_schema, scene_schema, suite_schema};
     std::string listed = lists[choice_option(options, "--format", format.value_or("json"), formats)]();
     if (!listed.ends_with('\n')) listed += '\n';
     print(listed);
@@ -30,7 +31,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 }  // namespace
 
 constinit const Command params_command{"params",
-                                       "[--format json|text|schema|scene-schema]",
+                                       "[--format json|text|schema|scene-schema|suite-schema]",
                                        "every parameter: path, type, unit, range, default, what it does",
                                        "Lists every field of the state file, and so everything that --set can change. "
                                        "A state or a scene may name a schema in a member \"$schema\".",

@@ -26,7 +26,19 @@ protected:
     std::string picture(const Words& state) const {
         Words words{"snapshot", "--view", "camera", "--size", "96x64", "-o", "-"};
         words.insert(words.end(), state.begin(), state.end());
-        return expect(0, words).out;
+        return without_note(expect(0, words).out);
+    }
+    /// A PNG file but for the chunk that names its state's files, which lie elsewhere in a bundle.
+    static std::string without_note(const std::string& png) {
+        std::string rest = png.substr(0, 8);
+        for (std::size_t at = 8; at + 12 <= png.size();) {
+            std::size_t length = 0;
+            for (std::size_t i = at; i < at + 4; ++i) length = length * 256 + static_cast<unsigned char>(png[i]);
+            const std::string chunk = png.substr(at, length + 12);
+            if (chunk.substr(4, 4) != "iTXt") rest += chunk;
+            at += length + 12;
+        }
+        return rest;
     }
     /// The names below the folder.
     std::set<std::string> names(const std::string& below) const {

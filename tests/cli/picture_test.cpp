@@ -84,9 +84,10 @@ TEST_F(Snapshot, OfAPrintedStateIsTheSamePicture) {
 }
 
 TEST_F(Snapshot, CarriesItsState) {
-    expect(0, {"snapshot", "tilted-plane", "--set", "shadow.opacity=0.25", "--size", "64x36", "--view", "camera", "-o",
+    write("mine.json", R"({"plane": {"equation": [0.2, 1, 0, 0.1]}})");
+    expect(0, {"snapshot", "mine.json", "--set", "shadow.opacity=0.25", "--size", "64x36", "--view", "camera", "-o",
                "a.png"});
-    const std::string state = expect(0, {"state", "tilted-plane", "--set", "shadow.opacity=0.25"}).out;
+    const std::string state = expect(0, {"state", "mine.json", "--set", "shadow.opacity=0.25"}).out;
     EXPECT_EQ(expect(0, {"state", "a.png"}).out, state);
     expect(0, {"snapshot", "a.png", "--size", "64x36", "--view", "camera", "-o", "b.png"});
     EXPECT_EQ(read("a.png"), read("b.png"));

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 #include "cli/program.h"
 
@@ -54,6 +56,36 @@ TEST_F(Schema, EveryPresetAndSceneIsValid) {
         EXPECT_EQ(valid(std::string(kind == std::string("scene") ? "scene" : "state") + ".schema", files),
                   repeated("yes", files.size()));
     }
+}
+
+TEST_F(Schema, KnowsSuites) {
+    if (!has_validator()) GTEST_SKIP() << no_validator;
+    write("suite.schema", expect(0, {"params", "--format", "suite-schema"}).out);
+    const std::filesystem::path tests = std::getenv("TEST_SOURCE_DIR");
+    std::ifstream readme(tests.parent_path() / "README.md");
+    const std::string page{std::istreambuf_iterator<char>(readme), {}};
+    const std::size_t begin = page.find("{\n  \"suite\": 1");
+    ASSERT_NE(begin, std::string::npos) << "README has an example";
+    write("example.json", page.substr(begin, page.find("```", begin) - begin));
+    EXPECT_EQ(valid("suite.schema", {(tests / "golden/suite.json").string(), "example.json"}), "yes yes\n");
+
+    const Words broken{R"({"suite": 2, "entries": [{"name": "a"}]})",
+                       R"({"suite": 1})",
+                       R"({"suite": 1, "entries": []})",
+                       R"({"suite": 1, "entries": [{"name": "a", "veiw": "camera"}]})",
+                       R"({"suite": 1, "entries": [{"name": "a", "view": "cam"}]})",
+                       R"({"suite": 1, "entries": [{"name": "a", "size": [0, 5]}]})",
+                       R"({"suite": 1, "entries": [{"name": "a", "samples": 8}]})",
+                       R"({"suite": 1, "entries": [{"name": "a", "masks": [[0, 0, 5]]}]})",
+                       R"({"suite": 1, "entries": [{"each": "preset", "name": "p"}]})",
+                       R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "worst": 9}]})"};
+    Words names;
+    for (const std::string& text : broken) {
+        names.push_back("broken" + std::to_string(names.size()) + ".json");
+        write(names.back(), text);
+        EXPECT_EQ(run({"suite", "run", names.back()}).status, 2) << text;
+    }
+    EXPECT_EQ(valid("suite.schema", names), repeated("no", names.size()));
 }
 
 TEST_F(Schema, WhatTheProgramWritesIsValid) {
