@@ -113,6 +113,9 @@ std::map<std::string, std::string> known_keys(const Suite& suite) {
 }
 
 std::vector<std::string> worker_of(const Suite& suite, const Typed& typed) {
+    if (own_program().empty())
+        throw Failure(ExitStatus::internal_error,
+                      "a suite starts this program again, whose file is not known: /proc is missing");
     std::vector<std::string> words{own_program(), "suite", "worker", suite.argument.string()};
     if (typed.device) words.insert(words.end(), {"--device", *typed.device});
     if (typed.allow_outside) words.emplace_back("--allow-outside");
