@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
+#include "image/blocks.h"
 #include "image/difference_boxes.h"
 #include "image/differences.h"
+#include "image/portable.h"
 
 namespace viewing {
 
@@ -22,6 +25,77 @@ std::int64_t left_out_of(const Mask& mask, int width, int height) {
         for (int x = 0; x < width; ++x) count += mask.leaves_out(x, y);
     return count;
 }
+
+bool has_beyond(std::span<const std::uint8_t> difference, int worst) {
+    return std::any_of(difference.begin(), difference.end(), [worst](std::uint8_t level) { return level > worst; });
+}
+
+/// `found` is how far pixels differ, `difference` the same where nothing excuses them.
+void count_row(std::span<const std::uint8_t> found, std::span<const std::uint8_t> difference, int y,
+               CompareReport& report) {
+    const int worst = report.options.worst;
+    int largest = 0;
+    for (std::size_t x = 0; x < found.size(); ++x) {
+        largest = std::max<int>(largest, found[x]);
+        report.different += found[x] > 0;
+        report.beyond += difference[x] > worst;
+        report.resampled += found[x] > worst && difference[x] <= worst;
+    }
+    if (largest <= report.worst_found) return;
+    report.worst_found = largest;
+    report.worst_at = {static_cast<int>(std::find(found.begin(), found.end(), largest) - found.begin()), y};
+}
+
+bool is_within(const std::array<double, 4>& shift, double limit) {
+    return std::all_of(shift.begin(), shift.end(), [limit](double level) { return std::abs(level) <= limit; });
+}
+
+/// Means of the channels' differences, over the part that both pictures have.
+class Shifts {
+public:
+    Shifts(const Image& a, const Image& b, int width, int height)
+        : a_(a), b_(b), difference_(4 * static_cast<std::size_t>(width)), local_(width, height) {}
+
+    void add_row(int y, const Mask& mask) {
+        const std::uint8_t *a = a_.row(y), *b = b_.row(y);
+        for (std::size_t i = 0; i < difference_.size(); ++i) difference_[i] = static_cast<std::int16_t>(a[i] - b[i]);
+        if (y < mask.height())
+            for (std::size_t i = 0; i < difference_.size(); ++i)
+                if (mask.leaves_out(static_cast<int>(i / 4), y)) difference_[i] = 0;
+        for (std::size_t i = 0; i < difference_.size(); ++i) {
+            sums_[i % 4] += difference_[i];
+            sum_of_sizes_ += std::abs(difference_[i]);
+        }
+    }
+
+    /// The row that was added last; `found` are its pixels' differences, of which those beyond `worst` say nothing of a
+    /// shift.
+    void add_local_row(int y, std::span<const std::uint8_t> found, int worst) {
+        for (std::size_t i = 0; i < difference_.size(); ++i)
+            if (found[i / 4] > worst) difference_[i] = 0;
+        local_.add_row(y, difference_);
+    }
+
+    void add_equal_row(int y) {
+        std::fill(difference_.begin(), difference_.end(), std::int16_t{0});
+        local_.add_row(y, difference_);
+    }
+
+    void tell(std::int64_t compared, CompareReport& report) const {
+        if (compared == 0) return;
+        report.mean = static_cast<double>(sum_of_sizes_) / (4.0 * static_cast<double>(compared));
+        for (std::size_t c = 0; c < 4; ++c)
+            report.shift[c] = static_cast<double>(sums_[c]) / static_cast<double>(compared);
+        report.local_shift = local_.largest();
+    }
+
+private:
+    const Image &a_, &b_;
+    std::vector<std::int16_t> difference_;  ///< A minus B of the last row
+    LocalShift local_;
+    std::array<std::int64_t, 4> sums_{};
+    std::int64_t sum_of_sizes_ = 0;
+};
 
 }  // namespace
 
@@ -52,25 +126,27 @@ CompareReport compare_images(const Image& a, const Image& b, const CompareOption
     report.sizes_differ = report.size_a != report.size_b;
     Differences rows(a, b, options, mask);
     report.pixels = static_cast<std::int64_t>(std::max(a.width, b.width)) * std::max(a.height, b.height);
-    report.different = report.beyond = report.pixels - static_cast<std::int64_t>(rows.width) * rows.height;
+    const std::int64_t common = static_cast<std::int64_t>(rows.width) * rows.height;
+    report.different = report.beyond = report.pixels - common;
     report.left_out = left_out_of(mask, rows.width, rows.height);
 
+    const bool is_portable = options.profile == CompareProfile::portable;
     BoxFinder boxes(rows.width, rows.height);
+    BlockFinder blocks;
+    Shifts shifts(a, b, rows.width, rows.height);
     for (int y = 0; y < rows.height; ++y) {
-        if (rows.are_none(y)) continue;
+        if (rows.are_none(y)) {
+            if (is_portable) shifts.add_equal_row(y);
+            continue;
+        }
         const std::span<const std::uint8_t> difference = rows.row(y);
-        int largest = 0;
-        for (const std::uint8_t d : difference) {
-            largest = std::max<int>(largest, d);
-            report.different += d > 0;
-            report.beyond += d > options.worst;
+        count_row(rows.as_found(), difference, y, report);
+        if (has_beyond(difference, options.worst)) {
+            boxes.add_row(y, difference, options.worst);
+            blocks.add_row(y, difference, options.worst);
         }
-        if (largest > report.worst_found) {
-            report.worst_found = largest;
-            report.worst_at = {
-                static_cast<int>(std::find(difference.begin(), difference.end(), largest) - difference.begin()), y};
-        }
-        if (largest > options.worst) boxes.add_row(y, difference, options.worst);
+        shifts.add_row(y, mask);
+        if (is_portable) shifts.add_local_row(y, rows.as_found(), options.worst);
     }
 
     report.boxes = boxes.finish();
@@ -78,7 +154,12 @@ CompareReport compare_images(const Image& a, const Image& b, const CompareOption
         report.boxes_left_out = static_cast<std::int64_t>(report.boxes.size() - most_boxes);
         report.boxes.resize(most_boxes);
     }
-    report.equal = !report.sizes_differ && report.beyond_share() <= options.share;
+    report.blocks = blocks.blocks();
+    report.largest_block = blocks.largest();
+    shifts.tell(common - report.left_out, report);
+    report.equal =
+        !report.sizes_differ && report.beyond_share() <= options.share &&
+        (!is_portable || (report.largest_block <= options.block_px && is_within(report.local_shift, options.shift)));
     return report;
 }
 

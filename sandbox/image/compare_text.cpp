@@ -1,4 +1,6 @@
 // A comparison in words and as JSON.
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "image/compare.h"
@@ -27,6 +29,17 @@ std::string places(const CompareReport& report) {
     return text;
 }
 
+/// What the portable profile looks at besides; nothing in the strict one.
+std::string portable_text(const CompareReport& report) {
+    if (report.options.profile == CompareProfile::strict) return "";
+    const auto largest = *std::max_element(report.local_shift.begin(), report.local_shift.end(),
+                                           [](double p, double q) { return std::abs(p) < std::abs(q); });
+    return "; " + std::to_string(report.resampled) + " more are edges with other samples; the largest block has " +
+           std::to_string(report.largest_block) + ", allowed are " + std::to_string(report.options.block_px) +
+           "; the mean shifts by " + figures(largest, 3) + " in 16 × 16 pixels, allowed are " +
+           figures(report.options.shift, 3);
+}
+
 }  // namespace
 
 std::string sentence(const CompareReport& report) {
@@ -35,7 +48,7 @@ std::string sentence(const CompareReport& report) {
                               std::to_string(report.worst_at[0]) + ", " + std::to_string(report.worst_at[1]) + "); " +
                               std::to_string(report.beyond) + " (" + share_text(report.beyond_share()) +
                               ") by more than " + std::to_string(report.options.worst) + ", allowed are " +
-                              share_text(report.options.share);
+                              share_text(report.options.share) + portable_text(report);
     if (report.sizes_differ)
         return "different: the sizes differ, A is " + size_text(report.size_a) + " and B is " +
                size_text(report.size_b) + "; of the part that both have, a channel differs by at most " +
@@ -52,8 +65,15 @@ std::string as_json(const CompareReport& report) {
     for (const PixelBox& box : report.boxes)
         boxes.push_back(
             {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}, {"pixels", box.pixels}});
+    const bool is_portable = report.options.profile == CompareProfile::portable;
+    nlohmann::ordered_json thresholds = {{"worst", report.options.worst}, {"share", report.options.share}};
+    if (is_portable) {
+        thresholds["block"] = report.options.block_px;
+        thresholds["shift"] = report.options.shift;
+    }
     const nlohmann::ordered_json json = {
         {"equal", report.equal},
+        {"profile", is_portable ? "portable" : "strict"},
         {"sizes_differ", report.sizes_differ},
         {"size_a", report.size_a},
         {"size_b", report.size_b},
@@ -61,12 +81,18 @@ std::string as_json(const CompareReport& report) {
         {"left_out", report.left_out},
         {"different", report.different},
         {"beyond", report.beyond},
+        {"resampled", report.resampled},
         {"share", report.beyond_share()},
+        {"mean", report.mean},
+        {"shift", report.shift},
+        {"local_shift", is_portable ? nlohmann::ordered_json(report.local_shift) : nlohmann::ordered_json()},
         {"worst", report.worst_found},
         {"worst_at", report.worst_at},
+        {"blocks", report.blocks},
+        {"largest_block", report.largest_block},
         {"boxes", boxes},
         {"boxes_left_out", report.boxes_left_out},
-        {"thresholds", {{"worst", report.options.worst}, {"share", report.options.share}}},
+        {"thresholds", thresholds},
         {"sentence", sentence(report)},
     };
     return json.dump(2) + "\n";

@@ -26,6 +26,7 @@ void faint_grey(const std::uint8_t* from, std::uint8_t* to) {
 Image diff_picture(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask) {
     constexpr std::array<std::uint8_t, 3> beyond_color{0xE4, 0x57, 0x2E};
     constexpr std::array<std::uint8_t, 3> within_color{0x56, 0xB4, 0xE9};
+    constexpr std::array<std::uint8_t, 3> resampled_color{0xF0, 0xE4, 0x42};
     constexpr std::array<std::uint8_t, 3> uncovered_color{0xCC, 0x79, 0xA7};
     constexpr std::array<std::uint8_t, 3> dimmed_color{0, 0, 0};
     constexpr int hatch_px = 6;  // from one line of the hatching to the next
@@ -47,6 +48,8 @@ Image diff_picture(const Image& a, const Image& b, const CompareOptions& options
                 blend(pixel, dimmed_color, (x + y) % hatch_px == 0 ? 1.0 : 0.5);
             } else if (const int d = difference[static_cast<std::size_t>(x)]; d > options.worst) {
                 blend(pixel, beyond_color, 1.0);
+            } else if (rows.as_found()[static_cast<std::size_t>(x)] > options.worst) {
+                blend(pixel, resampled_color, 0.6);
             } else if (d > 0) {
                 blend(pixel, within_color, 0.4);
             }

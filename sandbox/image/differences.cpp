@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "image/portable.h"
+
 namespace viewing {
 
 Differences::Differences(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask)
@@ -36,6 +38,11 @@ std::span<const std::uint8_t> Differences::row(int y) {
     if (options_.reach_px > 0)
         for (int x = 0; x < width; ++x)
             if (pixel[x] > options_.worst && has_like(a_, x, y, b_) && has_like(b_, x, y, a_))
+                pixel[x] = static_cast<std::uint8_t>(options_.worst);
+    found_ = pixels_;
+    if (options_.profile == CompareProfile::portable)
+        for (int x = 0; x < width; ++x)
+            if (pixel[x] > options_.worst && is_resampled_edge(a_, b_, x, y, options_.worst))
                 pixel[x] = static_cast<std::uint8_t>(options_.worst);
     return pixels_;
 }

@@ -10,8 +10,8 @@
 namespace viewing {
 
 /// The largest channel difference of each pixel, a row of the part that both pictures have at a time; 0 where the mask
-/// leaves a pixel out. Only pixels beyond the threshold look for a like in their neighbourhood. Pictures and mask have
-/// to live as long as this.
+/// leaves a pixel out. Only pixels beyond the threshold look around for what excuses them. Pictures and mask have to
+/// live as long as this.
 class Differences {
 public:
     Differences(const Image& a, const Image& b, const CompareOptions& options, const Mask& mask);
@@ -19,8 +19,11 @@ public:
     /// Whether a row is the same bytes in both: the cheap question before row().
     bool are_none(int y) const;
 
-    /// Levels of row `y`, valid until the next call.
+    /// Levels of row `y`, `worst` at most where a pixel is excused; valid until the next call.
     std::span<const std::uint8_t> row(int y);
+
+    /// The same row as it is, resampled edges with what they really differ by.
+    std::span<const std::uint8_t> as_found() const { return found_; }
 
 private:
     bool has_like(const Image& from, int x, int y, const Image& other) const;
@@ -35,6 +38,7 @@ public:
 private:
     std::vector<std::uint8_t> channels_;
     std::vector<std::uint8_t> pixels_;
+    std::vector<std::uint8_t> found_;
 };
 
 }  // namespace viewing
