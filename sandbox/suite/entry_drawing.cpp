@@ -98,7 +98,8 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
     const auto number = [](auto value) { return std::to_string(value); };
     add(number(static_cast<int>(entry.view)), number(entry.size_px.x), number(entry.size_px.y),
         number(entry.samples.value_or(-1)), number(entry.limits.worst), format_number(entry.limits.share),
-        number(entry.limits.reach_px), entry.checks_picture ? "picture" : "");
+        number(entry.limits.reach_px), number(static_cast<int>(entry.limits.profile)),
+        entry.checks_picture ? "picture" : "");
     for (const MaskRect& rect : entry.masks)
         add("mask", number(rect.x), number(rect.y), number(rect.width), number(rect.height));
     for (const std::filesystem::path& file : entry.mask_pictures) {

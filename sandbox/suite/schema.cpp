@@ -12,6 +12,7 @@ constexpr const char* settings = R"({
   "size": {"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 16384}, "minItems": 2, "maxItems": 2},
   "samples": {"enum": [0, 4, "state"]},
   "picture": {"type": "boolean"},
+  "profile": {"enum": ["strict", "portable"]},
   "worst": {"type": "integer", "minimum": 0, "maximum": 255},
   "share": {"type": "number", "minimum": 0, "maximum": 1},
   "reach": {"type": "integer", "minimum": 0, "maximum": 16},
@@ -61,7 +62,7 @@ Json object_of(const Json& properties, const Json& more, std::vector<std::string
 std::string suite_schema() {
     const Json of_all = Json::parse(settings), name = {{"$ref", "#/$defs/name"}}, none = Json::object();
     Json thresholds = {{"name", name}, {"about", name}};
-    for (const char* const key : {"worst", "share", "reach"}) thresholds[key] = of_all[key];
+    for (const char* const key : {"profile", "worst", "share", "reach"}) thresholds[key] = of_all[key];
     const Json entry = {{"anyOf", Json::array({object_of(Json::parse(subject), of_all, {"name"}),
                                                object_of(Json::parse(each), of_all, {"each", "name"})})}};
     const Json loosened = object_of(thresholds, none, {"name", "about"});

@@ -17,11 +17,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t most_of_suite = 100'000;
 constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
+constexpr std::array profile_names{"strict", "portable"};
 constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
 constexpr std::array each_names{"preset", "mended", "scene"};
 
 /// What every entry may say, and "defaults" for all.
-const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "worst",
+const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "profile", "worst",
                                             "share", "reach", "masks", "matrices", "measure", "problems"};
 
 std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
@@ -120,6 +121,9 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
         if (*entry.samples != 0 && *entry.samples != 4) at.refuse("must be 0, 4 or \"state\", as the state says");
     });
     with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
+    with("profile", [&](const Json& value, const Where& at) {
+        entry.limits = read_choice(value, at, profile_names) == 1 ? portable_options : CompareOptions{};
+    });
     with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
     with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
     with("reach", [&](const Json& value, const Where& at) { entry.limits.reach_px = read_whole(value, at, 0, 16); });
@@ -258,7 +262,7 @@ void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entri
     require_array(list, where, most_of_suite, "a list of names with thresholds and a reason");
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Where at = where.at(i);
-        require_keys(list[i], at, {"name", "about", "worst", "share", "reach"});
+        require_keys(list[i], at, {"name", "about", "profile", "worst", "share", "reach"});
         const std::string name = name_at(list[i], "name", at);
         const auto entry =
             std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });

@@ -214,6 +214,17 @@ TEST_F(SuiteCommand, WhatAMaskLeavesOutIsNotCompared) {
     refused({"suite", "run", "suite.json"}, {"entries[0].masks[0]", "[x, y, width, height]"});
 }
 
+TEST_F(SuiteCommand, OtherSamplesPassThePortableProfile) {
+    const auto with = [&](int samples, const std::string& profile) {
+        write("suite.json", R"({"suite": 1, "entries": [{"name": "opening", "samples": )" + std::to_string(samples) +
+                                R"(, "profile": ")" + profile + "\"}]}");
+        return run({"suite", "run", "suite.json"}).status;
+    };
+    EXPECT_EQ(with(0, "strict"), 1) << "new";
+    EXPECT_EQ(with(4, "strict"), 1);
+    EXPECT_EQ(with(4, "portable"), 0);
+}
+
 TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
     const auto is_refused = [&](const std::string& text, const std::vector<std::string>& words) {
         write("bad.json", text);
