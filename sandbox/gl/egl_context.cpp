@@ -77,8 +77,8 @@ EGLContext core_context(EGLDisplay display) {
                                    3,
                                    EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                   EGL_CONTEXT_OPENGL_DEBUG,
-                                   EGL_TRUE,
+                                   EGL_CONTEXT_FLAGS_KHR,  // of the extension, since EGL 1.4 knows no attribute of its own
+                                   EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
                                    EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
 }
