@@ -71,15 +71,16 @@ EGLContext core_context(EGLDisplay display) {
     EGLConfig config = nullptr;
     EGLint count = 0;
     if (!eglChooseConfig(display, config_wish, &config, 1, &count) || count == 0) config = EGL_NO_CONFIG_KHR;
-    const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                   3,
-                                   EGL_CONTEXT_MINOR_VERSION,
-                                   3,
-                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                   EGL_CONTEXT_FLAGS_KHR,  // of the extension, since EGL 1.4 knows no attribute of its own
-                                   EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
-                                   EGL_NONE};
+    const EGLint context_wish[] = {
+        EGL_CONTEXT_MAJOR_VERSION,
+        3,
+        EGL_CONTEXT_MINOR_VERSION,
+        3,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+        EGL_CONTEXT_FLAGS_KHR,  // of the extension, since EGL 1.4 knows no attribute of its own
+        EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR,
+        EGL_NONE};
     return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
 }
 
