@@ -36,6 +36,11 @@ Verdict with_what_is_allowed(const Verdict& verdict, const Ask& ask, const Param
 
 }  // namespace
 
+bool AnswerJudge::Question::is_of(const LessonRun& run, const Params& now) const {
+    if (lesson != run.shared_lesson() || step != run.index()) return false;
+    return params ? *params == now : answer == run.answer();
+}
+
 bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& moment) {
     const bool was_checking = std::exchange(workbench.is_checking, false);
     LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
@@ -45,11 +50,12 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
     }
     const Ask& ask = run->step().ask;
     const bool is_goal = ask.kind == AskKind::goal;
-    const Params start = session.in_own_looks(run->step().start.params);
-    const Question now{run->shared_lesson(), run->index(), is_goal ? Answer{} : run->answer(),
-                       is_goal ? session.params : start};
-    const bool is_asked = asked_ == now;
-    const auto asked_case = [&] { return Case{now.lesson, now.step, now.answer, now.params, start, session.scene()}; };
+    const bool is_asked = asked_ && asked_->is_of(*run, session.params);
+    const auto asked_case = [&] {
+        const Params start = session.in_own_looks(run->step().start.params);
+        return Case{asked_->lesson, asked_->step,   asked_->answer, asked_->params.value_or(start),
+                    start,          session.scene()};
+    };
     if (task_.is_running() && !is_asked) task_.drop();
     if (std::optional<Result<std::optional<Verdict>>> done = task_.take()) {
         if (!*done)
@@ -61,8 +67,12 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
     workbench.is_checking = task_.is_running();
     if (is_goal ? moment.is_held || is_asked : !moment.wants_check || task_.is_running())
         return workbench.is_checking != was_checking;
-    asked_ = now;
-    if (is_goal && now.params == start) {
+    asked_ = Question{run->shared_lesson(), run->index(), {}, std::nullopt};
+    if (is_goal)
+        asked_->params = session.params;
+    else
+        asked_->answer = run->answer();
+    if (is_goal && session.params == session.in_own_looks(run->step().start.params)) {
         run->forget_verdict();
     } else if (!moment.may_wait || !is_measured(ask)) {
         take(asked_case().judged(renderer_), workbench, session);

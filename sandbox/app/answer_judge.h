@@ -26,13 +26,13 @@ public:
     bool update(Workbench& workbench, Session& session, const Moment& moment);
 
 private:
-    /// What was asked of whom, and with what.
+    /// What was asked, and with what.
     struct Question {
         std::shared_ptr<const Lesson> lesson;
         std::size_t step = 0;
-        Answer answer;  ///< of a goal none
-        Params params;
-        bool operator==(const Question&) const = default;
+        Answer answer;                 ///< of a goal none
+        std::optional<Params> params;  ///< of a goal alone
+        bool is_of(const LessonRun& run, const Params& now) const;
     };
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);
 

@@ -88,6 +88,16 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     return Error{studio.session.message.text};
 }
 
+LoadedState show_step(LessonPicture step, PictureRequest& request) {
+    const LessonStep& shown = step.lesson.steps[step.step];
+    LoadedState state = shown.start;
+    if (request.view == PictureView::window)
+        request.lesson = std::make_shared<const LessonPicture>(std::move(step));
+    else if (step.revealed)
+        state.params = shown.revealed;
+    return state;
+}
+
 Params drawn_params(Params params, const PictureRequest& request) {
     if (request.samples) params.view.samples = *request.samples;
     if (request.view == PictureView::observer) params.view.lower_left = Topic::observer;

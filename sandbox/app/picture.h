@@ -2,6 +2,7 @@
 // window on screen.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -24,6 +25,7 @@ struct LessonPicture {
 };
 
 enum class PictureView { window, camera, depth, stencil, observer };
+inline constexpr std::array picture_view_names{"window", "camera", "depth", "stencil", "observer"};  ///< in that order
 
 struct PictureRequest {
     PictureView view = PictureView::window;
@@ -31,6 +33,10 @@ struct PictureRequest {
     std::optional<int> samples = {};  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
     std::shared_ptr<const LessonPicture> lesson = {};  ///< of the whole window; the state is then the step's
 };
+
+/// The state of a step, which `request` then shows: a picture of the window with the lesson itself. Elsewhere a
+/// revealed step is the state after its answer.
+LoadedState show_step(LessonPicture step, PictureRequest& request);
 
 /// The parameters with what the request says itself: its samples, and what its view shows. What a picture carries.
 Params drawn_params(Params params, const PictureRequest& request);

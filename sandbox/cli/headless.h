@@ -26,6 +26,8 @@ public:
     Renderer& renderer() { return *renderer_; }
     const gl::EglContext& context() const { return context_; }
 
+    gl::DebugLog& log() { return log_; }
+
     /// Throws Failure with GL's own words when it has reported an error so far.
     void require_no_errors();
 

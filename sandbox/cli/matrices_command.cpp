@@ -2,10 +2,10 @@
 #include <array>
 #include <utility>
 
-#include "cli/chosen_matrices.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/chosen_matrices.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
 #include "frame/matrix_text.h"

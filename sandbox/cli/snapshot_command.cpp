@@ -20,7 +20,6 @@
 namespace viewing {
 namespace {
 
-constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
 constexpr glm::ivec2 smallest_window_px{320, 240};
 
 /// The options as they were typed.
@@ -52,7 +51,7 @@ void declare(Options& options, Typed& typed) {
                  "window (default): everything as on screen; camera: the picture alone; depth, stencil: the camera's "
                  "buffers made visible; observer: the scene from outside");
     options.text("--size", "WxH", typed.size, size_help);
-    options.text("--samples", "0|4", typed.samples, "Multisampling; default: view.samples of the state");
+    options.text("--samples", "0|4", typed.samples, samples_help);
     add_device_option(options, typed.device);
     options.group("Lesson");
     options.text("--lesson", "ID|FILE", typed.lesson,
@@ -80,18 +79,15 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     if (thresholds.given() && !typed.compare) options.refuse("--worst and --share need --compare REF.png");
 
     Wish wish;
-    const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), view_names);
-    wish.view = view_names[view];
+    const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), picture_view_names);
+    wish.view = picture_view_names[view];
     wish.picture.view = static_cast<PictureView>(view);
     wish.picture.size_px = size_option(options, typed.size);
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.picture.view == PictureView::window &&
         (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
         options.refuse("--size: the window has at least 320x240 pixels; --view camera can be smaller");
-    if (typed.samples) {
-        constexpr std::array choices{"0", "4"};
-        wish.picture.samples = choice_option(options, "--samples", *typed.samples, choices) == 0 ? 0 : 4;
-    }
+    wish.picture.samples = samples_option(options, typed.samples);
     if (!typed.lesson && (typed.step || typed.revealed || typed.presents))
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
@@ -109,12 +105,7 @@ LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
     const int count = static_cast<int>(picture.lesson.steps.size());
     const int number = typed.step ? whole_option(options, "--step", *typed.step, 1, count) : 1;
     picture.step = static_cast<std::size_t>(number - 1);
-    const LessonStep& step = picture.lesson.steps[picture.step];
-    LoadedState state = step.start;
-    if (wish.picture.view != PictureView::window && typed.revealed) state.params = step.revealed;
-    if (wish.picture.view == PictureView::window)
-        wish.picture.lesson = std::make_shared<const LessonPicture>(std::move(picture));
-    return state;
+    return show_step(std::move(picture), wish.picture);
 }
 
 /// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
@@ -134,12 +125,10 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     Headless headless(device_option(options, typed.device));
     ExercisePicture shown = value_or_end(exercise_picture(hand_in, *typed.exercise, headless.renderer()));
     headless.require_no_errors();
-    LoadedState state = shown.lesson.steps.front().start;
+    LoadedState state = show_step({std::move(shown.lesson), 0, false, false, true}, wish.picture);
+    if (!file.empty()) wish.picture.lesson = nullptr;  // how it ended has no question
     state.params = shown.params;
     state.params.ui = looks;
-    if (wish.picture.view == PictureView::window && file.empty())
-        wish.picture.lesson =
-            std::make_shared<const LessonPicture>(LessonPicture{std::move(shown.lesson), 0, false, false, true});
     return state;
 }
 

@@ -1,7 +1,6 @@
 #include "cli/state_arguments.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <set>
 #include <string_view>
@@ -14,13 +13,6 @@ namespace viewing {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool ends_in_obj(const std::string& file) {
-    std::string ending = fs::path(file).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending == ".obj";
-}
 
 /// The files that a scene names, its own among them.
 std::set<std::string> files_named_by(const SceneSource& source) {
@@ -63,9 +55,9 @@ StateArguments::StateArguments(Options& options) : options_(options) {
 }
 
 LoadedState StateArguments::load() const {
-    const bool state_is_mesh = ends_in_obj(state_);
+    const bool state_is_mesh = is_obj_file(state_);
     if (mesh_ && state_is_mesh) options_.refuse("--mesh: STATE is a mesh already");
-    if (mesh_ && !ends_in_obj(*mesh_))
+    if (mesh_ && !is_obj_file(*mesh_))
         options_.refuse("--mesh: " + one_line(*mesh_) + " must be a Wavefront .obj file");
 
     LoadedState loaded = value_or_end(load_state(state_is_mesh ? "" : state_));

@@ -1,8 +1,8 @@
 // state: the whole resolved state, alone or with the files it needs.
-#include "cli/bundle.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/bundle.h"
 #include "cli/state_arguments.h"
 #include "state/json.h"
 

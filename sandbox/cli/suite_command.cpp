@@ -16,6 +16,7 @@
 #include "cli/output.h"
 #include "cli/values.h"
 #include "platform/child_process.h"
+#include "platform/file.h"
 #include "suite/report.h"
 #include "suite/run.h"
 #include "suite/worker.h"
@@ -164,22 +165,25 @@ std::string annotation(const Suite& suite, const EntryResult& entry) {
     const auto plain = [](const std::string& text, bool is_property) {
         std::string safe;
         for (const char c : text) {
-            constexpr char digits[] = "0123456789ABCDEF";
-            const auto byte = static_cast<unsigned char>(c);
             const bool is_reserved = c == '%' || c == '\n' || c == '\r' || (is_property && (c == ':' || c == ','));
-            safe += is_reserved ? std::string("%") + digits[byte >> 4U] + digits[byte & 15U] : std::string(1, c);
+            safe += is_reserved ? percent_encoded(c) : std::string(1, c);
         }
         return safe;
     };
-    std::string reasons;
-    for (const std::string& reason : entry.reasons) reasons += (reasons.empty() ? "" : "\n") + reason;
     return "::" + std::string(entry.outcome == Outcome::fresh ? "warning" : "error") +
            " file=" + plain(suite.argument.string(), true) +
-           ",title=" + plain(entry.name + ": " + name_of(entry.outcome), true) + "::" + plain(reasons, false) + "\n";
+           ",title=" + plain(entry.name + ": " + name_of(entry.outcome), true) +
+           "::" + plain(reasons_in_lines(entry), false) + "\n";
 }
 
-bool run_one(Suite suite, const Typed& typed, const Shard& shard, const RunWish& like) {
+/// A shard has a report of its own.
+Suite with_report_of(Suite suite, const Shard& shard) {
     if (shard.of > 1) suite.report += "-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.of);
+    return suite;
+}
+
+bool run_one(const Suite& whole, const Typed& typed, const Shard& shard, const RunWish& like) {
+    const Suite suite = with_report_of(whole, shard);
     RunWish wish = like;
     wish.chosen = chosen_of(suite, typed, shard);
     wish.worker = worker_of(suite, typed);
@@ -256,29 +260,14 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
     return run.is_good(false) ? ExitStatus::done : ExitStatus::different;
 }
 
-/// The program's own bytes, so that another build draws anew.
-std::string program_key() {
-    std::FILE* const file = std::fopen(own_program().c_str(), "rb");
-    if (!file) return "";
-    std::string bytes(1U << 20U, '\0'), key;
-    for (std::size_t count = 0; (count = std::fread(bytes.data(), 1, bytes.size(), file)) > 0;)
-        key = std::to_string(fnv1a(key + bytes.substr(0, count)));
-    std::fclose(file);
-    return key;
-}
-
 /// Not for people: run starts it.
-ExitStatus work(const Options& options, const Typed& typed, Suite suite) {
-    const Shard shard = shard_option(options, typed.shard);
-    if (shard.of > 1) suite.report += "-" + std::to_string(shard.index) + "-of-" + std::to_string(shard.of);
-    require_threads();
-    gl::prefer_quick_start();
-    const gl::EglContext context =
-        value_or_end(gl::EglContext::make(device_option(options, typed.device)), ExitStatus::no_context);
-    gl::DebugLog log;
-    Renderer renderer = value_or_end(Renderer::make(), ExitStatus::gl_error);
-    CheckWish wish{typed.allow_outside, typed.cache, "", typed.cache ? program_key() : ""};
-    serve_entries(suite, wish, renderer, log, std::cin, stdout);
+ExitStatus work(const Options& options, const Typed& typed, const Suite& whole) {
+    const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
+    Headless headless(device_option(options, typed.device));
+    // By the program's own bytes another build draws anew.
+    const std::string program = typed.cache ? std::to_string(fnv1a(all_bytes(own_program()))) : "";
+    serve_entries(suite, {typed.allow_outside, typed.cache, "", program}, headless.renderer(), headless.log(), std::cin,
+                  stdout);
     return ExitStatus::done;
 }
 

@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/results/contact_sheet.h"
+#include "cli/results/csv.h"
 #include "cli/results/film.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
@@ -28,7 +29,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
 constexpr std::array ease_names{"linear", "smooth"};
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
@@ -49,13 +49,6 @@ struct Wish {
     std::string ending;
     double fps = 30.0;
     int columns = 1;
-};
-
-/// One picture of the sweep.
-struct Step {
-    std::vector<std::string> settings;
-    LoadedState state;
-    Scene scene;
 };
 
 void declare(Options& options, Typed& typed) {
@@ -83,7 +76,7 @@ void declare(Options& options, Typed& typed) {
     options.group("Picture");
     options.text("--view", "VIEW", typed.view, "camera (default), window, depth, stencil, observer");
     options.text("--size", "WxH", typed.size, size_help);
-    options.text("--samples", "0|4", typed.samples, "Multisampling; default: view.samples of the state");
+    options.text("--samples", "0|4", typed.samples, samples_help);
     add_device_option(options, typed.device);
 }
 
@@ -108,12 +101,9 @@ Wish checked(const Options& options, const Typed& typed) {
     if (!typed.csv && !typed.values.empty()) options.refuse("--value needs --csv FILE");
     wish.ease = static_cast<Ease>(choice_option(options, "--ease", typed.ease.value_or("linear"), ease_names));
     wish.picture.view =
-        static_cast<PictureView>(choice_option(options, "--view", typed.view.value_or("camera"), view_names));
+        static_cast<PictureView>(choice_option(options, "--view", typed.view.value_or("camera"), picture_view_names));
     wish.picture.size_px = size_option(options, typed.size);
-    if (typed.samples) {
-        constexpr std::array choices{"0", "4"};
-        wish.picture.samples = choice_option(options, "--samples", *typed.samples, choices) == 0 ? 0 : 4;
-    }
+    wish.picture.samples = samples_option(options, typed.samples);
     if (typed.output) wish.kind = kind_of(*typed.output, wish.ending);
     if (wish.kind != Kind::film && typed.fps) options.refuse("--fps needs a film: .mp4, .gif or .webp");
     if (wish.kind != Kind::sheet && typed.columns) options.refuse("--columns needs a sheet: .png");
@@ -174,23 +164,16 @@ private:
     Params loaded_;  ///< whose scene it is
 };
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string inside;
-    for (const char c : text) inside += c == '"' ? "\"\"" : std::string(1, c);
-    return "\"" + inside + "\"";
-}
-
 std::string cell(const Json& value) {
     if (value.is_null()) return "";
     if (value.is_number()) return shortest_number(value.get<double>());
-    return quoted(value.is_string() ? value.get<std::string>() : value.dump());
+    return csv_quoted(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
 std::string head(const Typed& typed, const Wish& wish) {
     std::string line;
-    for (const Variation& variation : wish.variations) line += (line.empty() ? "" : ",") + quoted(variation.path);
-    for (const std::string& expression : typed.values) line += "," + quoted(expression);
+    for (const Variation& variation : wish.variations) line += (line.empty() ? "" : ",") + csv_quoted(variation.path);
+    for (const std::string& expression : typed.values) line += "," + csv_quoted(expression);
     return line + "\n";
 }
 
@@ -198,7 +181,7 @@ std::string row(const Typed& typed, const std::vector<std::string>& settings, co
                 const LoadedState& start, const Scene& scene, Renderer& renderer) {
     std::string line;
     for (const std::string& setting : settings)
-        line += (line.empty() ? "" : ",") + quoted(setting.substr(setting.find('=') + 1));
+        line += (line.empty() ? "" : ",") + csv_quoted(setting.substr(setting.find('=') + 1));
     LessonNumbers numbers(state.params, start.params, scene, &renderer);
     for (const std::string& expression : typed.values) {
         const Result<Json> value = evaluate(expression, numbers.surroundings());

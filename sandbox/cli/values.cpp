@@ -1,7 +1,6 @@
 #include "cli/values.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -86,14 +85,17 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
 
 void check_picture_name(const Options& options, const char* name, const std::string& target) {
     namespace fs = std::filesystem;
-    std::string ending = fs::path(target).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
     const bool is_named = !fs::exists(there) || fs::is_regular_file(there);
-    if (target != "-" && !target.empty() && is_named && ending != ".png")
+    if (target != "-" && !target.empty() && is_named && in_lower_case(fs::path(target).extension().string()) != ".png")
         options.refuse(std::string(name) + ": must end in .png, or be - for standard output" + got(target));
+}
+
+std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    constexpr std::array choices{"0", "4"};
+    return choice_option(options, "--samples", *text, choices) == 0 ? 0 : 4;
 }
 
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text) {

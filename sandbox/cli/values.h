@@ -31,10 +31,14 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
 /// The name of a picture that is written: it ends in .png, or is "-", or that of a device or a pipe.
 void check_picture_name(const Options& options, const char* name, const std::string& target);
 
+/// The value of --samples, 0 or 4; none where it was left out.
+std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);
+
 /// The value of --language; none where it was left out.
 std::optional<Language> language_option(const Options& options, const std::optional<std::string>& text);
 
-/// What --help says about --size.
+/// What --help says about --samples and --size.
+inline constexpr const char* samples_help = "Multisampling; default: view.samples of the state";
 inline constexpr const char* size_help =
     "Width and height of the picture in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default 1280x720";
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <deque>
+#include <fstream>
+#include <iterator>
 #include <optional>
 #include <random>
 #include <string>
@@ -170,6 +172,12 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
         if (entry->path().extension() == extension) files.push_back(entry->path());
     std::sort(files.begin(), files.end());
     return files;
+}
+
+std::string all_bytes(const fs::path& file) {
+    if (!check_readable(file)) return "";
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace viewing

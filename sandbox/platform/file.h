@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,6 +24,9 @@ Status write_file(const std::filesystem::path& path, std::string_view text);
 
 /// The files of a folder whose names end so (".json"), sorted; none where it cannot be read.
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder, std::string_view extension);
+
+/// All of a file, however large; "" where it cannot be read.
+std::string all_bytes(const std::filesystem::path& file);
 
 struct FileBytes {
     std::filesystem::path path;

@@ -8,6 +8,7 @@
 #include "lesson/allowed.h"
 #include "lesson/variants.h"
 #include "platform/file.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -38,14 +39,9 @@ std::string answers_file_name(const Student& student) {
     const auto plain = [](const std::string& text) {
         std::string name;
         for (const char c : text) {
-            const auto byte = static_cast<unsigned char>(c);
-            const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
-                                  (byte >= '0' && byte <= '9') || byte == '-' || byte == '_';
-            constexpr char digits[] = "0123456789ABCDEF";
-            if (is_plain)
-                name += c;
-            else
-                name += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
+            const bool is_plain =
+                (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+            name += is_plain ? std::string(1, c) : percent_encoded(c);
         }
         return name;
     };

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "platform/child_process.h"
 #include "platform/file.h"
 #include "state/scene.h"
 #include "text/words.h"
@@ -45,8 +46,8 @@ fs::path assets_directory() {
     if (const std::string chosen = chosen_by_variable(); !chosen.empty()) {
         return fs::is_directory(chosen, error) ? fs::path(chosen) : fs::path();
     }
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (error) {
+    const fs::path program = own_program();
+    if (program.empty()) {
         return {};
     }
     const fs::path beside = program.parent_path();

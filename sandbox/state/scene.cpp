@@ -111,10 +111,7 @@ std::string too_many(std::uint64_t triangles) {
 }  // namespace
 
 bool is_obj_file(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".obj";
+    return in_lower_case(file.extension().string()) == ".obj";
 }
 
 const SceneObject* Scene::find(std::string_view name) const {

@@ -10,23 +10,6 @@
 namespace viewing {
 namespace {
 
-/// At the colons that are in no brackets and no quotes.
-std::vector<std::string> parts_of(const std::string& text) {
-    std::vector<std::string> parts(1);
-    int depth = 0;
-    bool is_quoted = false;
-    for (const char c : text) {
-        if (c == '"') is_quoted = !is_quoted;
-        if (!is_quoted && (c == '[' || c == '{')) ++depth;
-        if (!is_quoted && (c == ']' || c == '}')) --depth;
-        if (c == ':' && depth == 0 && !is_quoted)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
 /// Null where it is no JSON.
 Json json_of(const std::string& text) {
     return Json::parse(text, nullptr, false, false).is_discarded() ? Json() : Json::parse(text);
@@ -57,7 +40,7 @@ Result<Variation> Variation::parse(const std::string& text) {
     if (equals == std::string::npos || equals == 0) return Error{form + ", as in light.position[0]=-3:3:61"};
     Variation variation;
     variation.path = text.substr(0, equals);
-    variation.values = parts_of(text.substr(equals + 1));
+    variation.values = split_outside_brackets(text.substr(equals + 1), ':');
     if (variation.values.size() < 3) return Error{form + "; between FROM and TO further values may stand"};
     const std::string count = variation.values.back();
     variation.values.pop_back();

@@ -6,6 +6,7 @@
 #include "image/mask.h"
 #include "image/png.h"
 #include "platform/file.h"
+#include "report/as_json.h"
 #include "state/json.h"
 #include "suite/entry_drawing.h"
 #include "suite/numbers_apart.h"
@@ -35,12 +36,6 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, unknown);
 }
 
-std::string bytes_of(const fs::path& file) {
-    if (!is_there(file)) return "";
-    const Result<std::string> bytes = read_text_file(file);
-    return bytes ? *bytes : "";
-}
-
 class Check {
 public:
     Check(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer)
@@ -60,9 +55,10 @@ public:
             if (is_unchanged(subject)) return std::move(result_);
             forget_earlier_files();
             result_.outcome = Outcome::passed;
-            check_problems(subject);
+            const std::vector<Problem> problems = problems_of(subject);
+            check_problems(problems);
             if (entry_.checks_picture) check_picture(subject);
-            check_numbers(subject);
+            check_numbers(subject, problems);
             if (wish_.makes_keys) result_.key = key_of(subject);  // with the references that are there now
             for (std::size_t i = known; i < log.errors().size(); ++i)
                 worsen(Outcome::failed, "GL error: " + log.errors()[i]);
@@ -82,8 +78,8 @@ private:
 
     std::string key_of(const SuiteSubject& subject) const {
         const std::string all = wish_.program + "\n" + fingerprint(entry_, subject) + "\n" +
-                                bytes_of(reference_picture(suite_, entry_)) +
-                                bytes_of(reference_numbers(suite_, entry_));
+                                all_bytes(reference_picture(suite_, entry_)) +
+                                all_bytes(reference_numbers(suite_, entry_));
         return std::to_string(fnv1a(all));
     }
 
@@ -105,18 +101,19 @@ private:
 
     static void write(const fs::path& file, std::span<const std::uint8_t> bytes) { or_broken(write_file(file, bytes)); }
 
-    void check_problems(const SuiteSubject& subject) {
-        const std::vector<std::string> told = problems_of(subject);
+    void check_problems(const std::vector<Problem>& told) {
         const auto tells = [&](const std::string& part) {
-            return std::any_of(told.begin(), told.end(),
-                               [&](const std::string& sentence) { return sentence.find(part) != std::string::npos; });
+            return std::any_of(told.begin(), told.end(), [&](const Problem& problem) {
+                return problem.sentence.find(part) != std::string::npos;
+            });
         };
-        if (!told.empty()) result_.details["problems"] = told;
+        if (!told.empty()) result_.details["problems"] = as_json(told);
         for (const std::string& part : entry_.wanted_problems)
             if (!tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is not told");
         for (const std::string& part : entry_.unwanted_problems)
             if (tells(part)) worsen(Outcome::different, "the problem \"" + one_line(part) + "\" is told");
-        if (entry_.allows_no_problem && !told.empty()) worsen(Outcome::different, "a problem is told: " + told.front());
+        if (entry_.allows_no_problem && !told.empty())
+            worsen(Outcome::different, "a problem is told: " + told.front().sentence);
     }
 
     void check_picture(const SuiteSubject& subject) {
@@ -142,8 +139,8 @@ private:
         if (error) throw Broken(files_.expected.string() + ": cannot be written: " + error.message());
         const std::vector<std::uint8_t> difference = encode_png(diff_picture(drawn, expected, entry_.limits, mask));
         write(files_.difference, difference);
-        or_broken(write_file(files_.script,
-                             picture_script(entry_.file_name, encode_png(expected), encode_png(drawn), difference)));
+        or_broken(write_file(files_.script, picture_script(entry_.file_name, all_bytes(reference), as_text(actual),
+                                                           as_text(difference))));
     }
 
     Mask read_mask(const Image& drawn) const {
@@ -171,6 +168,10 @@ private:
         if (!changes.empty()) result_.details["state"] = std::move(changes);
     }
 
+    static std::string_view as_text(const std::vector<std::uint8_t>& bytes) {
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    }
+
     static Json listed(const std::vector<NumberChange>& changes) {
         Json list = Json::array();
         for (const NumberChange& change : changes)
@@ -178,8 +179,8 @@ private:
         return list;
     }
 
-    void check_numbers(const SuiteSubject& subject) {
-        const Json numbers = or_broken(numbers_of_entry(entry_, subject, renderer_));
+    void check_numbers(const SuiteSubject& subject, const std::vector<Problem>& problems) {
+        const Json numbers = or_broken(numbers_of_entry(entry_, subject, problems, renderer_));
         if (numbers.is_null()) return;
         const std::string text = print_document(numbers) + "\n";
         or_broken(write_file(files_.numbers, text));

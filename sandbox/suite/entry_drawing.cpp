@@ -3,7 +3,7 @@
 #include "frame/hidden/hidden_views.h"
 #include "frame/plan.h"
 #include "frame/problems.h"
-#include "platform/text_file.h"
+#include "platform/file.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
 #include "report/fighting_report.h"
@@ -35,23 +35,15 @@ Result<LoadedState> lesson_state(const SuiteStep& step, PictureRequest& request)
     if (step.step > count)
         return Error{step.lesson + " has " + std::to_string(count) + " steps, no step " + std::to_string(step.step)};
     const auto index = static_cast<std::size_t>(step.step - 1);
-    LoadedState state = lesson->steps[index].start;
-    if (request.view != PictureView::window && step.revealed) state.params = lesson->steps[index].revealed;
-    if (request.view == PictureView::window)
-        request.lesson = std::make_shared<const LessonPicture>(
-            LessonPicture{*std::move(lesson), index, step.revealed, step.presents, true});
-    return state;
+    return show_step({*std::move(lesson), index, step.revealed, step.presents, true}, request);
 }
 
 Result<LoadedState> exercise_state(const SuiteStep& step, PictureRequest& request, Renderer& renderer) {
     const HandIn nothing{{}, step.course, step.student, {}, {}};
     Result<ExercisePicture> shown = exercise_picture(nothing, step.exercise, renderer);
     if (!shown) return Error{shown.error()};
-    LoadedState state = shown->lesson.steps.front().start;
+    LoadedState state = show_step({std::move(shown->lesson), 0, false, false, true}, request);
     state.params = shown->params;
-    if (request.view == PictureView::window)
-        request.lesson =
-            std::make_shared<const LessonPicture>(LessonPicture{std::move(shown->lesson), 0, false, false, true});
     return state;
 }
 
@@ -86,8 +78,9 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
     if (!scene) return Error{scene.error()};
     subject.state = *std::move(state);
     subject.scene = *std::move(scene);
-    const Derived derived = derive(subject.state.params, subject.scene, Viewport{entry.size_px});
-    if (const auto question = hidden_question(subject.state.params, derived, entry.size_px))
+    const Params& wanted = subject.state.params;
+    subject.derived = derive(wanted, subject.scene, Viewport{entry.size_px});
+    if (const auto question = hidden_question(wanted, subject.derived, entry.size_px))
         if (const Status fits = check_hidden_budget(subject.scene, *question); !fits) return Error{fits.error()};
     return subject;
 }
@@ -102,10 +95,7 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
         entry.checks_picture ? "picture" : "");
     for (const MaskRect& rect : entry.masks)
         add("mask", number(rect.x), number(rect.y), number(rect.width), number(rect.height));
-    for (const std::filesystem::path& file : entry.mask_pictures) {
-        const Result<std::string> bytes = read_text_file(file);
-        add("mask", file.string(), bytes ? *bytes : "");
-    }
+    for (const std::filesystem::path& file : entry.mask_pictures) add("mask", file.string(), all_bytes(file));
     if (entry.matrices_tolerance) add("matrices", format_number(*entry.matrices_tolerance));
     for (const SuiteMeasure& measure : entry.measures) add(measure.what, format_number(measure.tolerance));
     for (const std::string& problem : entry.wanted_problems) add("must", problem);
@@ -114,30 +104,19 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
     if (entry.step)
         add(entry.step->lesson, number(entry.step->step), entry.step->revealed ? "revealed" : "",
             entry.step->presents ? "present" : "", entry.step->exercise, entry.step->course, entry.step->student);
-    for (const std::filesystem::path& file : subject.scene.read) {
-        const Result<std::string> bytes = read_text_file(file);
-        add(file.string(), bytes ? *bytes : "");
-    }
+    for (const std::filesystem::path& file : subject.scene.read) add(file.string(), all_bytes(file));
     return text;
 }
 
-std::vector<std::string> problems_of(const SuiteSubject& subject) {
+std::vector<Problem> problems_of(const SuiteSubject& subject) {
     const Params& params = subject.state.params;
-    const Derived derived = derive(params, subject.scene, Viewport{subject.request.size_px});
-    std::vector<std::string> sentences;
-    for (const Json& sentence : as_json(find_problems(params, derived, subject.scene, plan(params, derived))))
-        sentences.push_back(sentence.get<std::string>());
-    return sentences;
+    return find_problems(params, subject.derived, subject.scene, plan(params, subject.derived));
 }
 
-Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject, Renderer& renderer) {
+Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject,
+                              const std::vector<Problem>& problems, Renderer& renderer) {
     Json numbers;
-    if (entry.matrices_tolerance) {
-        const Params& params = subject.state.params;
-        const Derived derived = derive(params, subject.scene, Viewport{subject.request.size_px});
-        numbers["matrices"] =
-            matrices_as_json(derived, find_problems(params, derived, subject.scene, plan(params, derived)));
-    }
+    if (entry.matrices_tolerance) numbers["matrices"] = matrices_as_json(subject.derived, problems);
     for (const SuiteMeasure& measure : entry.measures) {
         Result<Json> value = measured(measure, subject, renderer);
         if (!value) return Error{value.error()};

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "frame/problems.h"
 #include "render/renderer.h"
 #include "state/document.h"
 #include "suite/suite.h"
@@ -16,6 +17,7 @@ struct SuiteSubject {
     LoadedState state;
     Scene scene;
     PictureRequest request;
+    Derived derived;
 };
 
 /// The error: a state, scene, lesson or setting that cannot be read.
@@ -24,10 +26,10 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
 /// What decides the picture and the numbers, as a text: two subjects with the same one give the same.
 std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject);
 
-/// The sentences of its problems.
-std::vector<std::string> problems_of(const SuiteSubject& subject);
+std::vector<Problem> problems_of(const SuiteSubject& subject);
 
 /// {"matrices": …, "measure": {"fighting": …}}, what the entry checks of it; null when it checks none.
-Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject, Renderer& renderer);
+Result<Json> numbers_of_entry(const SuiteEntry& entry, const SuiteSubject& subject,
+                              const std::vector<Problem>& problems, Renderer& renderer);
 
 }  // namespace viewing

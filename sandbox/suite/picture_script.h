@@ -2,14 +2,13 @@
 // pixels of pictures that are files.
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <string>
+#include <string_view>
 
 namespace viewing {
 
 /// Calls pictures(name, {expected, actual, difference}) with PNG files as data.
-std::string picture_script(const std::string& name, std::span<const std::uint8_t> expected,
-                           std::span<const std::uint8_t> actual, std::span<const std::uint8_t> difference);
+std::string picture_script(const std::string& name, std::string_view expected, std::string_view actual,
+                           std::string_view difference);
 
 }  // namespace viewing

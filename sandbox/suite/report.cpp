@@ -46,12 +46,6 @@ std::string xml_text(const std::string& text) {
     return escaped(clean);
 }
 
-std::string joined_lines(const std::vector<std::string>& lines) {
-    std::string text;
-    for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
-    return text;
-}
-
 /// Every such place of the page's template, with what stands there.
 void fill(std::string& page, const std::string& place, std::string_view with) {
     const std::string mark = "{{" + place + "}}";
@@ -82,7 +76,7 @@ std::string junit_of(const RunResult& run) {
             const char* const kind = entry.outcome == Outcome::failed ? "error" : "failure";
             text += std::string("\n<") + kind + " type=\"" + name_of(entry.outcome) + "\" message=\"" +
                     xml_text(entry.reasons.empty() ? "" : entry.reasons.front()) + "\">" +
-                    xml_text(joined_lines(entry.reasons)) + "</" + kind + ">\n";
+                    xml_text(reasons_in_lines(entry)) + "</" + kind + ">\n";
         }
         if (!entry.output.empty()) text += "<system-err>" + xml_text(entry.output) + "</system-err>\n";
         text += "</testcase>\n";

@@ -38,6 +38,12 @@ bool RunResult::is_good(bool accepts_new) const {
     return count(Outcome::passed) + (accepts_new ? count(Outcome::fresh) : 0) == entries.size();
 }
 
+std::string reasons_in_lines(const EntryResult& entry) {
+    std::string text;
+    for (const std::string& reason : entry.reasons) text += (text.empty() ? "" : "\n") + reason;
+    return text;
+}
+
 Json as_json(const EntryResult& entry) {
     return {{"name", entry.name},    {"file", entry.file_name},  {"outcome", name_of(entry.outcome)},
             {"kept", entry.is_kept}, {"reasons", entry.reasons}, {"seconds", entry.seconds},

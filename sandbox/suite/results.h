@@ -42,6 +42,9 @@ struct RunResult {
     bool is_good(bool accepts_new) const;
 };
 
+/// A line for each reason.
+std::string reasons_in_lines(const EntryResult& entry);
+
 Json as_json(const EntryResult& entry);
 Json as_json(const RunResult& run);
 

@@ -1,5 +1,6 @@
 #include "suite/schema.h"
 
+#include "app/picture.h"
 #include "state/document.h"
 
 namespace viewing {
@@ -8,7 +9,6 @@ namespace {
 /// What every entry may say, and "defaults" for all: as suite_reader.cpp reads it.
 constexpr const char* settings = R"({
   "set": {"anyOf": [{"type": "object"}, {"type": "array", "items": {"type": "string", "pattern": "="}}]},
-  "view": {"enum": ["window", "camera", "depth", "stencil", "observer"]},
   "size": {"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 16384}, "minItems": 2, "maxItems": 2},
   "samples": {"enum": [0, 4, "state"]},
   "picture": {"type": "boolean"},
@@ -60,7 +60,9 @@ Json object_of(const Json& properties, const Json& more, std::vector<std::string
 }  // namespace
 
 std::string suite_schema() {
-    const Json of_all = Json::parse(settings), name = {{"$ref", "#/$defs/name"}}, none = Json::object();
+    Json of_all = Json::parse(settings);
+    of_all["view"] = {{"enum", picture_view_names}};
+    const Json name = {{"$ref", "#/$defs/name"}}, none = Json::object();
     Json thresholds = {{"name", name}, {"about", name}};
     for (const char* const key : {"profile", "worst", "share", "reach"}) thresholds[key] = of_all[key];
     const Json entry = {{"anyOf", Json::array({object_of(Json::parse(subject), of_all, {"name"}),

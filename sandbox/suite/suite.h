@@ -30,7 +30,6 @@ struct SuiteMeasure {
 struct SuiteEntry {
     std::string name;       ///< as the suite has it
     std::string file_name;  ///< the same, safe on every file system: of its reference and results, without an ending
-    std::string about;      ///< why it is there, or why its thresholds are loose
 
     std::string state;         ///< as a command takes it; files as full paths
     std::string inline_state;  ///< JSON, in place of `state`; "": none
@@ -63,9 +62,6 @@ struct Suite {
 /// A suite's file, or a folder whose states are its entries with all defaults. The error is one sentence with file and
 /// field. States that are files are read when their turn comes: one that is broken fails its own entry.
 Result<Suite> load_suite(const std::string& argument);
-
-/// The names that "view" may have, in the order of PictureView.
-std::span<const char* const> suite_view_names();
 
 /// A name as a part of a file's name: letters, digits, - and _ as they are, a dot inside, a space or slash as -, others
 /// as %XX; never one that a file system keeps for itself; at most 150 bytes.

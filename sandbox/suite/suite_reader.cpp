@@ -16,7 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_of_suite = 100'000;
-constexpr std::array view_names{"window", "camera", "depth", "stencil", "observer"};
 constexpr std::array profile_names{"strict", "portable"};
 constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
 constexpr std::array each_names{"preset", "mended", "scene"};
@@ -111,7 +110,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
         for (std::string& setting : read_settings(value, at)) entry.settings.push_back(std::move(setting));
     });
     with("view", [&](const Json& value, const Where& at) {
-        entry.view = static_cast<PictureView>(read_choice(value, at, view_names));
+        entry.view = static_cast<PictureView>(read_choice(value, at, picture_view_names));
     });
     with("size", [&](const Json& value, const Where& at) { entry.size_px = read_size(value, at); });
     with("samples", [&](const Json& value, const Where& at) {
@@ -191,13 +190,18 @@ void read_subject(const Json& object, const Where& where, const fs::path& folder
         where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
 }
 
+/// Why an entry is there is for who reads the file.
+void check_about(const Json& object, const Where& where) {
+    if (has(object, "about")) read_name(object["about"], where.key("about"));
+}
+
 SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& folder, const SuiteEntry& defaults) {
     require_keys(object, where,
                  with_setting_keys({"name", "about", "state", "lesson", "step", "revealed", "present", "exercise",
                                     "course", "student"}));
     SuiteEntry entry = defaults;
     entry.name = name_at(object, "name", where);
-    if (has(object, "about")) entry.about = read_name(object["about"], where.key("about"));
+    check_about(object, where);
     if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
     read_settings_of(object, where, folder, entry);
     read_subject(object, where, folder, entry);
@@ -214,7 +218,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     if (place == std::string::npos) where.key("name").refuse("must have a {} where each one's name stands");
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
-    if (has(object, "about")) like.about = read_name(object["about"], where.key("about"));
+    check_about(object, where);
     read_settings_of(object, where, folder, like);
 
     const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
@@ -247,10 +251,7 @@ void name_files(Suite& suite, const std::string& prefix) {
     std::map<std::string, std::string> taken;
     for (SuiteEntry& entry : suite.entries) {
         entry.file_name = safe_file_name(entry.name);
-        std::string folded = entry.file_name;
-        std::transform(folded.begin(), folded.end(), folded.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        const auto [other, is_new] = taken.emplace(folded, entry.name);
+        const auto [other, is_new] = taken.emplace(in_lower_case(entry.file_name), entry.name);
         if (!is_new)
             throw Refusal(prefix + "the entries " + excerpt(other->second) + " and " + excerpt(entry.name) +
                           " would have one file's name");
@@ -267,7 +268,7 @@ void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entri
         const auto entry =
             std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });
         if (entry == entries.end()) at.key("name").refuse("there is no entry " + excerpt(name));
-        entry->about = name_at(list[i], "about", at);
+        name_at(list[i], "about", at);  // there is a reason
         Json thresholds = list[i];
         thresholds.erase("name");
         thresholds.erase("about");
@@ -330,31 +331,23 @@ Suite suite_of_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::span<const char* const> suite_view_names() {
-    return view_names;
-}
-
 std::string safe_file_name(const std::string& name) {
     constexpr std::size_t longest = 150;
-    constexpr char digits[] = "0123456789ABCDEF";
     std::string safe;
     for (const char c : name) {
-        const auto byte = static_cast<unsigned char>(c);
         const bool is_inner_dot = c == '.' && !safe.empty();
-        if (std::isalnum(byte) != 0 || c == '-' || c == '_' || is_inner_dot)
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || is_inner_dot)
             safe += c;
         else if (c == ' ' || c == '/')
             safe += '-';
         else
-            safe += std::string("%") + digits[byte >> 4U] + digits[byte & 15U];
+            safe += percent_encoded(c);
     }
     if (safe.size() > longest) safe.resize(longest);
     while (!safe.empty() && safe.back() == '.') safe.back() = '_';
     // CON, NUL, COM1 and the like are devices on Windows, whatever their ending.
     static const std::vector<std::string> devices{"con", "prn", "aux", "nul"};
-    std::string stem = safe.substr(0, safe.find('.'));
-    std::transform(stem.begin(), stem.end(), stem.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string stem = in_lower_case(safe.substr(0, safe.find('.')));
     const bool is_port = stem.size() == 4 && (stem.starts_with("com") || stem.starts_with("lpt")) &&
                          std::isdigit(static_cast<unsigned char>(stem[3])) != 0;
     if (is_port || std::find(devices.begin(), devices.end(), stem) != devices.end()) safe.insert(0, "_");

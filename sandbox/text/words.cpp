@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -94,6 +95,32 @@ std::string in_lines(const std::string& text, std::size_t width, const std::stri
         line += (line.empty() ? "" : " ") + word;
     }
     return result + begin + line + "\n";
+}
+
+std::string in_lower_case(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+std::string percent_encoded(char byte) {
+    return fmt::format("%{:02X}", static_cast<unsigned char>(byte));
+}
+
+std::vector<std::string> split_outside_brackets(std::string_view text, char sign) {
+    std::vector<std::string> parts(1);
+    int depth = 0;
+    bool is_quoted = false;
+    for (const char c : text) {
+        if (c == '"') is_quoted = !is_quoted;
+        if (!is_quoted && (c == '[' || c == '{')) ++depth;
+        if (!is_quoted && (c == ']' || c == '}')) --depth;
+        if (c == sign && depth == 0 && !is_quoted)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viewing {
 
@@ -32,6 +33,15 @@ std::string excerpt(std::string_view text);
 /// A text in lines of at most `width` characters where its words let it, each ended: the first begins with `first`, the
 /// others with `indent` blanks. Words are separated by single blanks.
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent);
+
+/// ASCII letters in lower case, all else as it is: for endings of files and for what is searched.
+std::string in_lower_case(std::string text);
+
+/// A byte as links and safe file names have it: "%2F".
+std::string percent_encoded(char byte);
+
+/// At each `sign` that stands in no brackets and no quotes; one part at least.
+std::vector<std::string> split_outside_brackets(std::string_view text, char sign);
 
 /// "never, less, equal".
 std::string joined(std::span<const char* const> names);

@@ -3,10 +3,9 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
+#include "platform/file.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -93,12 +92,11 @@ Error Film::failure() {
     return {"ffmpeg ended with " + end + (complaint.empty() ? "" : ": " + one_line(complaint))};
 }
 
-Result<std::vector<std::uint8_t>> Film::finish() {
+Result<std::string> Film::finish() {
     process_.finish_telling();
     process_.wait();
     if (process_.exit_status() != 0) return failure();
-    std::ifstream file(file_, std::ios::binary);
-    std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    std::string bytes = all_bytes(file_);
     if (bytes.empty()) return Error{"ffmpeg has written nothing"};
     return bytes;
 }

@@ -22,7 +22,7 @@ public:
 
     Status add(const Image& picture);
     /// The whole file.
-    Result<std::vector<std::uint8_t>> finish();
+    Result<std::string> finish();
 
 private:
     Film(ChildProcess process, std::filesystem::path folder, std::filesystem::path file)

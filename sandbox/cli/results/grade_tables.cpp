@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/results/csv.h"
 #include "state/document.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -93,10 +94,7 @@ Row text_row(const StudentGrade& grade) {
 std::string csv_cell(std::string text) {
     constexpr const char* beginnings_of_formulas = "=+-@";
     if (text.find_first_of(beginnings_of_formulas) == 0) text.insert(0, 1, '\'');
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-    return quoted + '"';
+    return csv_quoted(text);
 }
 
 std::string csv_line(const Row& row) {

@@ -5,21 +5,15 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "text/catalogue.h"
+#include "text/words.h"
 #include "ui/parts/look.h"
 #include "ui/parts/view_parts.h"
 
 namespace viewing {
 namespace {
-
-std::string in_small_letters(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool is_pressed(ImGuiKey key) {
     return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
@@ -75,11 +69,11 @@ bool is_found(const NamedFile& preset, std::string_view search) {
     std::string all = preset.name;
     for (const std::string* text : {&preset.title, &preset.about, &preset.group})
         all.append("\n").append(*text).append("\n").append(tr(text->c_str()));
-    all = in_small_letters(std::move(all));
+    all = in_lower_case(std::move(all));
     while (!search.empty()) {
         const std::string_view word = search.substr(0, search.find(' '));
         search.remove_prefix(std::min(search.size(), word.size() + 1));
-        if (all.find(in_small_letters(std::string(word))) == std::string::npos) return false;
+        if (all.find(in_lower_case(std::string(word))) == std::string::npos) return false;
     }
     return true;
 }

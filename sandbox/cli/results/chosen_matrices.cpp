@@ -1,4 +1,4 @@
-#include "cli/chosen_matrices.h"
+#include "cli/results/chosen_matrices.h"
 
 #include <array>
 #include <charconv>
@@ -21,20 +21,6 @@ struct Word {
     std::vector<std::size_t> indices = {};
 };
 
-/// At commas, but for those between brackets.
-std::vector<std::string> split(const std::string& list) {
-    std::vector<std::string> words(1);
-    int depth = 0;
-    for (const char sign : list) {
-        depth += sign == '[' ? 1 : sign == ']' ? -1 : 0;
-        if (sign == ',' && depth == 0)
-            words.emplace_back();
-        else
-            words.back() += sign;
-    }
-    return words;
-}
-
 /// None for what has another form.
 std::optional<Word> parse(const std::string& text) {
     Word word{text};
@@ -46,7 +32,7 @@ std::optional<Word> parse(const std::string& text) {
     if (text.back() != ']') return std::nullopt;
     std::string_view rest(text);
     rest = rest.substr(bracket + 1, text.size() - bracket - 2);
-    for (const std::string& number : split(std::string(rest))) {
+    for (const std::string& number : split_outside_brackets(rest, ',')) {
         std::size_t index = 0;
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
         if (error != std::errc{} || end != number.data() + number.size()) return std::nullopt;
@@ -108,7 +94,7 @@ std::vector<ChosenMatrix> chosen_matrices(const Options& options, const std::opt
     for (std::size_t letter = 0; !only && letter < letters.size(); ++letter)
         chosen.push_back(matrix_of({letters[letter], letter}, {}, params, derived));
     if (!only) return chosen;
-    for (const std::string& text : split(*only)) {
+    for (const std::string& text : split_outside_brackets(*only, ',')) {
         const std::optional<Word> word = parse(text);
         if (!word)
             options.refuse("--only: must be a list of " + std::string(allowed) + ", got \"" + one_line(text) + "\"");

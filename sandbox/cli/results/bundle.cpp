@@ -1,10 +1,9 @@
-#include "cli/bundle.h"
+#include "cli/results/bundle.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <fstream>
@@ -45,13 +44,6 @@ std::string safe_name(const fs::path& file) {
     std::string stem = name.substr(0, name.size() - ending.size());
     while (stem.size() > longest_stem) remove_last_character(stem);
     return stem + ending.substr(0, longest_stem / 2);
-}
-
-/// What two names have in common that are one file on some systems.
-std::string folded(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-    return name;
 }
 
 /// A folder beside the one that is wanted, gone again unless it is kept.
@@ -100,7 +92,7 @@ public:
         for (const std::string& library : material_libraries(file)) {
             const fs::path beside = file.parent_path() / library;
             const bool is_there = check_readable(beside) && resolved(beside).parent_path() == file.parent_path();
-            if (is_there && taken_.insert(folded(place + library)).second) copy(beside, place + library);
+            if (is_there && taken_.insert(in_lower_case(place + library)).second) copy(beside, place + library);
         }
         return name;
     }
@@ -113,7 +105,7 @@ public:
     std::string free_name(const std::string& place, const std::string& wanted) {
         const fs::path path(wanted);
         std::string name = wanted;
-        for (int number = 2; !taken_.insert(folded(place + name)).second; ++number)
+        for (int number = 2; !taken_.insert(in_lower_case(place + name)).second; ++number)
             name = path.stem().string() + "-" + std::to_string(number) + path.extension().string();
         return place + name;
     }
@@ -155,7 +147,7 @@ private:
     fs::path folder_;
     std::map<fs::path, std::size_t> places_;
     std::map<fs::path, std::string> names_;
-    std::set<std::string> taken_;
+    std::set<std::string> taken_;  ///< in lower case: names that differ in case alone are one file on some systems
 };
 
 /// A scene whose objects' files are called as they are in the bundle.
