@@ -165,9 +165,7 @@ double rounded_to(double value, int digits) {
     if (digits == 0 || !std::isfinite(value)) return value;
     std::array<char, 64> text;
     const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::scientific, digits - 1).ptr;
-    double rounded = value;
-    std::from_chars(text.data(), end, rounded);
-    return rounded;
+    return parse_double({text.data(), static_cast<std::size_t>(end - text.data())}).value_or(value);
 }
 
 std::string matrix_text(std::string_view name, const glm::dmat4& matrix, MatrixFormat format, int digits) {
