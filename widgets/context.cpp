@@ -17,6 +17,8 @@ void NewFrame(Context& context) {
     context.entry_hovered = context.entry_hovered_next;
     context.entry_hovered_next = false;
     context.recorded.clear();
+    context.seen_share = 1.0F;
+    context.offered.clear();
     context.label_path.clear();
     inner::BeginTargets(context.targets);
     if (IsCovered("links")) context.hovered = 0;
@@ -34,6 +36,14 @@ void NewFrame(Context& context) {
 Context& CurrentContext() {
     assert(current && "call widgets::NewFrame first");
     return *current;
+}
+
+void CountScrolled() {
+    const auto share = [](float size, float hidden) { return size / std::max(size + hidden, 1.0F); };
+    const float least = std::min(share(ImGui::GetWindowWidth(), ImGui::GetScrollMaxX()),
+                                 share(ImGui::GetWindowHeight(), ImGui::GetScrollMaxY()));
+    Context& context = CurrentContext();
+    context.seen_share = std::min(context.seen_share, least);
 }
 
 float RedrawIn(const Context& context) {

@@ -350,6 +350,10 @@ bool Button(const char* label, bool enabled, const char* why_disabled) {
         MarkTarget(target);
         return false;
     }
+    if (CurrentContext().printed) {
+        ImGui::Dummy(ImVec2(0.0F, ImGui::CalcTextSize(text.c_str()).y + 2.0F * ImGui::GetStyle().FramePadding.y));
+        return false;
+    }
     ImGui::BeginDisabled(!enabled);
     const bool clicked = ImGui::Button(text.c_str());
     Record(label);

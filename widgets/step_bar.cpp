@@ -290,6 +290,7 @@ void StopUnlessShown(StepPlayer& player) {
 }
 
 bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt_s) {
+    if (CurrentContext().printed) return false;
     const Group group(id);
     player.shown = true;
     count = std::max(count, 0);

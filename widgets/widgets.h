@@ -104,6 +104,9 @@ struct Context {
     std::vector<std::string> label_path;  ///< see Group
     Editing editing;
     Targets targets;
+    bool printed = false;     ///< a figure: nothing in it can be pressed, so nothing looks as if it could
+    std::string offered;      ///< in this frame, in the place of a view that has nothing to show
+    float seen_share = 1.0F;  ///< of what a window scrolls, in the one that shows the least of it in this frame
 };
 
 /// Makes a context current for all widgets; call once a frame before the first. Moves hovered_next to hovered.
@@ -127,6 +130,9 @@ struct Group {
 
 /// Records the last ImGui item under `label` (for items that are not made by this library).
 void Record(const char* label);
+
+/// Counts the current window, a child or a table that scrolls into Context::seen_share; call before it ends.
+void CountScrolled();
 
 /// A label for ImGui itself: what is shown in the language spoken now, under an id that is English in all of them.
 std::string LabelText(const char* label);

@@ -1,6 +1,7 @@
 #include "app/picture.h"
 
-#include "app/studio.h"
+#include "app/resting_window.h"
+#include "image/matte.h"
 #include "measure/camera_picture.h"
 
 namespace viewing {
@@ -9,41 +10,18 @@ namespace {
 /// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
 constexpr int most_frames = 12;
 
-/// One view alone, or the whole window; the pointer is nowhere.
-void show(Studio& studio, ViewName maximised) {
-    studio.workbench.arrangement.maximised = maximised;
-    studio.workbench.arrangement.bare = maximised != ViewName::none;
-    ImGui::GetIO().MousePos = {-1e6F, -1e6F};
-}
-
-void lead(Studio& studio, const LessonPicture& wanted) {
-    Guide& guide = studio.workbench.guide;
-    guide.begin(wanted.lesson, wanted.step, studio.session);
-    if (wanted.revealed) {
-        guide.reveal(studio.session);
-        guide.next(studio.session);  // at once
-    }
-    if (wanted.presents) studio.workbench.presenter.begin();
-    studio.workbench.arrangement.has_strip = wanted.has_strip;
-    studio.session.finish_loading();
-}
-
+/// The user interface, or the part of it that is asked for.
 Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
-                          const PictureRequest& request, ViewName maximised) {
-    Studio studio(renderer, Session(state, scene));
-    show(studio, maximised);
-    if (request.lesson) lead(studio, *request.lesson);
-    const Studio::Surroundings surroundings{.size_px = request.size_px, .input = {}};
-    Image last, picture;
-    for (int frame = 0; frame < most_frames; ++frame) {
-        studio.frame(surroundings);
-        if (studio.session.message.is_error) return Error{studio.session.message.text};
-        picture = studio.read();
-        if (frame > 1 && picture == last && studio.redraw_in_s() != 0.0) break;
-        last = std::move(picture);
-        picture = last;
-    }
-    return picture;
+                          const PictureRequest& request, std::optional<Color> ground) {
+    RestingWindow window(renderer, state, scene, ground);
+    if (Status rests = window.rest(request); !rests) return Error{rests.error()};
+    return window.read();
+}
+
+Result<Image> draw_on(Renderer& renderer, const LoadedState& state, const Scene& scene, const PictureRequest& request,
+                      std::optional<Color> ground) {
+    if (is_drawn_by_gl(request)) return camera_picture(renderer, state.params, scene, request.size_px, ground);
+    return draw_window(renderer, state, scene, request, ground);
 }
 
 /// ImGui's context of the window, out of the way of another studio's.
@@ -70,7 +48,10 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     state.params.view.lower_left = Topic::growth;
     const OtherContext apart;
     Studio studio(renderer, Session(state, session.scene()));
-    show(studio, ViewName::lower_left);
+    studio.workbench.arrangement.maximised = ViewName::lower_left;
+    studio.workbench.arrangement.bare = true;
+    studio.workbench.widgets.printed = true;
+    ImGui::GetIO().MousePos = {-1e6F, -1e6F};  // nowhere
     GrowthViewState& growth = studio.workbench.views.hidden.growth;
     growth.rows = shown.rows;
     growth.scene = shown.scene;
@@ -100,21 +81,30 @@ LoadedState show_step(LessonPicture step, PictureRequest& request) {
 
 Params drawn_params(Params params, const PictureRequest& request) {
     if (request.samples) params.view.samples = *request.samples;
-    if (request.view == PictureView::observer) params.view.lower_left = Topic::observer;
     if (request.view == PictureView::depth) params.view.shows = Shows::depth;
     if (request.view == PictureView::stencil) params.view.shows = Shows::stencil;
+    if (const Topic topic = topic_of(request.view, params); topic != Topic::automatic) {
+        params.view.lower_left = topic;
+        if (params.view.lower_right == topic) params.view.lower_right = Topic::automatic;
+    }
     return params;
+}
+
+bool is_drawn_by_gl(const PictureRequest& request) {
+    const bool is_plain = request.view == PictureView::camera && !request.labels;
+    return is_plain || request.view == PictureView::depth || request.view == PictureView::stencil;
 }
 
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request) {
     LoadedState wanted = state;
     wanted.params = drawn_params(state.params, request);
-    if (request.view == PictureView::window) return draw_window(renderer, wanted, scene, request, ViewName::none);
-    if (request.view == PictureView::observer)
-        return draw_window(renderer, wanted, scene, request, ViewName::lower_left);
-
-    return camera_picture(renderer, wanted.params, scene, request.size_px);
+    if (!request.transparent) return draw_on(renderer, wanted, scene, request, std::nullopt);
+    const Result<Image> on_black = draw_on(renderer, wanted, scene, request, Color{0, 0, 0});
+    if (!on_black) return on_black;
+    const Result<Image> on_white = draw_on(renderer, wanted, scene, request, Color{255, 255, 255});
+    if (!on_white) return on_white;
+    return without_ground(*on_black, *on_white);
 }
 
 }  // namespace viewing

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "image/png.h"
 #include "lesson/lesson.h"
 #include "render/renderer.h"
 #include "session/session.h"
@@ -24,14 +25,66 @@ struct LessonPicture {
     bool has_strip = true;  ///< with its texts
 };
 
-enum class PictureView { window, camera, depth, stencil, observer };
-inline constexpr std::array picture_view_names{"window", "camera", "depth", "stencil", "observer"};  ///< in that order
+/// The whole window, the camera's picture or its buffers, and each other view by itself: the matrices, and the topics
+/// of the lower views. `derivation` is the mirror's where the state shows that one, else the shadow's.
+enum class PictureView {
+    window,
+    camera,
+    depth,
+    stencil,
+    observer,
+    matrices,
+    derivation,
+    shadow_derivation,
+    mirror_derivation,
+    tree,
+    order,
+    precision,
+    codes,
+    histogram,
+    cells,
+    pixel,
+    fighting,
+    passes,
+    moving_world,
+    from_light,
+    mirror_ways,
+    lecture_code,
+    display_code
+};
+/// In that order.
+inline constexpr std::array picture_view_names{"window",
+                                               "camera",
+                                               "depth",
+                                               "stencil",
+                                               "observer",
+                                               "matrices",
+                                               "derivation",
+                                               "shadow_derivation",
+                                               "mirror_derivation",
+                                               "tree",
+                                               "order",
+                                               "precision",
+                                               "codes",
+                                               "histogram",
+                                               "cells",
+                                               "pixel",
+                                               "fighting",
+                                               "passes",
+                                               "moving_world",
+                                               "from_light",
+                                               "mirror_ways",
+                                               "lecture_code",
+                                               "display_code"};
 
 struct PictureRequest {
     PictureView view = PictureView::window;
     glm::ivec2 size_px{1280, 720};
     std::optional<int> samples = {};  ///< 0 or 4; left out: as the state says. Depth and stencil always 0.
     std::shared_ptr<const LessonPicture> lesson = {};  ///< of the whole window; the state is then the step's
+    bool labels = false;       ///< of the camera's picture: what the window draws over it, and the picture beside it
+    bool transparent = false;  ///< nothing where there is only ground
+    double dpi = usual_dpi;    ///< type has the same height in points with any of them
 };
 
 /// The state of a step, which `request` then shows: a picture of the window with the lesson itself. Elsewhere a
@@ -40,6 +93,9 @@ LoadedState show_step(LessonPicture step, PictureRequest& request);
 
 /// The parameters with what the request says itself: its samples, and what its view shows. What a picture carries.
 Params drawn_params(Params params, const PictureRequest& request);
+
+/// Whether nothing of the user interface is in it.
+bool is_drawn_by_gl(const PictureRequest& request);
 
 /// Needs a current context. Draws until two frames are equal where the user interface is part of the picture.
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,

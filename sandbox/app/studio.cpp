@@ -10,6 +10,7 @@
 #include "report/state_numbers.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
+#include "ui/window/recording.h"
 
 namespace viewing {
 namespace {
@@ -43,6 +44,11 @@ Studio::Studio(Renderer& renderer, Session opened)
 Studio::~Studio() {
     ImGui_ImplOpenGL3_Shutdown();
     ImGui::DestroyContext();
+}
+
+void Studio::set_ground(Color color) {
+    ground_ = IM_COL32(color.r, color.g, color.b, 255);
+    pictures_.set_background(color);
 }
 
 Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_interactive) {
@@ -172,6 +178,11 @@ Requests Studio::frame(const Surroundings& surroundings) {
     if (looks_.follow(session.params.ui, surroundings.device_scale, io.DisplaySize, workbench.arranged(session),
                       workbench.korean, workbench.widgets)) {
         settling_ = 3;
+        if (ground_) {
+            widgets::Palette& palette = workbench.widgets.palette;
+            palette.ground = palette.view_ground = palette.raised = *ground_;
+            ImGui::GetStyle().Colors[ImGuiCol_WindowBg] = ImGui::ColorConvertU32ToFloat4(*ground_);
+        }
         if (!looks_.trouble().empty()) session.message = {looks_.trouble(), true};
     }
     session.update_scene();
@@ -195,6 +206,17 @@ Requests Studio::frame(const Surroundings& surroundings) {
         frame_ms_ = frame_ms_ == 0.0 ? took.count() : frame_ms_ * 0.6 + took.count() * 0.4;
     }
     return requests;
+}
+
+Drawing Studio::record() const {
+    Drawing drawing = recorded(*ImGui::GetDrawData(), [this](ImTextureID texture) -> std::shared_ptr<const Image> {
+        const View* const view = pictures_.view_of(texture);
+        return view ? std::make_shared<const Image>(renderer_.read(*view)) : nullptr;
+    });
+    const DrawingBox whole{glm::vec2(0.0F), drawing.size_px};
+    const Ring corners{whole.min, {whole.max.x, 0.0F}, whole.max, {0.0F, whole.max.y}};
+    drawing.marks.insert(drawing.marks.begin(), {whole, Shape{{corners}, ink_of(workbench.widgets.palette.ground)}});
+    return drawing;
 }
 
 Image Studio::read() const {

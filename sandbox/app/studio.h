@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "app/answer_judge.h"
 #include "app/inspection.h"
@@ -11,6 +12,7 @@
 #include "app/shown_answer.h"
 #include "app/stand_ins.h"
 #include "app/view_pictures.h"
+#include "figure/drawing.h"
 #include "frame/animation.h"
 #include "ui/window/workbench.h"
 
@@ -39,8 +41,13 @@ public:
     /// What cannot be drawn keeps its last picture, and the message says why: a lecture goes on.
     Requests frame(const Surroundings& surroundings);
 
+    /// One colour for all grounds, in pictures and around them, in the place of the theme's; before the first frame.
+    void set_ground(Color color);
+
     GLuint framebuffer() const { return window_.framebuffer(); }
     Image read() const;
+    /// The latest frame as shapes, text and pictures, where its lines were drawn without textures.
+    Drawing record() const;
     /// The camera's picture alone.
     const View& camera_view() const { return pictures_.camera(); }
 
@@ -61,6 +68,7 @@ private:
     Renderer& renderer_;
     std::string renderer_name_;
     Looks looks_;
+    std::optional<ImU32> ground_;  ///< in the place of the theme's
     ShownFrame shown_;
     ShownAnswer answer_;
     ViewPictures pictures_;

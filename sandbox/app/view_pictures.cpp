@@ -1,6 +1,7 @@
 #include "app/view_pictures.h"
 
 #include <algorithm>
+#include <span>
 
 #include "measure/mirror_measure.h"
 #include "ui/parts/topics.h"
@@ -28,9 +29,16 @@ HiddenPictures pictures_by_gl(const ShownFrame& shown) {
 
 }  // namespace
 
+Status ViewPictures::render(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view) {
+    if (!background_) return renderer_.draw(plan, scene, size_px, view);
+    FramePlan on_background = plan;
+    on_background.background = *background_;
+    return renderer_.draw(on_background, scene, size_px, view);
+}
+
 Status ViewPictures::draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
     if (layout.camera.empty()) return std::monostate{};
-    return renderer_.draw(shown.plan, scene, layout.camera.size_px(), camera_);
+    return render(shown.plan, scene, layout.camera.size_px(), camera_);
 }
 
 Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
@@ -43,7 +51,7 @@ Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, co
     other.depth.mapping = beside.mapping;
     const Viewport viewport{size, has_clip_control()};
     const FramePlan frame = plan(other, derive(other, scene, viewport), pictures_by_gl(shown));
-    return renderer_.draw(frame, scene, size, beside_);
+    return render(frame, scene, size, beside_);
 }
 
 Status ViewPictures::draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view) {
@@ -52,7 +60,7 @@ Status ViewPictures::draw_depth(const ShownFrame& shown, const Scene& scene, glm
     const Derived derived = derive(params, scene, {size_px, has_clip_control()});
     FramePlan frame = plan(params, derived, pictures_by_gl(shown));
     frame.shown_range = contrast_range(params, derived, scene);
-    return renderer_.draw(frame, scene, size_px, view);
+    return render(frame, scene, size_px, view);
 }
 
 Status ViewPictures::draw_after_pass(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px) {
@@ -62,7 +70,7 @@ Status ViewPictures::draw_after_pass(const ShownFrame& shown, const Scene& scene
     frame.samples = 0;
     for (std::size_t buffer = 0; buffer < after_pass_.size(); ++buffer) {
         frame.shows = buffers[buffer];
-        if (Status done = renderer_.draw(frame, scene, size_px, after_pass_[buffer]); !done) return done;
+        if (Status done = render(frame, scene, size_px, after_pass_[buffer]); !done) return done;
     }
     return std::monostate{};
 }
@@ -84,7 +92,7 @@ Status ViewPictures::draw_lower(Slot slot, const ShownFrame& shown, const Scene&
     const glm::ivec2 size = rect.size_px();
     View& view = lower_[static_cast<std::size_t>(slot)];
     const auto draw_outside = [&](const ObserverView& observer) {
-        return renderer_.draw(plan_observer(shown.params, shown.derived, observer), scene, size, view);
+        return render(plan_observer(shown.params, shown.derived, observer), scene, size, view);
     };
     switch (topic_of(shown.params, slot)) {
         case Topic::observer:
@@ -109,6 +117,19 @@ Status ViewPictures::draw(const ShownFrame& shown, const Scene& scene, const Lay
     if (Status done = draw_beside(shown, scene, layout); !done) return done;
     if (Status done = draw_lower(Slot::left, shown, scene, layout); !done) return done;
     return draw_lower(Slot::right, shown, scene, layout);
+}
+
+const View* ViewPictures::view_of(ImTextureID texture) const {
+    const auto among = [texture](std::span<const View> views) -> const View* {
+        for (const View& view : views)
+            if (texture_id(view) == texture) return &view;
+        return nullptr;
+    };
+    for (const std::span<const View> views :
+         {std::span(&camera_, 1), std::span(&beside_, 1), std::span<const View>(lower_),
+          std::span<const View>(mirror_way_views_), std::span<const View>(after_pass_)})
+        if (const View* const view = among(views)) return view;
+    return nullptr;
 }
 
 Pictures ViewPictures::textures() const {

@@ -39,6 +39,10 @@ void refuse_beyond_budget(const Params& params, const Derived& derived, const Sc
         value_or_end(check_hidden_budget(scene, *question));
 }
 
+ExitStatus status_of_trouble(PictureView view) {
+    return view > PictureView::observer ? ExitStatus::bad_input : ExitStatus::gl_error;
+}
+
 void add_device_option(Options& options, std::optional<std::string>& device) {
     options.text(
         "--device", "N|auto", device,

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/picture.h"
 #include "cli/options.h"
 #include "gl/debug.h"
 #include "gl/egl_context.h"
@@ -33,9 +34,9 @@ public:
 
     /// The value of a drawing; its error, or one that GL reported, ends the command.
     template <typename T>
-    T drawn(Result<T> result) {
+    T drawn(Result<T> result, ExitStatus status_of_its_error = ExitStatus::gl_error) {
         require_no_errors();
-        return value_or_end(std::move(result), ExitStatus::gl_error);
+        return value_or_end(std::move(result), status_of_its_error);
     }
 
 private:
@@ -46,6 +47,9 @@ private:
 
 /// Throws Failure where a hidden-surface method does not take the scene on: before anything is spent on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
+
+/// What an error of draw_picture is without one of GL: a view by itself that has nothing to show, or no room for it.
+ExitStatus status_of_trouble(PictureView view);
 
 /// Declares --device.
 void add_device_option(Options& options, std::optional<std::string>& device);

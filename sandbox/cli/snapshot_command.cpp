@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/figure.h"
 #include "app/picture.h"
 #include "cli/commands.h"
 #include "cli/headless.h"
@@ -11,11 +12,13 @@
 #include "cli/state_arguments.h"
 #include "cli/thresholds.h"
 #include "cli/values.h"
+#include "figure/write.h"
 #include "gl/facts.h"
 #include "image/png.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
 #include "state/json.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -26,7 +29,8 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 struct Typed {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
     std::optional<std::string> lesson, step, exercise, student, course;
-    bool fail_if_blank = false, revealed = false, presents = false;
+    std::optional<std::string> dpi;
+    bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
 };
 
 /// The same, checked.
@@ -35,21 +39,38 @@ struct Wish {
     std::string view;
     std::string device;
     int repeat = 1;
+    bool is_vector = false;
     CompareOptions limits;
 };
 
 /// What was drawn, and by whom.
 struct Drawn {
-    Image image;
+    Image image;      ///< empty where shapes and text are wanted
+    Drawing drawing;  ///< of them
     std::string device, renderer, gl_version;
 };
 
 void declare(Options& options, Typed& typed) {
     options.group("Picture");
-    options.text("-o,--output", "OUT.png", typed.output, "The file to write; - for standard output");
-    options.text("--view", "VIEW", typed.view,
-                 "window (default): everything as on screen; camera: the picture alone; depth, stencil: the camera's "
-                 "buffers made visible; observer: the scene from outside");
+    options.text(
+        "-o,--output", "OUT.png", typed.output,
+        "The file to write; - for standard output. OUT.svg and OUT.pdf hold shapes and text in place of pixels "
+        "(with what GL draws as a picture in them), and like a .png the state that they show");
+    options.text(
+        "--view", "VIEW", typed.view,
+        "window (default): everything as on screen; camera: the picture alone; depth, stencil: the camera's "
+        "buffers made visible; observer: the scene from outside; and each other view by itself: matrices "
+        "(those that view.layout.matrices lists, or all), derivation, tree, order, precision, codes, histogram, "
+        "cells, pixel, fighting, passes, moving_world, from_light, mirror_ways, lecture_code, display_code. "
+        "What would have to be scrolled is drawn smaller until all of it is seen");
+    options.flag("--labels", typed.labels,
+                 "With --view camera: and what the window draws over it, handles, names, legends, and the picture "
+                 "beside it (view.beside)");
+    options.flag("--transparent", typed.transparent, "Nothing where there is only background");
+    options.text(
+        "--dpi", "N", typed.dpi,
+        "Dots per inch, 24 to 1200, default 96: type is as high in print with any, and the file says how large "
+        "it is");
     options.text("--size", "WxH", typed.size, size_help);
     options.text("--samples", "0|4", typed.samples, samples_help);
     add_device_option(options, typed.device);
@@ -84,16 +105,23 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     wish.picture.view = static_cast<PictureView>(view);
     wish.picture.size_px = size_option(options, typed.size);
     const glm::ivec2 size_px = wish.picture.size_px;
-    if (wish.picture.view == PictureView::window &&
-        (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
-        options.refuse("--size: the window has at least 320x240 pixels; --view camera can be smaller");
+    const bool is_interface = wish.picture.view == PictureView::window || wish.picture.view > PictureView::observer;
+    if (is_interface && (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
+        options.refuse("--size: the window and its views have at least 320x240 pixels; --view camera can be smaller");
+    wish.picture.labels = typed.labels;
+    wish.picture.transparent = typed.transparent;
+    if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
+    if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
     if (!typed.lesson && (typed.step || typed.revealed || typed.presents))
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     wish.limits = thresholds.values();
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
-    if (typed.output) check_picture_name(options, "-o", *typed.output);
+    wish.is_vector = typed.output && is_vector_name(*typed.output);
+    if (wish.is_vector && (typed.compare || typed.repeat || typed.fail_if_blank))
+        options.refuse("--compare, --repeat and --fail-if-blank are for pictures of pixels: -o OUT.png");
+    if (typed.output && !wish.is_vector) check_picture_name(options, "-o", *typed.output);
     for (const auto& target : {typed.output, typed.json})
         if (target) check_output(*target);
     return wish;
@@ -168,9 +196,20 @@ bool is_blank(const Image& image) {
 
 Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) {
     Headless headless(wish.device);
-    Image image = headless.drawn(draw_picture(headless.renderer(), state, scene, wish.picture));
+    const auto drawn = [&](auto draw) {
+        return headless.drawn(draw(headless.renderer(), state, scene, wish.picture),
+                              status_of_trouble(wish.picture.view));
+    };
+    Drawn result;
+    if (wish.is_vector)
+        result.drawing = drawn(draw_figure);
+    else
+        result.image = drawn(draw_picture);
     const gl::ContextFacts facts = gl::context_facts();
-    return {std::move(image), headless.context().description(), facts.renderer, facts.version};
+    result.device = headless.context().description();
+    result.renderer = facts.renderer;
+    result.gl_version = facts.version;
+    return result;
 }
 
 Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
@@ -184,6 +223,18 @@ Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
                                                       " is not the first one: " + sentence(report));
     }
     return first;
+}
+
+/// In the form that the file's name says, with the state that it shows.
+void add_picture(Outputs& outputs, const std::string& target, const Wish& wish, const Drawn& drawn,
+                 const std::string& note) {
+    const VectorOptions options{wish.picture.dpi, "viewing-sandbox: " + wish.view, note};
+    if (!wish.is_vector)
+        outputs.add(target, encode_png(drawn.image, note, wish.picture.dpi));
+    else if (in_lower_case(std::filesystem::path(target).extension().string()) == ".svg")
+        outputs.add(target, as_svg(drawn.drawing, options));
+    else
+        outputs.add(target, as_pdf(drawn.drawing, options));
 }
 
 int samples_of(const Wish& wish, const Params& params) {
@@ -204,7 +255,7 @@ Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, 
             {"device", drawn.device},
             {"renderer", drawn.renderer},
             {"gl_version", drawn.gl_version},
-            {"blank", is_blank(drawn.image)},
+            {"blank", wish.is_vector ? drawn.drawing.marks.empty() : is_blank(drawn.image)},
             {"problems", as_json(problems)},
             {"reference", typed.compare ? Json(*typed.compare) : Json()},
             {"compare", compared ? Json::parse(as_json(*compared)) : Json()}};
@@ -258,7 +309,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     Outputs outputs;
     if (typed.output)
-        outputs.add(*typed.output, encode_png(drawn.image, write_state(drawn_params(state.params, wish.picture))));
+        add_picture(outputs, *typed.output, wish, drawn, write_state(drawn_params(state.params, wish.picture)));
     std::optional<CompareReport> compared;
     if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
     const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing

@@ -261,7 +261,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         const LoadedState state = steps.at(i);
         if (typed.csv) table += row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer());
         if (wish.kind == Kind::nothing) continue;
-        Image image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture));
+        Image image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture),
+                                     status_of_trouble(wish.picture.view));
         if (film) value_or_end(film->add(image));
         if (wish.kind == Kind::folder)
             value_or_end(write_file(fs::path(*typed.output) / file_of_picture(i, steps.count()),

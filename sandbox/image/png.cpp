@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <csetjmp>
 #include <cstdio>
 #include <memory>
@@ -147,7 +148,7 @@ void add_note(const Writer& writer, const std::string& note) {
     png_set_text(writer.png, writer.info, &entry, 1);
 }
 
-bool encode(const Writer& writer, const Image& image, const std::string& note, bool opaque,
+bool encode(const Writer& writer, const Image& image, const std::string& note, double dpi, bool opaque,
             std::vector<std::uint8_t>& out) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &out, append_bytes, nullptr);
@@ -157,6 +158,8 @@ bool encode(const Writer& writer, const Image& image, const std::string& note, b
     png_set_compression_level(writer.png, 1);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     if (!note.empty()) add_note(writer, note);
+    if (const auto per_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254)); dpi != usual_dpi)
+        png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
     for (int y = 0; y < image.height; ++y) png_write_row(writer.png, image.row(y));
@@ -223,7 +226,7 @@ Result<Image> read_png(const std::filesystem::path& path) try {
     return not_enough_memory(path);
 }
 
-std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note) {
+std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note, double dpi) {
     assert(image.width >= 1 && image.width <= largest_image_side);
     assert(image.height >= 1 && image.height <= largest_image_side);
     assert(image.rgba.size() == image.row_bytes() * static_cast<std::size_t>(image.height));
@@ -232,7 +235,7 @@ std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note
     if (writer.info == nullptr) throw std::bad_alloc();
     std::vector<std::uint8_t> out;
     // libpng has no other way to fail than memory: sizes are checked above and the output is a vector.
-    if (!encode(writer, image, note, is_opaque(image), out)) throw std::bad_alloc();
+    if (!encode(writer, image, note, dpi, is_opaque(image), out)) throw std::bad_alloc();
     return out;
 }
 

@@ -22,6 +22,9 @@ constexpr int most_image_pixels = 64'000'000;
 /// most_image_pixels, which its header tells.
 Result<Image> read_png(const std::filesystem::path& path);
 
+/// Pixels per inch on a screen.
+inline constexpr double usual_dpi = 96.0;
+
 /// The name of the text chunk that a note is: the state that a picture shows, as JSON.
 inline constexpr char png_note_key[] = "viewing-sandbox state";
 
@@ -31,7 +34,8 @@ Result<std::string> read_png_note(const std::filesystem::path& path);
 /// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB
 /// filter alone take a fifth of libpng's default time and end a third larger. Sides 1 … largest_image_side. `note`:
 /// UTF-8, kept with the picture; "": none.
-std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "");
+/// `dpi`: how large it is meant to be on paper; the usual one is left out, since it is taken where nothing is said.
+std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);
 
 /// encode_png into a file, whole or not at all (file.h).
 Status write_png(const std::filesystem::path& path, const Image& image);

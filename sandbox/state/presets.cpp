@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "image/png.h"
+#include "image/figure_note.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
 #include "state/document.h"
@@ -80,8 +80,8 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
                        reach_of_folder(base)};
 }
 
-Result<std::string> state_in_picture(const fs::path& path) {
-    Result<std::string> note = read_png_note(path);
+Result<std::string> state_in_figure(const fs::path& path) {
+    Result<std::string> note = read_figure_note(path);
     if (note && note->empty())
         return Error{one_line(path.string()) + ": this picture carries no state; those that this program wrote do"};
     return note;
@@ -144,7 +144,7 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (std::error_code error; is_name && !fs::exists(path, error)) {
         return unknown_state(argument);
     }
-    if (path.extension() == ".png") return parsed(state_in_picture(path), argument, path.parent_path());
+    if (is_figure_name(path)) return parsed(state_in_figure(path), argument, path.parent_path());
     return parsed(read_text_file(path), argument, path.parent_path());
 }
 

@@ -51,7 +51,7 @@ struct LoadedState {
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
-/// preset; a .png file that carries its state.
+/// preset; a figure (.png, .svg, .pdf) that carries its state.
 Result<LoadedState> load_state(const std::string& argument);
 
 }  // namespace viewing

@@ -216,7 +216,7 @@ void draw_cell_view(Session& session, const DepthData& data, const FramePlan& pl
     }
     const widgets::Group group("cells");
     const CellLayout layout = lay_out_cells(rect);
-    draw_cell_bar(session, data, plan, layout, player);
+    if (!widgets::CurrentContext().printed) draw_cell_bar(session, data, plan, layout, player);
     if (data.now.cells.empty() || data.now.size.x <= 0) {
         ImGui::SetCursorScreenPos({layout.colors.min.x, layout.colors.min.y - layout.caption_height});
         offer("Point at the camera's picture, or click a pixel to pin it.");

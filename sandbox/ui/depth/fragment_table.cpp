@@ -231,6 +231,7 @@ std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& frag
                 if (draw_row(rows[row], widths, fonts, row_height, on_click)) clicked = row;
                 ImGui::PopID();
             }
+        if (scrolls) widgets::CountScrolled();
         ImGui::EndTable();
     }
     ImGui::PopStyleColor();

@@ -174,6 +174,7 @@ void draw_newell(OrderViewState& state, PolygonLinks& links, Params& params, con
         draw_decided(result.newell->counters);
     else
         recorded_note("Polygons are sorted by their farthest vertices; no pair has been compared yet.");
+    widgets::CountScrolled();
     ImGui::EndChild();
     ImGui::SetCursorScreenPos(beside ? from : ImVec2(from.x, from.y + ladder_height + gap));
     draw_list(state, links, params, result,

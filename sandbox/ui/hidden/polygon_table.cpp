@@ -44,7 +44,10 @@ PolygonTable::PolygonTable(PolygonLinks& links, const HiddenResult& result, cons
 }
 
 PolygonTable::~PolygonTable() {
-    if (is_open_) ImGui::EndTable();
+    if (is_open_) {
+        widgets::CountScrolled();
+        ImGui::EndTable();
+    }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     ImGui::PopFont();

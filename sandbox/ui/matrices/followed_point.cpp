@@ -46,6 +46,7 @@ void vector_line(const char* target, const char* name, const glm::dvec3& value, 
 }  // namespace
 
 void draw_followed_point(Session& session, const Derived& derived) {
+    if (widgets::CurrentContext().printed && !session.params.follow) return;
     const bool has_several = derived.planes.size() > 1 || derived.lights_world.size() > 1;
     const std::string of = session.params.follow ? session.params.follow->object : "";
     const bool says_which = has_several && derived.followed;

@@ -205,7 +205,9 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
     const auto column = [&](const char* name, const auto& draw) {
         if (side_by_side) ImGui::BeginChild(name, {0.5F * (room - px(16.0F)), 0.0F});
         draw();
-        if (side_by_side) ImGui::EndChild();
+        if (!side_by_side) return;
+        widgets::CountScrolled();
+        ImGui::EndChild();
     };
     column("object space", [&] {
         show_shadow(shown);

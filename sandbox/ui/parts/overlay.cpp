@@ -52,10 +52,21 @@ Ray Overlay::ray_at(ImVec2 place) const {
 
 std::optional<Overlay::Segment> Overlay::segment(const glm::dvec3& from, const glm::dvec3& to) const {
     glm::dvec4 a = clip_from_world_ * glm::dvec4(from, 1.0), b = clip_from_world_ * glm::dvec4(to, 1.0);
-    if (a.w < least_w && b.w < least_w) return std::nullopt;
-    if (a.w < least_w) a = glm::mix(b, a, (b.w - least_w) / (b.w - a.w));
-    if (b.w < least_w) b = glm::mix(a, b, (a.w - least_w) / (a.w - b.w));
-    return Segment{place_of(a), place_of(b)};
+    // Near the eye's plane places run to infinity: what is three pictures away is cut off, out of sight.
+    constexpr double reach = 3.0;
+    const auto cut = [&](const auto& distance) {
+        const double at_a = distance(a), at_b = distance(b);
+        if (at_a < 0.0 && at_b < 0.0) return false;
+        if (at_a < 0.0) a = glm::mix(b, a, at_b / (at_b - at_a));
+        if (at_b < 0.0) b = glm::mix(a, b, at_a / (at_a - at_b));
+        return true;
+    };
+    const bool is_seen = cut([](const glm::dvec4& clip) { return clip.w - least_w; }) &&
+                         cut([](const glm::dvec4& clip) { return reach * clip.w - clip.x; }) &&
+                         cut([](const glm::dvec4& clip) { return reach * clip.w + clip.x; }) &&
+                         cut([](const glm::dvec4& clip) { return reach * clip.w - clip.y; }) &&
+                         cut([](const glm::dvec4& clip) { return reach * clip.w + clip.y; });
+    return is_seen ? std::optional(Segment{place_of(a), place_of(b)}) : std::nullopt;
 }
 
 void Overlay::line(const glm::dvec3& from, const glm::dvec3& to, ImU32 color, float thickness) {

@@ -8,7 +8,8 @@
 
 namespace viewing {
 
-ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flags)
+    : never_scrolls_((flags & ImGuiWindowFlags_NoScrollbar) != 0) {
     ImGui::SetCursorScreenPos(rect.min);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().view_ground);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(6.0F)});
@@ -17,6 +18,7 @@ ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flag
 }
 
 ViewWindow::~ViewWindow() {
+    if (!never_scrolls_) widgets::CountScrolled();
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }
@@ -52,6 +54,7 @@ bool offer(const char* english, const char* button) {
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     widgets::Record(english);
+    widgets::CurrentContext().offered = tr(english);
     if (!button) return false;
     const float button_width = ImGui::CalcTextSize(tr(button)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});

@@ -13,6 +13,9 @@ struct ViewWindow {
     ~ViewWindow();
     ViewWindow(const ViewWindow&) = delete;
     ViewWindow& operator=(const ViewWindow&) = delete;
+
+private:
+    bool never_scrolls_;
 };
 
 /// How high a widgets::Note is in the room that there is, pixels.

@@ -49,6 +49,7 @@ public:
     }
     ~Steps() {
         ImGui::PopStyleVar();
+        widgets::CountScrolled();
         ImGui::EndChild();
     }
     Steps(const Steps&) = delete;

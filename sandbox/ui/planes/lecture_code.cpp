@@ -246,6 +246,7 @@ void draw_lecture_code(Session& session, const Derived& derived, const Rect& rec
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();
+    widgets::CountScrolled();
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }

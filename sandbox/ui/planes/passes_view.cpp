@@ -146,6 +146,7 @@ void list(Session& session, const FramePlan& plan, bool follows) {
         if (is_stop && (follows || ImGui::IsWindowAppearing())) ImGui::SetScrollHereY(0.1F);
         entry(session, plan, number);
     }
+    widgets::CountScrolled();
     ImGui::EndChild();
     widgets::MarkTarget("code:passes");
     ImGui::PopStyleColor();

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "image/figure_note.h"
 #include "lesson/append.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
@@ -38,7 +39,7 @@ void title(const char* text) {
 }
 
 bool is_known_file(const std::filesystem::path& file) {
-    return file.extension() == ".json" || file.extension() == ".png" || is_obj_file(file);
+    return file.extension() == ".json" || is_figure_name(file) || is_obj_file(file);
 }
 
 }  // namespace
@@ -177,7 +178,7 @@ void FileDialog::draw(Session& session) {
     bool is_done = ends_with_outcome(session);
 
     static constexpr const char* titles[] = {
-        marked("Open a state (.json, .png) or a mesh (.obj)"), marked("Save the state"),
+        marked("Open a state (.json, .png, .svg, .pdf) or a mesh (.obj)"), marked("Save the state"),
         marked("Save the state as the last step of a lesson"), marked("Open answers to exercises (.json)"),
         marked("Save the answers to be handed in")};
     title(titles[static_cast<std::size_t>(purpose_)]);

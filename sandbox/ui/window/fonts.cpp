@@ -1,6 +1,10 @@
 #include "ui/window/fonts.h"
 
+#include <stb/stb_truetype.h>
+
 #include <cmath>
+#include <span>
+#include <string_view>
 
 #include "embedded/fonts.h"
 
@@ -23,6 +27,7 @@ ImFont* add(const char* file, float size_px, const ImWchar* ranges, bool merge, 
     config.OversampleH = oversampling;
     config.OversampleV = 1;
     config.PixelSnapH = true;
+    std::string_view(file).copy(config.Name, sizeof(config.Name) - 1);
     return ImGui::GetIO().Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(bytes.data()),
                                                       static_cast<int>(bytes.size()), size_px, &config, ranges);
 }
@@ -61,6 +66,23 @@ widgets::Fonts load_fonts(float scale, Syllables& korean) {
     fonts.caption = font(regular, 19.0F * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;
+}
+
+GlyphFace face_of(const ImFont& font, ImWchar character) {
+    GlyphFace first;
+    for (const ImFontConfig& config : std::span(font.ConfigData, static_cast<std::size_t>(font.ConfigDataCount))) {
+        stbtt_fontinfo info;
+        if (!stbtt_InitFont(&info, static_cast<const unsigned char*>(config.FontData), 0)) continue;
+        const float em_px =
+            stbtt_ScaleForPixelHeight(&info, config.SizePixels) / stbtt_ScaleForMappingEmToPixels(&info, 1.0F);
+        const GlyphFace face{config.Name, em_px};
+        if (first.em_px == 0.0F) first = face;
+        bool is_in_ranges = false;
+        for (const ImWchar* range = config.GlyphRanges; range && range[0] != 0; range += 2)
+            is_in_ranges = is_in_ranges || (character >= range[0] && character <= range[1]);
+        if (is_in_ranges && stbtt_FindGlyphIndex(&info, character) != 0) return face;
+    }
+    return first;
 }
 
 widgets::Fonts load_fonts(float scale) {

@@ -1,6 +1,8 @@
 // The program's fonts, from memory: the same pixels on every machine.
 #pragma once
 
+#include <imgui.h>
+
 #include "ui/window/syllables.h"
 #include "widgets/widgets.h"
 
@@ -11,5 +13,13 @@ namespace viewing {
 widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean);
 /// Without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
+
+/// Which file's font draws a character, and the size of its em where the font is drawn in its own size.
+struct GlyphFace {
+    const char* file = "";  ///< as embedded_font() names it
+    float em_px = 0.0F;
+};
+/// `font`: one of load_fonts(). The first of the fonts that it is made of stands for what none of them has.
+GlyphFace face_of(const ImFont& font, ImWchar character);
 
 }  // namespace viewing

@@ -1,0 +1,52 @@
+#include "figure/drawing.h"
+
+#include "image/matte.h"
+
+namespace viewing {
+namespace {
+
+Ink cut(const Ink& on_black, const Ink& on_white) {
+    const std::uint8_t black[] = {on_black.r, on_black.g, on_black.b}, white[] = {on_white.r, on_white.g, on_white.b};
+    std::uint8_t rgba[4];
+    remove_ground(black, white, rgba);
+    return {rgba[0], rgba[1], rgba[2], static_cast<std::uint8_t>(rgba[3] * on_black.a / 255)};
+}
+
+/// Of two marks of one kind; how each becomes what is left of the first.
+struct Cutter {
+    void operator()(Shape& shape, const Shape& on_white) const { shape.ink = cut(shape.ink, on_white.ink); }
+    void operator()(Shade& shade, const Shade& on_white) const {
+        shade.from = cut(shade.from, on_white.from);
+        shade.to = cut(shade.to, on_white.to);
+    }
+    void operator()(Line& line, const Line& on_white) const {
+        line.ink = cut(line.ink, on_white.ink);
+        line.halo = cut(line.halo, on_white.halo);
+    }
+    void operator()(Inset& inset, const Inset& on_white) const {
+        inset.image = std::make_shared<const Image>(without_ground(*inset.image, *on_white.image));
+    }
+    template <typename A, typename B>
+    void operator()(A&, const B&) const {}
+};
+
+bool is_nothing(const Mark& mark) {
+    if (const Shape* shape = std::get_if<Shape>(&mark.what)) return shape->ink.a == 0;
+    if (const Line* line = std::get_if<Line>(&mark.what)) return line->ink.a == 0;
+    if (const Shade* shade = std::get_if<Shade>(&mark.what)) return shade->from.a == 0 && shade->to.a == 0;
+    return false;
+}
+
+}  // namespace
+
+Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white) {
+    if (on_black.marks.size() != on_white.marks.size())
+        return Error{"two drawings of the same differ in more than their ground"};
+    Drawing left = on_black;
+    for (std::size_t i = 0; i < left.marks.size(); ++i)
+        std::visit(Cutter{}, left.marks[i].what, on_white.marks[i].what);
+    std::erase_if(left.marks, is_nothing);
+    return left;
+}
+
+}  // namespace viewing

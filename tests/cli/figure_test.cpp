@@ -1,0 +1,112 @@
+// snapshot of views by themselves: as SVG and PDF, transparent, for print, and what is refused.
+#include <gtest/gtest.h>
+
+#include "cli/program.h"
+#include "image/png.h"
+
+namespace cli_tests {
+namespace {
+
+using Words = std::vector<std::string>;
+
+class Figure : public Program {
+protected:
+    /// A figure; more arguments behind.
+    static Words figure(const char* view, const std::string& output, const Words& more = {}) {
+        Words words{"snapshot", "--view", view, "--size", "800x500", "-o", output};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    /// The one sentence of what is refused; nothing was written.
+    std::string refused(const Words& words) {
+        const Ended run = expect(2, words);
+        EXPECT_FALSE(std::filesystem::exists(folder() / "no.png"));
+        EXPECT_FALSE(std::filesystem::exists(folder() / "no.svg"));
+        return run.err;
+    }
+};
+
+TEST_F(Figure, IsWrittenInTheFormThatItsNameSays) {
+    for (const char* name : {"a.svg", "a.pdf", "a.png", "again.svg", "again.pdf"}) expect(0, figure("matrices", name));
+    EXPECT_EQ(read("a.svg").substr(0, 5), "<?xml");
+    EXPECT_EQ(read("a.pdf").substr(0, 5), "%PDF-");
+    EXPECT_EQ(read("a.svg"), read("again.svg"));
+    EXPECT_EQ(read("a.pdf"), read("again.pdf"));
+    EXPECT_NE(read("a.svg").find(">Shadow"), std::string::npos);
+    EXPECT_NE(read("a.svg").find("@font-face"), std::string::npos);
+    // A figure of what GL draws holds a picture.
+    expect(0, {"snapshot", "--view", "camera", "--size", "96x64", "-o", "camera.svg"});
+    EXPECT_NE(read("camera.svg").find("<image"), std::string::npos);
+    EXPECT_EQ(read("camera.svg").find("<text"), std::string::npos);
+    expect(0, {"snapshot", "--view", "camera", "--labels", "--size", "480x320", "-o", "labelled.svg"});
+    EXPECT_NE(read("labelled.svg").find("<text"), std::string::npos);
+}
+
+TEST_F(Figure, CarriesItsState) {
+    const std::string setting = "light.position=[1,5,2,1]";
+    for (const char* name : {"x.svg", "x.pdf", "x.png"}) {
+        expect(0, figure("precision", name, {"--set", setting}));
+        const std::string state = expect(0, {"state", name}).out;
+        EXPECT_EQ(state, expect(0, {"state", "--set", setting, "--set", "view.lower_left=precision"}).out) << name;
+    }
+    write("none.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    EXPECT_EQ(expect(2, {"state", "none.svg"}).err,
+              "none.svg: this picture carries no state; those that this program wrote do\n");
+    write("broken.pdf", "%PDF-1.5 viewing-sandbox-state-7b22");
+    EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
+}
+
+TEST_F(Figure, MatricesThatTheStateListsStandAlone) {
+    expect(0, figure("matrices", "S.svg", {"--set", R"(view.layout.matrices=["S"])"}));
+    EXPECT_NE(read("S.svg").find(">Shadow"), std::string::npos);
+    EXPECT_EQ(read("S.svg").find(">Reflection"), std::string::npos);
+}
+
+TEST_F(Figure, WhatCannotBeShownIsSaid) {
+    EXPECT_EQ(refused(figure("tree", "no.png")),
+              "the view tree has nothing to show: Only the BSP tree has a tree to show.\n");
+    EXPECT_EQ(refused(figure("pixel", "no.svg")),
+              "the view pixel is of a pixel of the camera's picture, and none is pinned: view.pixel=[X,Y]\n");
+    EXPECT_NE(refused({"snapshot", "--view", "passes", "--size", "600x300", "-o", "no.svg"}).find("has room for it"),
+              std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--view", "matrices", "--size", "100x100", "-o", "no.png"}).find("--size"),
+              std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--view", "matrices", "--labels", "-o", "no.png"}).find("--labels"),
+              std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--dpi", "7", "-o", "no.png"}).find("--dpi"), std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--repeat", "2", "-o", "no.svg"}).find("--repeat"), std::string::npos);
+    EXPECT_NE(refused({"snapshot", "--view", "nothing", "-o", "no.png"}).find("mirror_ways"), std::string::npos);
+}
+
+TEST_F(Figure, IsTransparentWhereThereIsNothing) {
+    using viewing::read_png;
+    expect(0, {"snapshot", "--view", "camera", "--size", "96x64", "--transparent", "-o", "cut.png"});
+    const auto cut = read_png(folder() / "cut.png");
+    ASSERT_TRUE(cut);
+    EXPECT_EQ(cut->rgba[3], 0);
+    expect(0, {"snapshot", "--view", "camera", "--size", "96x64", "-o", "whole.png"});
+    EXPECT_EQ(read_png(folder() / "whole.png")->rgba[3], 255);
+    expect(0, figure("codes", "cut.svg", {"--transparent"}));
+    expect(0, figure("codes", "whole.svg"));
+    EXPECT_LT(read("cut.svg").size(), read("whole.svg").size());
+}
+
+TEST_F(Figure, SaysHowLargeItIsOnPaper) {
+    expect(0, figure("codes", "print.svg", {"--dpi", "200"}));
+    EXPECT_NE(read("print.svg").find("width=\"4in\" height=\"2.5in\""), std::string::npos);
+    expect(0, figure("codes", "print.pdf", {"--dpi", "200"}));
+    EXPECT_NE(read("print.pdf").find("/MediaBox [ 0 0 288 180 ]"), std::string::npos);
+    expect(0, figure("codes", "print.png", {"--dpi", "200"}));
+    EXPECT_NE(read("print.png").find("pHYs"), std::string::npos);
+    expect(0, figure("codes", "screen.png"));
+    EXPECT_EQ(read("screen.png").find("pHYs"), std::string::npos);
+}
+
+TEST_F(Figure, AViewByItselfCanBeSwept) {
+    expect(0,
+           {"sweep", "--vary", "projection.near=0.1:1:2", "--view", "precision", "--size", "480x320", "-o", "frames"});
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder() / "frames"), {}), 2);
+}
+
+}  // namespace
+}  // namespace cli_tests
