@@ -27,14 +27,14 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (a_file.empty() || b_file.empty()) options.refuse("two pictures are needed: " + std::string(self.synopsis));
-    if (output && json && *output == "-" && *json == "-")
-        options.refuse("-o and --json cannot both be standard output");
     const CompareOptions limits = thresholds.values();
+    if (output) check_picture_name(options, "-o", *output);
+    std::vector<FileArgument> written;
+    if (output) written.push_back({"-o", *output});
+    if (json) written.push_back({"--json", *json});
+    check_outputs(options, written, std::vector<FileArgument>{{"A.png", a_file}, {"B.png", b_file}});
     const Image a = value_or_end(read_png(a_file));
     const Image b = value_or_end(read_png(b_file));
-    if (output) check_picture_name(options, "-o", *output);
-    for (const auto& target : {output, json})
-        if (target) check_output(*target);
 
     const CompareReport report = compare_images(a, b, limits);
     Outputs outputs;

@@ -73,9 +73,22 @@ void declare(Options& options, Typed& typed) {
         "Compares with a reference: exit 1 when different, 6 when there is none; the picture is written all the same");
 }
 
+std::vector<FileArgument> outputs_of(const Typed& typed) {
+    std::vector<FileArgument> outputs;
+    if (typed.output) outputs.push_back({"-o", *typed.output});
+    if (typed.json) outputs.push_back({"--json", *typed.json});
+    return outputs;
+}
+
+std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& state_arguments) {
+    std::vector<FileArgument> inputs = state_arguments.files();
+    if (typed.compare) inputs.push_back({"--compare", *typed.compare});
+    if (typed.lesson) add_file_if_there(inputs, "--lesson", *typed.lesson);
+    return inputs;
+}
+
 Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
-    if (typed.output == "-" && typed.json == "-") options.refuse("-o and --json cannot both be standard output");
     if (thresholds.given() && !typed.compare) options.refuse("--worst and --share need --compare REF.png");
 
     Wish wish;
@@ -94,8 +107,6 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     wish.limits = thresholds.values();
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
     if (typed.output) check_picture_name(options, "-o", *typed.output);
-    for (const auto& target : {typed.output, typed.json})
-        if (target) check_output(*target);
     return wish;
 }
 
@@ -231,6 +242,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
 
     Wish wish = checked(options, typed, thresholds);
+    check_outputs(options, outputs_of(typed), inputs_of(typed, state_arguments));
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
     LoadedState state;
     if (typed.exercise)
@@ -247,6 +259,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         state.params.ui = looks;
     }
     const Scene scene = scene_of(state);
+    check_apart(options, outputs_of(typed), files_of(scene));
     const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});
     refuse_nan(derived);
     refuse_beyond_budget(state.params, derived, scene, wish.picture.size_px);

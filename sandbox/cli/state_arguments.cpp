@@ -80,6 +80,13 @@ LoadedState StateArguments::load() const {
     return loaded;
 }
 
+std::vector<FileArgument> StateArguments::files() const {
+    std::vector<FileArgument> files;
+    add_file_if_there(files, "STATE", state_);
+    if (mesh_) files.push_back({"--mesh", *mesh_});
+    return files;
+}
+
 bool StateArguments::set_only_looks() const {
     return !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
         return is_in(setting.substr(0, setting.find('=')), "ui");
@@ -93,6 +100,12 @@ bool StateArguments::say_only_looks() const {
 UiParams StateArguments::looks() const {
     if (!set_only_looks()) options_.refuse("an exercise has its own state, so no --mesh, and --set of ui.… alone");
     return value_or_end(apply_settings(Params{}, settings_)).ui;
+}
+
+std::vector<FileArgument> files_of(const Scene& scene) {
+    std::vector<FileArgument> files;
+    for (const fs::path& file : scene.read) files.push_back({"a file of the scene", file.string()});
+    return files;
 }
 
 Scene scene_of(const LoadedState& state) {

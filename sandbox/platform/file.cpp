@@ -148,6 +148,21 @@ Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return write_files({&file, 1});
 }
 
+bool are_same_file(const fs::path& a, const fs::path& b) {
+    struct stat of_a {
+    }, of_b{};
+    const bool a_is_there = ::stat(a.c_str(), &of_a) == 0, b_is_there = ::stat(b.c_str(), &of_b) == 0;
+    if (a_is_there != b_is_there) return false;
+    if (a_is_there)
+        return (S_ISREG(of_a.st_mode) || S_ISDIR(of_a.st_mode)) && of_a.st_dev == of_b.st_dev &&
+               of_a.st_ino == of_b.st_ino;
+    const auto place_of = [](const fs::path& path) {
+        std::error_code error;
+        return fs::weakly_canonical(fs::absolute(end_of_links(path).value_or(path), error), error);
+    };
+    return !a.empty() && !b.empty() && place_of(a) == place_of(b);
+}
+
 Status check_readable(const fs::path& file) {
     if (file.empty()) return Error{"an input needs a file name, and this one is empty"};
     const auto cannot_read = [&file](const std::error_code& why) {

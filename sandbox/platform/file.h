@@ -36,6 +36,10 @@ struct FileBytes {
 /// All of them or none, as far as that can be told before: each is complete before the first one takes its name.
 Status write_files(std::span<const FileBytes> files);
 
+/// Whether two names are those of one file or folder, through links of both kinds, "." and ".."; of files that are not
+/// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
+bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
 /// it and says why it cannot be: missing, a directory, or what the system says.
 Status check_readable(const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 #include "lesson/tree.h"
 #include "platform/file.h"
 #include "state/json.h"
+#include "suite/results.h"
 #include "suite/suite.h"
 #include "text/words.h"
 
@@ -329,6 +330,27 @@ Suite suite_of_folder(const fs::path& folder) {
     return suite;
 }
 
+/// Nothing that a run or accept writes may be a file that the suite reads.
+void check_outputs(const Suite& suite, const Where& where) {
+    if (are_same_file(suite.report, suite.references))
+        where.key("report").refuse("must be another folder than that of the references");
+    const auto is_read = [&suite](const fs::path& written) {
+        return are_same_file(suite.argument, written) ||
+               std::any_of(suite.entries.begin(), suite.entries.end(),
+                           [&](const SuiteEntry& entry) { return are_same_file(entry.state, written); });
+    };
+    for (const char* const name : {"report.json", "junit.xml", "index.html"})
+        if (is_read(suite.report / name))
+            where.key("report").refuse("must be another folder: " + std::string(name) +
+                                       ", which is written there, is a file of the suite");
+    for (const SuiteEntry& entry : suite.entries)
+        for (const fs::path& file : {reference_picture(suite, entry), reference_numbers(suite, entry)})
+            if (are_same_file(suite.argument, file) || are_same_file(entry.state, file))
+                where.key("references")
+                    .refuse("must be another folder: " + file.filename().string() +
+                            ", which is written there, is a file of the suite");
+}
+
 }  // namespace
 
 std::string safe_file_name(const std::string& name) {
@@ -373,6 +395,7 @@ Result<Suite> load_suite(const std::string& argument) {
         }
         if (suite.entries.empty()) throw Refusal(prefix + "has no entries");
         name_files(suite, prefix);
+        check_outputs(suite, {prefix, ""});
         return suite;
     });
 }
