@@ -24,7 +24,7 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 
 /// The options as they were typed.
 struct Typed {
-    std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
+    std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
     bool fail_if_blank = false, revealed = false, presents = false;
 };
@@ -36,6 +36,7 @@ struct Wish {
     std::string device;
     int repeat = 1;
     CompareOptions limits;
+    Mask mask;
 };
 
 /// What was drawn, and by whom.
@@ -71,17 +72,21 @@ void declare(Options& options, Typed& typed) {
     options.text(
         "--compare", "REF.png", typed.compare,
         "Compares with a reference: exit 1 when different, 6 when there is none; the picture is written all the same");
+    options.text("--diff", "D.png", typed.diff, "Writes the picture of the differences from it, as compare -o does");
 }
 
 std::vector<FileArgument> outputs_of(const Typed& typed) {
     std::vector<FileArgument> outputs;
     if (typed.output) outputs.push_back({"-o", *typed.output});
+    if (typed.diff) outputs.push_back({"--diff", *typed.diff});
     if (typed.json) outputs.push_back({"--json", *typed.json});
     return outputs;
 }
 
-std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& state_arguments) {
+std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& state_arguments,
+                                    const ThresholdOptions& thresholds) {
     std::vector<FileArgument> inputs = state_arguments.files();
+    for (const FileArgument& mask : thresholds.files()) inputs.push_back(mask);
     if (typed.compare) inputs.push_back({"--compare", *typed.compare});
     if (typed.lesson) add_file_if_there(inputs, "--lesson", *typed.lesson);
     return inputs;
@@ -89,7 +94,9 @@ std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& st
 
 Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
-    if (thresholds.given() && !typed.compare) options.refuse("--worst and --share need --compare REF.png");
+    if (thresholds.given() && !typed.compare)
+        options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
+    if (typed.diff && !typed.compare) options.refuse("--diff needs --compare REF.png");
 
     Wish wish;
     const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), picture_view_names);
@@ -107,6 +114,7 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     wish.limits = thresholds.values();
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
     if (typed.output) check_picture_name(options, "-o", *typed.output);
+    if (typed.diff) check_picture_name(options, "--diff", *typed.diff);
     return wish;
 }
 
@@ -225,7 +233,7 @@ Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, 
 void tell(const Typed& typed, const std::optional<CompareReport>& compared) {
     if (!typed.compare) return;
     if (!compared) throw Failure(ExitStatus::reference_missing, *typed.compare + ": there is no such reference");
-    if (typed.output != "-" && typed.json != "-")
+    if (typed.output != "-" && typed.diff != "-" && typed.json != "-")
         print(sentence(*compared) + "\n");
     else if (!compared->equal)
         throw Failure(ExitStatus::different, *typed.compare + ": " + sentence(*compared));
@@ -242,7 +250,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
 
     Wish wish = checked(options, typed, thresholds);
-    check_outputs(options, outputs_of(typed), inputs_of(typed, state_arguments));
+    check_outputs(options, outputs_of(typed), inputs_of(typed, state_arguments, thresholds));
+    wish.mask = value_or_end(mask_of(thresholds.mask(), wish.picture.size_px.x, wish.picture.size_px.y));
     const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
     LoadedState state;
     if (typed.exercise)
@@ -273,7 +282,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (typed.output)
         outputs.add(*typed.output, encode_png(drawn.image, write_state(drawn_params(state.params, wish.picture))));
     std::optional<CompareReport> compared;
-    if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
+    if (expected) compared = compare_images(drawn.image, *expected, wish.limits, wish.mask);
+    if (expected && typed.diff)
+        outputs.add(*typed.diff, encode_png(diff_picture(drawn.image, *expected, wish.limits, wish.mask)));
     const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing
                               : compared && !compared->equal ? ExitStatus::different
                                                              : ExitStatus::done;
@@ -301,6 +312,7 @@ constinit const Command snapshot_command{
     "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"
     "snapshot --view camera --compare reference.png --worst 3 -o picture.png --json report.json\n"
+    "snapshot --view camera --compare reference.png --profile portable --mask 0,0,120,40 --diff difference.png\n"
     "snapshot --exercise E16 --student 32201234 -o question.png\n"
     "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",
     "0123456789",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ constexpr int most_image_pixels = 64'000'000;
 /// a file that cannot be read, is no PNG, is broken or cut off, or is larger than largest_image_side or
 /// most_image_pixels, which its header tells.
 Result<Image> read_png(const std::filesystem::path& path);
+
+/// The same from an open file or pipe, up to the picture's end; `name` begins the sentence.
+Result<Image> read_png(std::FILE* stream, const std::string& name);
 
 /// The name of the text chunk that a note is: the state that a picture shows, as JSON.
 inline constexpr char png_note_key[] = "viewing-sandbox state";

@@ -93,9 +93,9 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
         number(entry.samples.value_or(-1)), number(entry.limits.worst), format_number(entry.limits.share),
         number(entry.limits.reach_px), number(static_cast<int>(entry.limits.profile)),
         entry.checks_picture ? "picture" : "");
-    for (const MaskRect& rect : entry.masks)
+    for (const MaskRect& rect : entry.mask.rects)
         add("mask", number(rect.x), number(rect.y), number(rect.width), number(rect.height));
-    for (const std::filesystem::path& file : entry.mask_pictures) add("mask", file.string(), all_bytes(file));
+    for (const std::filesystem::path& file : entry.mask.pictures) add("mask", file.string(), all_bytes(file));
     if (entry.matrices_tolerance) add("matrices", format_number(*entry.matrices_tolerance));
     for (const SuiteMeasure& measure : entry.measures) add(measure.what, format_number(measure.tolerance));
     for (const std::string& problem : entry.wanted_problems) add("must", problem);

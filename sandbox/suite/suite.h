@@ -9,7 +9,7 @@
 
 #include "app/picture.h"
 #include "image/compare.h"
-#include "image/mask.h"
+#include "image/mask_source.h"
 
 namespace viewing {
 
@@ -42,9 +42,8 @@ struct SuiteEntry {
 
     bool checks_picture = true;
     CompareOptions limits;
-    std::vector<MaskRect> masks;                       ///< what is not compared of the picture
-    std::vector<std::filesystem::path> mask_pictures;  ///< white is not compared; of the picture's size
-    std::optional<double> matrices_tolerance;          ///< none: matrices are not checked
+    MaskSource mask;                           ///< what is not compared of the picture
+    std::optional<double> matrices_tolerance;  ///< none: matrices are not checked
     std::vector<SuiteMeasure> measures;
     std::vector<std::string> wanted_problems;  ///< parts of sentences, each of which must be told
     std::vector<std::string> unwanted_problems;

@@ -17,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_of_suite = 100'000;
-constexpr std::array profile_names{"strict", "portable"};
 constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
 constexpr std::array each_names{"preset", "mended", "scene"};
 
@@ -57,7 +56,7 @@ glm::ivec2 read_size(const Json& value, const Where& where) {
 /// A rectangle [x, y, width, height], or a picture's file, looked up from the suite's folder.
 void read_mask(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
     if (value.is_string()) {
-        entry.mask_pictures.push_back(folder / read_name(value, where));
+        entry.mask.pictures.push_back(folder / read_name(value, where));
         return;
     }
     constexpr int largest = 16384;
@@ -65,7 +64,7 @@ void read_mask(const Json& value, const Where& where, const fs::path& folder, Su
     if (!value.is_array() || value.size() != 4) refuse_value(value, where, form);
     std::array<int, 4> sides{};
     for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest);
-    entry.masks.push_back({sides[0], sides[1], sides[2], sides[3]});
+    entry.mask.rects.push_back({sides[0], sides[1], sides[2], sides[3]});
 }
 
 double read_tolerance(const Json& object, const Where& where) {
@@ -122,7 +121,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
     });
     with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
     with("profile", [&](const Json& value, const Where& at) {
-        entry.limits = read_choice(value, at, profile_names) == 1 ? portable_options : CompareOptions{};
+        entry.limits = options_of(static_cast<CompareProfile>(read_choice(value, at, profile_names)));
     });
     with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
     with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
