@@ -2,13 +2,13 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/ending_report.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/thresholds.h"
 #include "cli/values.h"
 #include "image/compare.h"
 #include "image/png.h"
-#include "state/document.h"
 
 namespace viewing {
 namespace {
@@ -30,7 +30,7 @@ void declare_outputs(Options& options, Typed& typed) {
     options.text("-o,--output", "DIFF.png", typed.output,
                  "Writes a picture of the differences: A in faint grey, small differences blue, edges with other "
                  "samples yellow, those beyond the threshold orange-red, what only one picture has violet");
-    options.text("--json", "FILE|-", typed.json, "Writes the whole report as JSON; - for standard output");
+    options.text("--json", "FILE|-", typed.json, ending_report_help);
 }
 
 std::vector<FileArgument> outputs_of(const Typed& typed) {
@@ -51,38 +51,55 @@ Image picture(const std::string& name) {
     return value_or_end(name == "-" ? read_png(stdin, "standard input") : read_png(name));
 }
 
+ExitStatus compare(const Options& options, const Typed& typed, const ThresholdOptions& thresholds,
+                   EndingReport& report) {
+    if (typed.a.empty() || typed.b.empty()) options.refuse("two pictures are needed: A.png B.png");
+    if (typed.a == "-" && typed.b == "-") options.refuse("A.png and B.png cannot both be standard input");
+    report.begin();
+    const CompareOptions limits = thresholds.values();
+    const MaskSource left_out = thresholds.mask();
+    if (typed.output) check_picture_name(options, "-o", *typed.output);
+    const Image a = picture(typed.a), b = picture(typed.b);
+    const Mask mask = value_or_end(mask_of(left_out, a.width, a.height));
+
+    const CompareReport found = compare_images(a, b, limits, mask);
+    const Json facts = Json::parse(as_json(found));
+    for (const auto& [name, value] : facts.items())
+        if (name != "sentence") report.tell(name.c_str(), value);
+    Outputs outputs;
+    if (typed.output) outputs.add(*typed.output, encode_png(diff_picture(a, b, limits, mask)));
+    const ExitStatus status = found.equal ? ExitStatus::done : ExitStatus::different;
+    report.finish(outputs, status, sentence(found));
+    const bool stdout_is_taken = typed.output == "-" || typed.json == "-";
+    if (!stdout_is_taken) print(sentence(found) + "\n");
+    return status;
+}
+
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     Typed typed;
     declare_pictures(options, typed);
     const ThresholdOptions thresholds(options);
     declare_outputs(options, typed);
-    if (!options.parse(arguments)) return ExitStatus::done;
-
-    if (typed.a.empty() || typed.b.empty()) options.refuse("two pictures are needed: " + std::string(self.synopsis));
-    if (typed.a == "-" && typed.b == "-") options.refuse("A.png and B.png cannot both be standard input");
-    const CompareOptions limits = thresholds.values();
-    const MaskSource left_out = thresholds.mask();
-    if (typed.output) check_picture_name(options, "-o", *typed.output);
-    check_outputs(options, outputs_of(typed), inputs_of(typed, thresholds));
-    const Image a = picture(typed.a), b = picture(typed.b);
-    const Mask mask = value_or_end(mask_of(left_out, a.width, a.height));
-
-    const CompareReport report = compare_images(a, b, limits, mask);
-    Outputs outputs;
-    if (typed.output) outputs.add(*typed.output, encode_png(diff_picture(a, b, limits, mask)));
-    if (typed.json) outputs.add(*typed.json, print_document(Json::parse(as_json(report))) + "\n");
-    outputs.write();
-    const bool stdout_is_taken = typed.output == "-" || typed.json == "-";
-    if (!stdout_is_taken) print(sentence(report) + "\n");
-    return report.equal ? ExitStatus::done : ExitStatus::different;
+    EndingReport report(self, options, typed.json, [&] {
+        return NamedFiles{outputs_of(typed), inputs_of(typed, thresholds)};
+    });
+    return report.guard([&] {
+        if (!options.parse(arguments)) return ExitStatus::done;
+        for (const auto& [name, file] : {std::pair("a", &typed.a), {"b", &typed.b}})
+            report.tell(name, file->empty() ? Json() : name_as_json(*file));
+        report.tell("masks", thresholds.masks_as_json());
+        report.tell("output", name_as_json(typed.output));
+        report.tell("equal", Json());
+        return compare(options, typed, thresholds, report);
+    });
 }
 
 }  // namespace
 
 constinit const Command compare_command{
     "compare",
-    "A.png B.png [--profile strict|portable] [--worst N] [--share F] [--mask …] [-o DIFF.png] [--json FILE|-]",
+    "A.png B.png [--profile strict|portable] [--mask …] [-o DIFF.png] [--json FILE|-] [OPTIONS]",
     "how much two PNG files differ, by how much at worst, and where",
     "Says in one line whether two pictures are equal within thresholds. A pixel counts as different when a channel "
     "differs by more than --worst levels; the pictures are equal when at most the share --share of the pixels does. "

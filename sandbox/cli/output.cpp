@@ -49,11 +49,11 @@ void Outputs::write() const {
         TimeLimit::lift();
     std::vector<FileBytes> files;
     for (const Output& output : outputs_)
-        if (output.target == "-")
-            print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
-        else
-            files.push_back({output.target, output.bytes});
-    value_or_end(write_files(files));
+        if (output.target != "-") files.push_back({output.target, output.bytes});
+    value_or_end(write_files(files, [this] {
+        for (const Output& output : outputs_)
+            if (output.target == "-") print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
+    }));
 }
 
 void check_output(const std::string& target) {

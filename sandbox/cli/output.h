@@ -15,7 +15,8 @@ namespace viewing {
 /// Writes to standard output and flushes. Throws Failure when that is impossible (a full disk).
 void print(std::string_view text);
 
-/// The results of one command, written together: what goes to standard output ("-"), then all files or none (file.h).
+/// The results of one command, written together: all files or none (file.h), and none unless standard output ("-") took
+/// its part.
 class Outputs {
 public:
     void add(const std::string& target, std::vector<std::uint8_t> bytes);

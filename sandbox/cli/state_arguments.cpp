@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* scene_file = "a file of the scene";
+
 /// The files that a scene names, its own among them.
 std::set<std::string> files_named_by(const SceneSource& source) {
     if (const auto* name = std::get_if<std::string>(&source)) return {*name};
@@ -102,9 +104,16 @@ UiParams StateArguments::looks() const {
     return value_or_end(apply_settings(Params{}, settings_)).ui;
 }
 
+std::vector<FileArgument> files_of(const LoadedState& state) {
+    std::vector<FileArgument> files;
+    for (const std::string& name : files_named_by(state.params.scene))
+        add_file_if_there(files, scene_file, (state.base / name).string());
+    return files;
+}
+
 std::vector<FileArgument> files_of(const Scene& scene) {
     std::vector<FileArgument> files;
-    for (const fs::path& file : scene.read) files.push_back({"a file of the scene", file.string()});
+    for (const fs::path& file : scene.read) files.push_back({scene_file, file.string()});
     return files;
 }
 

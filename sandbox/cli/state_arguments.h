@@ -48,7 +48,8 @@ private:
 /// The scene of a state with its meshes. Throws Failure.
 Scene scene_of(const LoadedState& state);
 
-/// What was read for it, with the state's own name for it.
+/// The files that a state's scene names, and all that were read for it.
+std::vector<FileArgument> files_of(const LoadedState& state);
 std::vector<FileArgument> files_of(const Scene& scene);
 
 }  // namespace viewing

@@ -16,6 +16,7 @@
 #include "cli/results/film.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/finite.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/lesson_numbers.h"
@@ -267,8 +268,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
             read = steps.scene().read;
             keep_apart(options, typed, wish, settings.size(), files_of(steps.scene()));
         }
-        refuse_beyond_budget(state.params, derive(state.params, steps.scene(), Viewport{size_px}), steps.scene(),
-                             size_px);
+        const Derived derived = derive(state.params, steps.scene(), Viewport{size_px});
+        if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
+        refuse_beyond_budget(state.params, derived, steps.scene(), size_px);
     }
 
     Headless headless(device_option(options, typed.device));

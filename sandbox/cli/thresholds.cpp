@@ -51,6 +51,12 @@ MaskSource ThresholdOptions::mask() const {
     return source;
 }
 
+Json ThresholdOptions::masks_as_json() const {
+    Json names = Json::array();
+    for (const std::string& mask : masks_) names.push_back(printable(mask));
+    return names;
+}
+
 std::vector<FileArgument> ThresholdOptions::files() const {
     std::vector<FileArgument> files;
     for (const std::string& mask : masks_)

@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "image/compare.h"
 #include "image/mask_source.h"
+#include "state/document.h"
 
 namespace viewing {
 
@@ -26,6 +27,8 @@ public:
     MaskSource mask() const;
     /// The masks that are pictures.
     std::vector<FileArgument> files() const;
+    /// The masks as they were typed.
+    Json masks_as_json() const;
 
 private:
     const Options& options_;

@@ -1,5 +1,6 @@
 #include "suite/entry_drawing.h"
 
+#include "frame/finite.h"
 #include "frame/hidden/hidden_views.h"
 #include "frame/plan.h"
 #include "frame/problems.h"
@@ -80,6 +81,7 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
     subject.scene = *std::move(scene);
     const Params& wanted = subject.state.params;
     subject.derived = derive(wanted, subject.scene, Viewport{entry.size_px});
+    if (const Status finite = check_finite(subject.derived); !finite) return Error{finite.error()};
     if (const auto question = hidden_question(wanted, subject.derived, entry.size_px))
         if (const Status fits = check_hidden_budget(subject.scene, *question); !fits) return Error{fits.error()};
     return subject;

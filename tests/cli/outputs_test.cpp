@@ -65,7 +65,7 @@ TEST_F(OutputNames, OfSnapshot) {
     for (const std::string file : {"room.json", "it.obj"})
         for (const std::string& name : names_of(file))
             snapshot({"-o", "a.png", "--json", name}, {"--json", "scene", "same file"});
-    untouched({"snapshot", "state.json", "-o", "state.json"}, {".png"});
+    untouched({"snapshot", "state.json", "-o", "state.json"}, {"-o", "STATE", "same file"});
     untouched({"snapshot", "reference.png", "-o", "soft-reference.png"}, {"-o", "STATE", "same file"});
     untouched({"snapshot", "--mesh", "it.obj", "-o", "a.png", "--json", "hard-it.obj"}, {"--mesh", "same file"});
     snapshot({"-o", "new.png", "--json", "in/../new.png"}, {"-o", "--json", "same file"});
