@@ -42,10 +42,8 @@ public:
           entry_(entry),
           wish_(wish),
           renderer_(renderer),
-          files_(files_of(suite.report, entry.file_name)) {
-        result_.name = entry.name;
-        result_.file_name = entry.file_name;
-    }
+          files_(files_of(suite.report, entry.file_name)),
+          result_(result_for(entry)) {}
 
     EntryResult run(gl::DebugLog& log) {
         try {

@@ -29,6 +29,7 @@ struct SuiteMeasure {
 
 struct SuiteEntry {
     std::string name;       ///< as the suite has it
+    std::string about;      ///< why it is there, and behind that why its thresholds are loosened; "" where nobody says
     std::string file_name;  ///< the same, safe on every file system: of its reference and results, without an ending
 
     std::string state;         ///< as a command takes it; files as full paths

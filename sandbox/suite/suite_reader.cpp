@@ -190,9 +190,8 @@ void read_subject(const Json& object, const Where& where, const fs::path& folder
         where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
 }
 
-/// Why an entry is there is for who reads the file.
-void check_about(const Json& object, const Where& where) {
-    if (has(object, "about")) read_name(object["about"], where.key("about"));
+std::string about_at(const Json& object, const Where& where) {
+    return has(object, "about") ? read_name(object["about"], where.key("about")) : "";
 }
 
 SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& folder, const SuiteEntry& defaults) {
@@ -201,7 +200,7 @@ SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& fo
                                     "course", "student"}));
     SuiteEntry entry = defaults;
     entry.name = name_at(object, "name", where);
-    check_about(object, where);
+    entry.about = about_at(object, where);
     if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
     read_settings_of(object, where, folder, entry);
     read_subject(object, where, folder, entry);
@@ -218,7 +217,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     if (place == std::string::npos) where.key("name").refuse("must have a {} where each one's name stands");
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
-    check_about(object, where);
+    like.about = about_at(object, where);
     read_settings_of(object, where, folder, like);
 
     const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
@@ -268,7 +267,8 @@ void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entri
         const auto entry =
             std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });
         if (entry == entries.end()) at.key("name").refuse("there is no entry " + excerpt(name));
-        name_at(list[i], "about", at);  // there is a reason
+        const std::string reason = name_at(list[i], "about", at);
+        entry->about += (entry->about.empty() ? "" : "; ") + reason;
         Json thresholds = list[i];
         thresholds.erase("name");
         thresholds.erase("about");
