@@ -10,8 +10,8 @@ namespace viewing {
 
 ThresholdOptions::ThresholdOptions(Options& options) : options_(options) {
     options.group("Thresholds");
-    options.text("--profile", "PROFILE", profile_,
-                 "strict (default): for pictures of one driver; portable: for those of another driver, whose edges may "
+    options.text("--profile", "strict|portable", profile_,
+                 "Default strict, for pictures of one driver; portable is for those of another driver, whose edges may "
                  "have other samples, but no five pixels together may differ otherwise, nor 16 × 16 on average by more "
                  "than 0.6 levels");
     options.text("--worst", "N", worst_,

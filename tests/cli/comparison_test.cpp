@@ -2,6 +2,8 @@
 // picture of the differences.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cli/program.h"
 #include "image/png.h"
 
