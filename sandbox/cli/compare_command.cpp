@@ -1,62 +1,115 @@
 // compare: two PNG files.
+#include <cstdio>
+
 #include "cli/commands.h"
+#include "cli/ending_report.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/thresholds.h"
 #include "cli/values.h"
 #include "image/compare.h"
 #include "image/png.h"
-#include "state/document.h"
 
 namespace viewing {
 namespace {
 
+/// The options as they were typed.
+struct Typed {
+    std::string a, b;
+    std::optional<std::string> output, json;
+};
+
+void declare_pictures(Options& options, Typed& typed) {
+    options.group("Pictures");
+    options.positional("A.png", typed.a, "The picture that is looked at; - for standard input");
+    options.positional("B.png", typed.b, "What it is compared with; - for standard input");
+}
+
+void declare_outputs(Options& options, Typed& typed) {
+    options.group("Output");
+    options.text("-o,--output", "DIFF.png", typed.output,
+                 "Writes a picture of the differences: A in faint grey, small differences blue, edges with other "
+                 "samples yellow, those beyond the threshold orange-red, what only one picture has violet");
+    options.text("--json", "FILE|-", typed.json, ending_report_help);
+}
+
+std::vector<FileArgument> outputs_of(const Typed& typed) {
+    std::vector<FileArgument> outputs;
+    if (typed.output) outputs.push_back({"-o", *typed.output});
+    if (typed.json) outputs.push_back({"--json", *typed.json});
+    return outputs;
+}
+
+std::vector<FileArgument> inputs_of(const Typed& typed, const ThresholdOptions& thresholds) {
+    std::vector<FileArgument> inputs = thresholds.files();
+    inputs.push_back({"A.png", typed.a});
+    inputs.push_back({"B.png", typed.b});
+    return inputs;
+}
+
+Image picture(const std::string& name) {
+    return value_or_end(name == "-" ? read_png(stdin, "standard input") : read_png(name));
+}
+
+ExitStatus compare(const Options& options, const Typed& typed, const ThresholdOptions& thresholds,
+                   EndingReport& report) {
+    if (typed.a.empty() || typed.b.empty()) options.refuse("two pictures are needed: A.png B.png");
+    if (typed.a == "-" && typed.b == "-") options.refuse("A.png and B.png cannot both be standard input");
+    report.begin();
+    const CompareOptions limits = thresholds.values();
+    const MaskSource left_out = thresholds.mask();
+    if (typed.output) check_picture_name(options, "-o", *typed.output);
+    const Image a = picture(typed.a), b = picture(typed.b);
+    const Mask mask = value_or_end(mask_of(left_out, a.width, a.height));
+
+    const CompareReport found = compare_images(a, b, limits, mask);
+    const Json facts = Json::parse(as_json(found));
+    for (const auto& [name, value] : facts.items())
+        if (name != "sentence") report.tell(name.c_str(), value);
+    Outputs outputs;
+    if (typed.output) outputs.add(*typed.output, encode_png(diff_picture(a, b, limits, mask)));
+    const ExitStatus status = found.equal ? ExitStatus::done : ExitStatus::different;
+    report.finish(outputs, status, sentence(found));
+    const bool stdout_is_taken = typed.output == "-" || typed.json == "-";
+    if (!stdout_is_taken) print(sentence(found) + "\n");
+    return status;
+}
+
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
-    std::string a_file, b_file;
-    options.group("Pictures");
-    options.positional("A.png", a_file, "The picture that is looked at");
-    options.positional("B.png", b_file, "What it is compared with");
-    ThresholdOptions thresholds(options);
-    std::optional<std::string> output, json;
-    options.group("Output");
-    options.text("-o,--output", "DIFF.png", output,
-                 "Writes a picture of the differences: A in faint grey, small differences blue, those beyond the "
-                 "threshold orange-red, what only one picture has violet");
-    options.text("--json", "FILE|-", json, "Writes the whole report as JSON; - for standard output");
-    if (!options.parse(arguments)) return ExitStatus::done;
-
-    if (a_file.empty() || b_file.empty()) options.refuse("two pictures are needed: " + std::string(self.synopsis));
-    if (output && json && *output == "-" && *json == "-")
-        options.refuse("-o and --json cannot both be standard output");
-    const CompareOptions limits = thresholds.values();
-    const Image a = value_or_end(read_png(a_file));
-    const Image b = value_or_end(read_png(b_file));
-    if (output) check_picture_name(options, "-o", *output);
-    for (const auto& target : {output, json})
-        if (target) check_output(*target);
-
-    const CompareReport report = compare_images(a, b, limits);
-    Outputs outputs;
-    if (output) outputs.add(*output, encode_png(diff_picture(a, b, limits)));
-    if (json) outputs.add(*json, print_document(Json::parse(as_json(report))) + "\n");
-    outputs.write();
-    const bool stdout_is_taken = output == "-" || json == "-";
-    if (!stdout_is_taken) print(sentence(report) + "\n");
-    return report.equal ? ExitStatus::done : ExitStatus::different;
+    Typed typed;
+    declare_pictures(options, typed);
+    const ThresholdOptions thresholds(options);
+    declare_outputs(options, typed);
+    EndingReport report(self, options, typed.json, [&] {
+        return NamedFiles{outputs_of(typed), inputs_of(typed, thresholds)};
+    });
+    return report.guard([&] {
+        if (!options.parse(arguments)) return ExitStatus::done;
+        for (const auto& [name, file] : {std::pair("a", &typed.a), {"b", &typed.b}})
+            report.tell(name, file->empty() ? Json() : name_as_json(*file));
+        report.tell("masks", thresholds.masks_as_json());
+        report.tell("output", name_as_json(typed.output));
+        report.tell("equal", Json());
+        return compare(options, typed, thresholds, report);
+    });
 }
 
 }  // namespace
 
 constinit const Command compare_command{
     "compare",
-    "A.png B.png [--worst N] [--share F] [-o DIFF.png] [--json FILE|-]",
+    "A.png B.png [--profile strict|portable] [--mask …] [-o DIFF.png] [--json FILE|-] [OPTIONS]",
     "how much two PNG files differ, by how much at worst, and where",
     "Says in one line whether two pictures are equal within thresholds. A pixel counts as different when a channel "
     "differs by more than --worst levels; the pictures are equal when at most the share --share of the pixels does. "
-    "Different sizes are a difference. A picture has at most 16384 pixels a side and 64 million in all.",
+    "The portable profile does not count edges seen with other samples, and allows neither a block of five such pixels "
+    "nor a shift of the mean by 0.6 levels in any 16 × 16. Different sizes are a difference. A picture has at most "
+    "16384 pixels a side and 64 million in all.",
     "compare mine.png reference.png\n"
-    "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png",
+    "compare mine.png reference.png --worst 3 --share 0.001 -o difference.png\n"
+    "compare mine.png reference.png --profile portable --mask 0,0,120,40 --json report.json\n"
+    "snapshot --view camera -o - | viewing-sandbox compare - reference.png",
     "01289",
     run};
 

@@ -49,6 +49,9 @@ inline const char* meaning(ExitStatus status) {
     return "";
 }
 
+/// The sentence of std::bad_alloc.
+inline constexpr const char* not_enough_memory = "internal error: there is not enough memory";
+
 /// Ends a command with a status and one sentence for a person. Thrown inside cli/ and caught by run_command_line.
 struct Failure : std::runtime_error {
     Failure(ExitStatus status_of_failure, const std::string& sentence)

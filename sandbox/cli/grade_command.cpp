@@ -59,6 +59,15 @@ std::vector<fs::path> files_of(const std::string& argument) {
     return files_in(argument, ".json");
 }
 
+std::vector<FileArgument> inputs_of(const Typed& typed) {
+    std::vector<FileArgument> inputs;
+    for (const std::string& argument : typed.files)
+        for (const fs::path& file : files_of(argument)) inputs.push_back({"a hand-in", file.string()});
+    for (const std::string& argument : typed.exercises)
+        for (const fs::path& file : files_of(argument)) inputs.push_back({"--exercises", file.string()});
+    return inputs;
+}
+
 StudentGrade not_read(const std::string& file, const std::string& why) {
     StudentGrade grade;
     grade.file = file;
@@ -113,9 +122,9 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const auto format =
         static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), format_names));
     const std::string output = typed.output.value_or("-");
-    if (typed.html == output) options.refuse("-o and --html cannot both be " + one_line(output));
-    check_output(output);
-    if (typed.html) check_output(*typed.html);
+    std::vector<FileArgument> outputs{{"-o", output}};
+    if (typed.html) outputs.push_back({"--html", *typed.html});
+    check_outputs(options, outputs, inputs_of(typed));
     std::vector<Exercise> exercises = value_or_end(load_exercises(typed.exercises));
     std::vector<std::string> known;
     for (const Exercise& exercise : exercises) known.push_back(exercise.id);
@@ -127,10 +136,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const std::vector<StudentGrade> grades = graded(typed, grader);
     headless.require_no_errors();
     const std::vector<TagCount> tags = count_tags(grader.exercises(), grades);
-    Outputs outputs;
-    outputs.add(output, table(format, typed.tags, grader.exercises(), grades, tags));
-    if (typed.html) outputs.add(*typed.html, grade_report(headless, grader, grades, tags));
-    outputs.write();
+    Outputs results;
+    results.add(output, table(format, typed.tags, grader.exercises(), grades, tags));
+    if (typed.html) results.add(*typed.html, grade_report(headless, grader, grades, tags));
+    results.write();
     end_by(grades);
     return ExitStatus::done;
 }

@@ -88,9 +88,17 @@ ExitStatus check(const Typed& typed, const std::string& device) {
     throw Failure(ExitStatus::different, "lesson --check: " + std::to_string(count) + " things fail");
 }
 
+/// Those that are no lessons of the program.
+std::vector<FileArgument> lesson_files(const Typed& typed) {
+    std::vector<FileArgument> files;
+    for (const std::string& lesson : typed.lessons) add_file_if_there(files, "the lesson", lesson);
+    return files;
+}
+
 ExitStatus write_handout(const Options& options, const Typed& typed) {
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
-    check_output(*typed.handout);
+    const FileArgument handout_file{"--handout", *typed.handout};
+    check_outputs(options, {&handout_file, 1}, lesson_files(typed));
     const Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
     Headless headless(device_option(options, typed.device));
     value_or_end(speak(language_option(options, typed.language).value_or(Language::en)));
@@ -110,6 +118,8 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
         if (typed.presents || typed.step || typed.notes) options.refuse("--present, --step and --notes need a lesson");
         start.shows_lessons = true;
     } else {
+        const FileArgument notes{"--notes", typed.notes.value_or("")};
+        check_apart(options, {&notes, 1}, lesson_files(typed));
         Lesson lesson = value_or_end(load_lesson(typed.lessons.front()));
         const LessonsProgress& progress = memory.remembered().lessons;
         const auto known = progress.find(lesson.id);

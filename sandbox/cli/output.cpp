@@ -11,6 +11,7 @@
 #include "cli/exit_status.h"
 #include "cli/time_limit.h"
 #include "platform/file.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace fs = std::filesystem;
@@ -48,11 +49,11 @@ void Outputs::write() const {
         TimeLimit::lift();
     std::vector<FileBytes> files;
     for (const Output& output : outputs_)
-        if (output.target == "-")
-            print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
-        else
-            files.push_back({output.target, output.bytes});
-    value_or_end(write_files(files));
+        if (output.target != "-") files.push_back({output.target, output.bytes});
+    value_or_end(write_files(files, [this] {
+        for (const Output& output : outputs_)
+            if (output.target == "-") print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
+    }));
 }
 
 void check_output(const std::string& target) {
@@ -70,6 +71,33 @@ void check_output(const std::string& target) {
     const fs::path folder = file.parent_path();
     if (!fs::is_directory(folder, error)) cannot_write(target, "there is no folder " + folder.string());
     if (::access(folder.c_str(), W_OK) != 0) cannot_write(target, reason(errno));
+}
+
+void add_file_if_there(std::vector<FileArgument>& files, const char* option, const std::string& argument) {
+    std::error_code error;
+    if (fs::exists(argument, error)) files.push_back({option, argument});
+}
+
+void check_apart(const Options& options, std::span<const FileArgument> outputs, std::span<const FileArgument> inputs) {
+    const auto refuse_same = [&options](const FileArgument& output, const FileArgument& other) {
+        if (output.file != "-" && other.file != "-" && are_same_file(output.file, other.file))
+            options.refuse(output.option + " and " + other.option +
+                           " cannot be the same file: " + one_line(output.file));
+    };
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (const FileArgument& other : outputs.subspan(i + 1)) {
+            if (outputs[i].file == "-" && other.file == "-")
+                options.refuse(outputs[i].option + " and " + other.option + " cannot both be standard output");
+            refuse_same(outputs[i], other);
+        }
+        for (const FileArgument& input : inputs) refuse_same(outputs[i], input);
+    }
+}
+
+void check_outputs(const Options& options, std::span<const FileArgument> outputs,
+                   std::span<const FileArgument> inputs) {
+    check_apart(options, outputs, inputs);
+    for (const FileArgument& output : outputs) check_output(output.file);
 }
 
 bool is_plain_file(const std::string& target) {

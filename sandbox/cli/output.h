@@ -3,16 +3,20 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "cli/options.h"
 
 namespace viewing {
 
 /// Writes to standard output and flushes. Throws Failure when that is impossible (a full disk).
 void print(std::string_view text);
 
-/// The results of one command, written together: what goes to standard output ("-"), then all files or none (file.h).
+/// The results of one command, written together: all files or none (file.h), and none unless standard output ("-") took
+/// its part.
 class Outputs {
 public:
     void add(const std::string& target, std::vector<std::uint8_t> bytes);
@@ -31,6 +35,22 @@ private:
 /// Throws Failure when it is clear beforehand that the file cannot be written: its folder is missing or read-only, or
 /// it is a folder itself. "-" is always fine.
 void check_output(const std::string& target);
+
+/// A file as the command line has it, and what named it: {"--json", "report.json"}.
+struct FileArgument {
+    std::string option, file;
+};
+
+/// An argument that may be a file, or the name of something that comes with the program: added where it is a file.
+void add_file_if_there(std::vector<FileArgument>& files, const char* option, const std::string& argument);
+
+/// Refuses an output that is an input or another output as well, whatever names it (are_same_file). "-" is standard
+/// output, which only one of them can have, and of inputs standard input.
+void check_apart(const Options& options, std::span<const FileArgument> outputs, std::span<const FileArgument> inputs);
+
+/// The same, and check_output() of each output.
+void check_outputs(const Options& options, std::span<const FileArgument> outputs,
+                   std::span<const FileArgument> inputs = {});
 
 /// Whether the file is put in place by renaming: not standard output, a pipe or a device, which may keep the writer
 /// waiting.

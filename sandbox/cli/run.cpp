@@ -117,7 +117,7 @@ int run_command_line(const Arguments& arguments) {
     } catch (const Failure& failure) {
         return end(failure.status, failure.what());
     } catch (const std::bad_alloc&) {
-        return end(ExitStatus::internal_error, "internal error: there is not enough memory");
+        return end(ExitStatus::internal_error, not_enough_memory);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "internal error: ");
         return end(ExitStatus::internal_error, error.what());

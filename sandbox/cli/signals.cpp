@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
+#include "platform/last_words.h"
 
 #if defined(__has_feature)
 #define VIEWING_HAS_FEATURE(feature) __has_feature(feature)
@@ -24,10 +25,11 @@ namespace viewing {
 namespace {
 
 void end_process(int) {
-    constexpr std::string_view sentence =
-        "internal error: the program or the graphics driver has failed; memory or threads may have run out\n";
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
-    ::_exit(static_cast<int>(ExitStatus::internal_error));
+    constexpr int status = static_cast<int>(ExitStatus::internal_error);
+    for (const std::string_view part : {std::string_view(fault_sentence), std::string_view("\n")})
+        [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
+    say_last_words(status);
+    ::_exit(status);
 }
 
 void catch_faults() {

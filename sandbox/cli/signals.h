@@ -3,6 +3,10 @@
 
 namespace viewing {
 
+/// What is said of a fault.
+inline constexpr const char* fault_sentence =
+    "internal error: the program or the graphics driver has failed; memory or threads may have run out";
+
 /// For the whole process, once, at its beginning. A write beyond the file size limit fails like one on a full disk
 /// instead of ending the process. A fault or an abort, which is what a driver makes of a lack of memory or threads, is
 /// one sentence on stderr and exit status 9. Without effect on faults where a sanitizer reports them.

@@ -1,18 +1,20 @@
 // snapshot: a picture of a state into a PNG file, without a display. Bad input is refused before GL is touched.
 // What is drawn is app/picture.h; read headless.h for the context.
 #include <array>
-#include <cmath>
 
 #include "app/figure.h"
 #include "app/picture.h"
 #include "cli/commands.h"
+#include "cli/ending_report.h"
 #include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/reference.h"
 #include "cli/state_arguments.h"
 #include "cli/thresholds.h"
 #include "cli/values.h"
 #include "figure/write.h"
+#include "frame/finite.h"
 #include "gl/facts.h"
 #include "image/png.h"
 #include "report/as_json.h"
@@ -27,7 +29,7 @@ constexpr glm::ivec2 smallest_window_px{320, 240};
 
 /// The options as they were typed.
 struct Typed {
-    std::optional<std::string> output, view, size, samples, device, repeat, compare, json;
+    std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
     std::optional<std::string> dpi;
     bool fail_if_blank = false, revealed = false, presents = false, labels = false, transparent = false;
@@ -40,7 +42,6 @@ struct Wish {
     std::string device;
     int repeat = 1;
     bool is_vector = false;
-    CompareOptions limits;
 };
 
 /// What was drawn, and by whom.
@@ -92,12 +93,31 @@ void declare(Options& options, Typed& typed) {
     options.text(
         "--compare", "REF.png", typed.compare,
         "Compares with a reference: exit 1 when different, 6 when there is none; the picture is written all the same");
+    options.text("--diff", "D.png", typed.diff, "Writes the picture of the differences from it, as compare -o does");
+}
+
+std::vector<FileArgument> outputs_of(const Typed& typed) {
+    std::vector<FileArgument> outputs;
+    if (typed.output) outputs.push_back({"-o", *typed.output});
+    if (typed.diff) outputs.push_back({"--diff", *typed.diff});
+    if (typed.json) outputs.push_back({"--json", *typed.json});
+    return outputs;
+}
+
+std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& state_arguments,
+                                    const ThresholdOptions& thresholds, std::vector<FileArgument> inputs) {
+    for (const auto& typed_files : {state_arguments.files(), thresholds.files()})
+        inputs.insert(inputs.end(), typed_files.begin(), typed_files.end());
+    if (typed.compare) inputs.push_back({"--compare", *typed.compare});
+    if (typed.lesson) add_file_if_there(inputs, "--lesson", *typed.lesson);
+    return inputs;
 }
 
 Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
-    if (typed.output == "-" && typed.json == "-") options.refuse("-o and --json cannot both be standard output");
-    if (thresholds.given() && !typed.compare) options.refuse("--worst and --share need --compare REF.png");
+    if (thresholds.given() && !typed.compare)
+        options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
+    if (typed.diff && !typed.compare) options.refuse("--diff needs --compare REF.png");
 
     Wish wish;
     const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), picture_view_names);
@@ -116,14 +136,12 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     if (!typed.lesson && (typed.step || typed.revealed || typed.presents))
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
-    wish.limits = thresholds.values();
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
     wish.is_vector = typed.output && is_vector_name(*typed.output);
     if (wish.is_vector && (typed.compare || typed.repeat || typed.fail_if_blank))
         options.refuse("--compare, --repeat and --fail-if-blank are for pictures of pixels: -o OUT.png");
     if (typed.output && !wish.is_vector) check_picture_name(options, "-o", *typed.output);
-    for (const auto& target : {typed.output, typed.json})
-        if (target) check_output(*target);
+    if (typed.diff) check_picture_name(options, "--diff", *typed.diff);
     return wish;
 }
 
@@ -158,34 +176,6 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     state.params = shown.params;
     state.params.ui = looks;
     return state;
-}
-
-/// None when the file is not there; one that cannot be read or is no PNG is bad input.
-std::optional<Image> reference(const std::string& file) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) return std::nullopt;
-    return value_or_end(read_png(file));
-}
-
-/// Pixels of 8 bits hold no NaN, so it is looked for where it would come from: in what is uploaded, as floats.
-bool is_finite(const glm::dmat4& matrix) {
-    for (glm::length_t column = 0; column < 4; ++column)
-        for (glm::length_t row = 0; row < 4; ++row)
-            if (!std::isfinite(static_cast<float>(matrix[column][row]))) return false;
-    return true;
-}
-
-void refuse_nan(const Derived& derived) {
-    const auto refuse = [](const char* name, const glm::dmat4& matrix) {
-        if (!is_finite(matrix))
-            throw Failure(ExitStatus::nan_or_blank, std::string(name) + " has an entry that is not a finite number");
-    };
-    refuse("the projection", derived.clip_from_view);
-    refuse("the view matrix", derived.view_from_world);
-    for (const DerivedPlane& plane : derived.planes) {
-        for (const CastShadow& cast : plane.shadows) refuse("the shadow matrix", cast.shadowed_world_from_world);
-        refuse("the mirror matrix", plane.mirrored_world_from_world);
-    }
 }
 
 bool is_blank(const Image& image) {
@@ -242,47 +232,36 @@ int samples_of(const Wish& wish, const Params& params) {
     return is_buffer ? 0 : wish.picture.samples.value_or(params.view.samples);
 }
 
-Json report_as_json(const Typed& typed, const Wish& wish, const Params& params, const Drawn& drawn,
-                    const std::vector<Problem>& problems, const std::optional<CompareReport>& compared,
-                    ExitStatus status) {
-    return {{"status", static_cast<int>(status)},
-            {"meaning", meaning(status)},
-            {"output", typed.output ? Json(*typed.output) : Json()},
-            {"view", wish.view},
-            {"size", as_json(wish.picture.size_px)},
-            {"samples", samples_of(wish, params)},
-            {"repeat", wish.repeat},
-            {"device", drawn.device},
-            {"renderer", drawn.renderer},
-            {"gl_version", drawn.gl_version},
-            {"blank", wish.is_vector ? drawn.drawing.marks.empty() : is_blank(drawn.image)},
-            {"problems", as_json(problems)},
-            {"reference", typed.compare ? Json(*typed.compare) : Json()},
-            {"compare", compared ? Json::parse(as_json(*compared)) : Json()}};
+/// What is wanted, and null for what is not known yet.
+void tell_typed(EndingReport& report, const Typed& typed, const StateArguments& state,
+                const ThresholdOptions& thresholds) {
+    report.tell("state", state.as_typed().empty() ? Json() : name_as_json(state.as_typed()));
+    report.tell("output", name_as_json(typed.output));
+    for (const char* const name : {"view", "size", "samples", "repeat", "device", "renderer", "gl_version", "blank"})
+        report.tell(name, Json());
+    report.tell("problems", Json());
+    report.tell("reference", name_as_json(typed.compare));
+    report.tell("masks", thresholds.masks_as_json());
+    report.tell("diff", name_as_json(typed.diff));
+    report.tell("compare", Json());
 }
 
-/// The comparison's sentence is a result, unless something else was asked for on standard output.
-void tell(const Typed& typed, const std::optional<CompareReport>& compared) {
-    if (!typed.compare) return;
-    if (!compared) throw Failure(ExitStatus::reference_missing, *typed.compare + ": there is no such reference");
-    if (typed.output != "-" && typed.json != "-")
-        print(sentence(*compared) + "\n");
-    else if (!compared->equal)
-        throw Failure(ExitStatus::different, *typed.compare + ": " + sentence(*compared));
+void tell_wish(EndingReport& report, const Wish& wish, const Params& params) {
+    report.tell("view", wish.view);
+    report.tell("size", as_json(wish.picture.size_px));
+    report.tell("samples", samples_of(wish, params));
+    report.tell("repeat", wish.repeat);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
-    Options options(self);
-    const StateArguments state_arguments(options);
-    Typed typed;
-    declare(options, typed);
-    const ThresholdOptions thresholds(options);
-    options.text("--json", "FILE|-", typed.json,
-                 "Writes a report as JSON: what was drawn by whom, problems, the comparison");
-    if (!options.parse(arguments)) return ExitStatus::done;
+void tell_drawn(EndingReport& report, const Drawn& drawn) {
+    report.tell("device", drawn.device);
+    report.tell("renderer", drawn.renderer);
+    report.tell("gl_version", drawn.gl_version);
+    report.tell("blank", drawn.image.rgba.empty() ? drawn.drawing.marks.empty() : is_blank(drawn.image));
+}
 
-    Wish wish = checked(options, typed, thresholds);
-    const std::optional<Image> expected = typed.compare ? reference(*typed.compare) : std::nullopt;
+/// The state that is shown, by whatever way it was named.
+LoadedState state_of(const Options& options, const Typed& typed, const StateArguments& state_arguments, Wish& wish) {
     LoadedState state;
     if (typed.exercise)
         state = take_exercise(options, typed, state_arguments, wish);
@@ -297,33 +276,61 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         state = take_step(options, typed, wish);
         state.params.ui = looks;
     }
+    return state;
+}
+
+/// `scene_files` takes the files of the state's scene as they become known: none of them may be written.
+ExitStatus take(const Options& options, const Typed& typed, const StateArguments& state_arguments,
+                const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
+    report.begin();
+    Wish wish = checked(options, typed, thresholds);
+    std::optional<Reference> reference;
+    if (typed.compare) reference.emplace(*typed.compare, thresholds, wish.picture.size_px);
+    const LoadedState state = state_of(options, typed, state_arguments, wish);
+    scene_files = files_of(state);
+    report.begin();
     const Scene scene = scene_of(state);
+    scene_files = files_of(scene);
+    report.begin();
+    tell_wish(report, wish, state.params);
     const Derived derived = derive(state.params, scene, Viewport{wish.picture.size_px});
-    refuse_nan(derived);
+    value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
     refuse_beyond_budget(state.params, derived, scene, wish.picture.size_px);
+    if (typed.json)
+        report.tell("problems", as_json(find_problems(state.params, derived, scene, plan(state.params, derived))));
 
     wish.device = device_option(options, typed.device);
     const Drawn drawn = draw(wish, state, scene);
+    tell_drawn(report, drawn);
     if (typed.fail_if_blank && is_blank(drawn.image))
         throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
 
     Outputs outputs;
     if (typed.output)
         add_picture(outputs, *typed.output, wish, drawn, write_state(drawn_params(state.params, wish.picture)));
-    std::optional<CompareReport> compared;
-    if (expected) compared = compare_images(drawn.image, *expected, wish.limits);
-    const ExitStatus status = typed.compare && !expected     ? ExitStatus::reference_missing
-                              : compared && !compared->equal ? ExitStatus::different
-                                                             : ExitStatus::done;
-    if (typed.json) {
-        const std::vector<Problem> problems = find_problems(state.params, derived, scene, plan(state.params, derived));
-        outputs.add(
-            *typed.json,
-            print_document(report_as_json(typed, wish, state.params, drawn, problems, compared, status)) + "\n");
-    }
-    outputs.write();
-    tell(typed, compared);
+    if (reference) reference->hold_against(drawn.image, typed.diff, outputs, report);
+    const ExitStatus status = reference ? reference->status() : ExitStatus::done;
+    report.finish(outputs, status, reference ? reference->told() : "");
+    if (reference) reference->tell(typed.output == "-" || typed.diff == "-" || typed.json == "-");
     return status;
+}
+
+ExitStatus run(const Command& self, const Arguments& arguments) {
+    Options options(self);
+    const StateArguments state_arguments(options);
+    Typed typed;
+    declare(options, typed);
+    const ThresholdOptions thresholds(options);
+    options.text("--json", "FILE|-", typed.json, ending_report_help);
+    std::vector<FileArgument> scene_files;
+    EndingReport report(self, options, typed.json, [&] {
+        return NamedFiles{outputs_of(typed), inputs_of(typed, state_arguments, thresholds, scene_files)};
+    });
+    return report.guard([&] {
+        if (!options.parse(arguments)) return ExitStatus::done;
+        tell_typed(report, typed, state_arguments, thresholds);
+        return take(options, typed, state_arguments, thresholds, scene_files, report);
+    });
 }
 
 }  // namespace
@@ -334,11 +341,13 @@ constinit const Command snapshot_command{
     "a picture of a state into a PNG file, without a display",
     "Draws one picture through EGL alone: no display, no X. The same state gives a byte-equal file, always. Every "
     "picture is drawn under GL's debug output, and an error ends the command with exit 4. Unless the exit status is 0, "
-    "1 or 6, no file is touched.",
+    "1 or 6, no file is touched but the report of --json.",
     "snapshot -o window.png\n"
     "snapshot mine.json --view camera --size 640x360 --samples 0 -o picture.png\n"
     "snapshot --set projection.near=0.001 --set depth.format=d16 --view depth -o depth.png\n"
     "snapshot --view camera --compare reference.png --worst 3 -o picture.png --json report.json\n"
+    "snapshot --view camera --compare reference.png --profile portable --mask 0,0,120,40 --diff difference.png\n"
+    "snapshot bsp-walk --view tree --transparent -o tree.svg\n"
     "snapshot --exercise E16 --student 32201234 -o question.png\n"
     "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",
     "0123456789",

@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* scene_file = "a file of the scene";
+
 /// The files that a scene names, its own among them.
 std::set<std::string> files_named_by(const SceneSource& source) {
     if (const auto* name = std::get_if<std::string>(&source)) return {*name};
@@ -80,6 +82,13 @@ LoadedState StateArguments::load() const {
     return loaded;
 }
 
+std::vector<FileArgument> StateArguments::files() const {
+    std::vector<FileArgument> files;
+    add_file_if_there(files, "STATE", state_);
+    if (mesh_) files.push_back({"--mesh", *mesh_});
+    return files;
+}
+
 bool StateArguments::set_only_looks() const {
     return !mesh_ && std::all_of(settings_.begin(), settings_.end(), [](const std::string& setting) {
         return is_in(setting.substr(0, setting.find('=')), "ui");
@@ -93,6 +102,19 @@ bool StateArguments::say_only_looks() const {
 UiParams StateArguments::looks() const {
     if (!set_only_looks()) options_.refuse("an exercise has its own state, so no --mesh, and --set of ui.… alone");
     return value_or_end(apply_settings(Params{}, settings_)).ui;
+}
+
+std::vector<FileArgument> files_of(const LoadedState& state) {
+    std::vector<FileArgument> files;
+    for (const std::string& name : files_named_by(state.params.scene))
+        add_file_if_there(files, scene_file, (state.base / name).string());
+    return files;
+}
+
+std::vector<FileArgument> files_of(const Scene& scene) {
+    std::vector<FileArgument> files;
+    for (const fs::path& file : scene.read) files.push_back({scene_file, file.string()});
+    return files;
 }
 
 Scene scene_of(const LoadedState& state) {

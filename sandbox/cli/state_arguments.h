@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/options.h"
+#include "cli/output.h"
 #include "state/presets.h"
 #include "state/scene.h"
 
@@ -23,6 +24,8 @@ public:
     /// scene which settings change has all its files relative to the working directory. Within reach are STATE's folder
     /// and what was typed here; everything with --allow-outside. Throws Failure.
     LoadedState load() const;
+    /// The files that were typed: STATE, unless it is a preset, and --mesh.
+    std::vector<FileArgument> files() const;
     /// STATE by itself, "" where it was left out.
     const std::string& as_typed() const { return state_; }
     /// What --set says of theme, scale and language. Throws Failure: it says more, or --mesh was typed.
@@ -44,5 +47,9 @@ private:
 
 /// The scene of a state with its meshes. Throws Failure.
 Scene scene_of(const LoadedState& state);
+
+/// The files that a state's scene names, and all that were read for it.
+std::vector<FileArgument> files_of(const LoadedState& state);
+std::vector<FileArgument> files_of(const Scene& scene);
 
 }  // namespace viewing

@@ -16,6 +16,7 @@
 #include "cli/results/film.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
+#include "frame/finite.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/lesson_numbers.h"
@@ -88,6 +89,32 @@ Kind kind_of(const std::string& output, std::string& ending) {
     return ending == ".png" ? Kind::sheet : Kind::folder;
 }
 
+std::string file_of_picture(std::size_t index, std::size_t count) {
+    const std::string number = std::to_string(index + 1);
+    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
+    return std::string(digits - number.size(), '0') + number + ".png";
+}
+
+/// What is written beside a folder's pictures.
+std::vector<FileArgument> outputs_of(const Typed& typed, const Wish& wish) {
+    std::vector<FileArgument> outputs;
+    if (typed.output && wish.kind != Kind::folder) outputs.push_back({"-o", *typed.output});
+    if (typed.csv) outputs.push_back({"--csv", *typed.csv});
+    return outputs;
+}
+
+/// Refuses an output that is an input or another one.
+void keep_apart(const Options& options, const Typed& typed, const Wish& wish, std::size_t count,
+                std::vector<FileArgument> inputs) {
+    check_apart(options, outputs_of(typed, wish), inputs);
+    if (wish.kind != Kind::folder) return;
+    if (typed.csv) inputs.push_back({"--csv", *typed.csv});
+    for (std::size_t i = 0; i < count; ++i) {
+        const FileArgument picture{"a picture of -o", (fs::path(*typed.output) / file_of_picture(i, count)).string()};
+        check_apart(options, {&picture, 1}, inputs);
+    }
+}
+
 Wish checked(const Options& options, const Typed& typed) {
     Wish wish;
     if (typed.vary.empty() || typed.vary.size() > 2)
@@ -111,8 +138,7 @@ Wish checked(const Options& options, const Typed& typed) {
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.ending == ".mp4" && (size_px.x % 2 != 0 || size_px.y % 2 != 0))
         options.refuse("--size: the sides of an .mp4 are even; .webp takes any");
-    if (typed.csv) check_output(*typed.csv);
-    if (typed.output && wish.kind != Kind::folder) check_output(*typed.output);
+    check_outputs(options, outputs_of(typed, wish));
     return wish;
 }
 
@@ -205,12 +231,6 @@ std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
     return captions;
 }
 
-std::string file_of_picture(std::size_t index, std::size_t count) {
-    const std::string number = std::to_string(index + 1);
-    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
-    return std::string(digits - number.size(), '0') + number + ".png";
-}
-
 int columns_of(const Options& options, const Typed& typed, const Wish& wish, std::size_t count) {
     if (typed.columns) return whole_option(options, "--columns", *typed.columns, 1, 1000);
     if (wish.variations.size() == 2 && !typed.together && !typed.back) return wish.variations.back().count;
@@ -238,12 +258,19 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                            std::to_string(sheet_px.y) + " pixels; at most " + std::to_string(largest_image_side) +
                            " a side and 64 million in all");
     }
+    keep_apart(options, typed, wish, settings.size(), state_arguments.files());
     const LoadedState start = state_arguments.load();
     Steps steps(start, settings);
+    std::vector<fs::path> read;
     for (std::size_t i = 0; i < steps.count(); ++i) {  // what is wrong is said before anything is drawn
         const LoadedState state = steps.at(i);
-        refuse_beyond_budget(state.params, derive(state.params, steps.scene(), Viewport{size_px}), steps.scene(),
-                             size_px);
+        if (steps.scene().read != read) {
+            read = steps.scene().read;
+            keep_apart(options, typed, wish, settings.size(), files_of(steps.scene()));
+        }
+        const Derived derived = derive(state.params, steps.scene(), Viewport{size_px});
+        if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
+        refuse_beyond_budget(state.params, derived, steps.scene(), size_px);
     }
 
     Headless headless(device_option(options, typed.device));

@@ -1,20 +1,67 @@
 #include "cli/thresholds.h"
 
+#include <array>
+
 #include "cli/values.h"
+#include "image/png.h"
+#include "text/words.h"
 
 namespace viewing {
 
 ThresholdOptions::ThresholdOptions(Options& options) : options_(options) {
     options.group("Thresholds");
-    options.text("--worst", "N", worst_, "Levels of 255 that a channel may differ by, 0 to 255; default 2");
-    options.text("--share", "F", share_, "Share of the pixels that may differ by more, 0 to 1; default 0");
+    options.text("--profile", "strict|portable", profile_,
+                 "Default strict, for pictures of one driver; portable is for those of another driver, whose edges may "
+                 "have other samples, but no five pixels together may differ otherwise, nor 16 × 16 on average by more "
+                 "than 0.6 levels");
+    options.text("--worst", "N", worst_,
+                 "Levels of 255 that a channel may differ by, 0 to 255; default 2, of portable 3");
+    options.text("--share", "F", share_,
+                 "Share of the pixels that may differ by more, 0 to 1; default 0, of portable 0.002");
+    options.texts("--mask", "X,Y,WIDTH,HEIGHT|MASK.png", masks_,
+                  "Leaves a rectangle out, or what is white in a picture of the same size; as often as wanted");
 }
 
 CompareOptions ThresholdOptions::values() const {
     CompareOptions values;
+    if (profile_)
+        values =
+            options_of(static_cast<CompareProfile>(choice_option(options_, "--profile", *profile_, profile_names)));
     if (worst_) values.worst = whole_option(options_, "--worst", *worst_, 0, 255);
     if (share_) values.share = number_option(options_, "--share", *share_, 0.0, 1.0);
     return values;
+}
+
+MaskSource ThresholdOptions::mask() const {
+    MaskSource source;
+    for (const FileArgument& picture : files()) source.pictures.emplace_back(picture.file);
+    for (const std::string& mask : masks_) {
+        if (is_png_name(mask)) continue;
+        const std::vector<std::string> numbers = split_outside_brackets(mask, ',');
+        if (numbers.size() != 4)
+            options_.refuse(
+                "--mask: must be X,Y,WIDTH,HEIGHT in pixels, such as 0,0,120,40, or a picture's name that "
+                "ends in .png, got \"" +
+                one_line(mask) + "\"");
+        std::array<int, 4> sides{};
+        for (std::size_t i = 0; i < 4; ++i)
+            sides[i] = whole_option(options_, "--mask", numbers[i], i < 2 ? 0 : 1, largest_image_side);
+        source.rects.push_back({sides[0], sides[1], sides[2], sides[3]});
+    }
+    return source;
+}
+
+Json ThresholdOptions::masks_as_json() const {
+    Json names = Json::array();
+    for (const std::string& mask : masks_) names.push_back(printable(mask));
+    return names;
+}
+
+std::vector<FileArgument> ThresholdOptions::files() const {
+    std::vector<FileArgument> files;
+    for (const std::string& mask : masks_)
+        if (is_png_name(mask)) files.push_back({"--mask", mask});
+    return files;
 }
 
 }  // namespace viewing

@@ -9,17 +9,21 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
+#include "platform/last_words.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
 namespace {
 
-std::string sentence;  // made beforehand: a signal handler may not allocate
+std::string line;  // made beforehand: a signal handler may not allocate
+double limit_s = 0.0;
 
 void end_process(int) {
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
-    ::_exit(static_cast<int>(ExitStatus::out_of_time));
+    constexpr int status = static_cast<int>(ExitStatus::out_of_time);
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+    say_last_words(status);
+    ::_exit(status);
 }
 
 void set_timer(double seconds) {
@@ -33,7 +37,8 @@ void set_timer(double seconds) {
 }  // namespace
 
 TimeLimit::TimeLimit(double seconds) {
-    sentence = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
+    limit_s = seconds;
+    line = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
     struct sigaction action {};
     action.sa_handler = end_process;
     ::sigaction(SIGALRM, &action, nullptr);
@@ -46,6 +51,14 @@ TimeLimit::TimeLimit(double seconds) {
 
 void TimeLimit::lift() {
     set_timer(0.0);
+}
+
+std::string TimeLimit::sentence() {
+    return line.substr(0, line.find('\n'));
+}
+
+double TimeLimit::seconds() {
+    return limit_s;
 }
 
 }  // namespace viewing

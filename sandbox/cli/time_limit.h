@@ -1,6 +1,8 @@
 // --timeout: ends the process when its time has run out, wherever it hangs.
 #pragma once
 
+#include <string>
+
 namespace viewing {
 
 /// From construction until lift() or the end of the object: when `seconds` are over, one sentence on stderr and exit
@@ -14,6 +16,10 @@ public:
 
     /// The one that there is, if any.
     static void lift();
+
+    /// What is said when it is over, and after how long; "" and 0 where there is none.
+    static std::string sentence();
+    static double seconds();
 };
 
 }  // namespace viewing

@@ -83,12 +83,16 @@ std::size_t choice_option(const Options& options, const char* name, const std::s
     options.refuse(std::string(name) + ": must be " + allowed + got(text) + suggestion(text, known));
 }
 
+bool is_png_name(const std::string& name) {
+    return in_lower_case(std::filesystem::path(name).extension().string()) == ".png";
+}
+
 void check_picture_name(const Options& options, const char* name, const std::string& target) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status there = fs::status(target, error);
     const bool is_named = !fs::exists(there) || fs::is_regular_file(there);
-    if (target != "-" && !target.empty() && is_named && in_lower_case(fs::path(target).extension().string()) != ".png")
+    if (target != "-" && !target.empty() && is_named && !is_png_name(target))
         options.refuse(std::string(name) + ": must end in .png, or be - for standard output" + got(target));
 }
 

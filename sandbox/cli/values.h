@@ -28,6 +28,9 @@ double number_option(const Options& options, const char* name, const std::string
 std::size_t choice_option(const Options& options, const char* name, const std::string& text,
                           std::span<const char* const> names);
 
+/// Whether a name ends in .png, in capitals or not.
+bool is_png_name(const std::string& name);
+
 /// The name of a picture that is written: it ends in .png, or is "-", or that of a device or a pipe.
 void check_picture_name(const Options& options, const char* name, const std::string& target);
 

@@ -16,6 +16,7 @@ namespace viewing {
 /// strict is for pictures of one machine and one driver. portable lets pass what another driver or another number of
 /// samples does to edges (is_resampled_edge in portable.h), and finds what strict cannot: a shift of one level.
 enum class CompareProfile { strict, portable };
+inline constexpr std::array profile_names{"strict", "portable"};
 
 /// strict: equal ⇔ same size, and the pixels of which a channel (red, green, blue or alpha) differs by more than
 /// `worst` are at most `share` of what is compared. portable: resampled edges do not count among these pixels, and no
@@ -43,6 +44,11 @@ struct CompareOptions {
 /// The thresholds of the portable profile. worst 3: noise of two levels and the rounding of one. share 0.002: other
 /// samples leave 0.0006 at most where the picture is full of lines; more, though far apart, is no rounding.
 constexpr CompareOptions portable_options{.worst = 3, .share = 0.002, .profile = CompareProfile::portable};
+
+/// The thresholds of a profile.
+constexpr CompareOptions options_of(CompareProfile profile) {
+    return profile == CompareProfile::portable ? portable_options : CompareOptions{};
+}
 
 /// A rectangle of the picture, pixel (0, 0) at the top left.
 struct PixelBox {

@@ -73,7 +73,7 @@ std::string as_json(const CompareReport& report) {
     }
     const nlohmann::ordered_json json = {
         {"equal", report.equal},
-        {"profile", is_portable ? "portable" : "strict"},
+        {"profile", profile_names[static_cast<std::size_t>(report.options.profile)]},
         {"sizes_differ", report.sizes_differ},
         {"size_a", report.size_a},
         {"size_b", report.size_b},

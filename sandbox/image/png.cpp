@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <memory>
 #include <new>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -104,21 +105,54 @@ bool file_can_hold(std::uintmax_t file_bytes, png_uint_32 height, std::size_t ro
     return file_bytes > static_cast<std::uintmax_t>(height) * row_bytes / 1032;
 }
 
+bool begins_as_png(std::FILE* file) {
+    unsigned char signature[8];
+    return std::fread(signature, 1, sizeof signature, file) == sizeof signature &&
+           png_sig_cmp(signature, 0, sizeof signature) == 0;
+}
+
 /// Behind the signature of a PNG file.
 Result<File> opened(const std::filesystem::path& path) {
     const std::string name = path.string();
     if (Status checked = check_readable(path); !checked) return Error{checked.error()};
     File file(std::fopen(path.c_str(), "rb"));
     if (!file) return Error{name + ": cannot be read: " + std::generic_category().message(errno)};
-    unsigned char signature[8];
-    const std::size_t signature_bytes = std::fread(signature, 1, sizeof signature, file.get());
-    if (signature_bytes < sizeof signature || png_sig_cmp(signature, 0, sizeof signature) != 0)
-        return Error{name + ": is not a PNG file"};
+    if (!begins_as_png(file.get())) return Error{name + ": is not a PNG file"};
     return file;
 }
 
-Error not_enough_memory(const std::filesystem::path& path) {
-    return {path.string() + ": there is not enough memory for this picture"};
+Error not_enough_memory(const std::string& name) {
+    return {name + ": there is not enough memory for this picture"};
+}
+
+/// Behind the signature. `file_bytes`: none for a pipe, which does not know.
+Result<Image> read_picture(std::FILE* file, const std::string& name, std::optional<std::uintmax_t> file_bytes) try {
+    PngFailure failure;
+    const Reader reader(failure);
+    if (reader.info == nullptr) throw std::bad_alloc();
+    ReadSource source{file, &failure};
+    if (!read_header(reader, source)) return read_failure(name, failure);
+
+    const png_uint_32 width = png_get_image_width(reader.png, reader.info);
+    const png_uint_32 height = png_get_image_height(reader.png, reader.info);
+    if (width > largest_image_side || height > largest_image_side)
+        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
+                     " pixels; at most " + std::to_string(largest_image_side) + " a side are read"};
+    if (static_cast<std::uint64_t>(width) * height > most_image_pixels)
+        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
+                     " pixels; at most " + std::to_string(most_image_pixels / 1'000'000) +
+                     " million are read, make it smaller"};
+    if (file_bytes && !file_can_hold(*file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
+        return Error{name + ": the PNG file is cut off before its end"};
+
+    Image image{static_cast<int>(width), static_cast<int>(height), {}};
+    image.rgba.resize(image.row_bytes() * height);
+    std::vector<png_bytep> rows(height);
+    for (int y = 0; y < image.height; ++y) rows[static_cast<std::size_t>(y)] = image.row(y);
+    if (!read_rows(reader, rows.data())) return read_failure(name, failure);
+    return image;
+} catch (const std::bad_alloc&) {
+    return not_enough_memory(name);
 }
 
 struct Writer {
@@ -189,41 +223,20 @@ Result<std::string> read_png_note(const std::filesystem::path& path) try {
         if (std::string_view(text.key) == png_note_key) return std::string(text.text);
     return std::string();
 } catch (const std::bad_alloc&) {
-    return not_enough_memory(path);
+    return not_enough_memory(path.string());
 }
 
-Result<Image> read_png(const std::filesystem::path& path) try {
-    const std::string name = path.string();
+Result<Image> read_png(const std::filesystem::path& path) {
     const Result<File> file = opened(path);
     if (!file) return Error{file.error()};
-    std::error_code size_error;
-    PngFailure failure;
-    const Reader reader(failure);
-    if (reader.info == nullptr) throw std::bad_alloc();
-    ReadSource source{file->get(), &failure};
-    if (!read_header(reader, source)) return read_failure(name, failure);
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    return read_picture(file->get(), path.string(), error ? std::nullopt : std::optional(bytes));
+}
 
-    const png_uint_32 width = png_get_image_width(reader.png, reader.info);
-    const png_uint_32 height = png_get_image_height(reader.png, reader.info);
-    if (width > largest_image_side || height > largest_image_side)
-        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
-                     " pixels; at most " + std::to_string(largest_image_side) + " a side are read"};
-    if (static_cast<std::uint64_t>(width) * height > most_image_pixels)
-        return Error{name + ": the picture is " + std::to_string(width) + " × " + std::to_string(height) +
-                     " pixels; at most " + std::to_string(most_image_pixels / 1'000'000) +
-                     " million are read, make it smaller"};
-    const std::uintmax_t file_bytes = std::filesystem::file_size(path, size_error);
-    if (!size_error && !file_can_hold(file_bytes, height, png_get_rowbytes(reader.png, reader.info)))
-        return Error{name + ": the PNG file is cut off before its end"};
-
-    Image image{static_cast<int>(width), static_cast<int>(height), {}};
-    image.rgba.resize(image.row_bytes() * height);
-    std::vector<png_bytep> rows(height);
-    for (int y = 0; y < image.height; ++y) rows[static_cast<std::size_t>(y)] = image.row(y);
-    if (!read_rows(reader, rows.data())) return read_failure(name, failure);
-    return image;
-} catch (const std::bad_alloc&) {
-    return not_enough_memory(path);
+Result<Image> read_png(std::FILE* stream, const std::string& name) {
+    if (!begins_as_png(stream)) return Error{name + ": is not a PNG file"};
+    return read_picture(stream, name, std::nullopt);
 }
 
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note, double dpi) {

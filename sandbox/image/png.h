@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,6 +25,9 @@ Result<Image> read_png(const std::filesystem::path& path);
 
 /// Pixels per inch on a screen.
 inline constexpr double usual_dpi = 96.0;
+
+/// The same from an open file or pipe, up to the picture's end; `name` begins the sentence.
+Result<Image> read_png(std::FILE* stream, const std::string& name);
 
 /// The name of the text chunk that a note is: the state that a picture shows, as JSON.
 inline constexpr char png_note_key[] = "viewing-sandbox state";

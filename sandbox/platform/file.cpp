@@ -37,31 +37,20 @@ int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     return failure;
 }
 
-/// A new file in the folder, under a name that nobody can know before; −1 with errno. Its name does not grow with the
-/// target's, which may be as long as the file system allows.
-int open_new(const fs::path& folder, fs::path& made) {
-    std::random_device random;
+/// A new file beside the target; −1 with errno.
+int open_new(const fs::path& target, fs::path& made) {
     constexpr int tries = 100;
     int file = -1;
     for (int i = 0; i < tries && file < 0; ++i) {
-        made = folder / (".viewing-sandbox-" + std::to_string(random()) + ".partial");
+        made = name_beside(target);
         file = ::open(made.c_str(), O_WRONLY | O_CLOEXEC | O_CREAT | O_EXCL | O_NOFOLLOW, 0666);
         if (file < 0 && errno != EEXIST) break;
     }
     return file;
 }
 
-/// Where a chain of links ends, be there a file or not; none for one that goes round.
-std::optional<fs::path> end_of_links(fs::path path) {
-    constexpr int longest_chain = 40;
-    std::error_code error;
-    for (int i = 0; i < longest_chain; ++i) {
-        if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
-        const fs::path next = fs::read_symlink(path, error);
-        if (error) return std::nullopt;
-        path = path.parent_path() / next;  // which an absolute one replaces
-    }
-    return std::nullopt;
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
 }
 
 void keep_folder(const fs::path& folder) {
@@ -77,8 +66,7 @@ public:
     /// 0 or the errno of what failed.
     int prepare(const fs::path& target, std::span<const std::uint8_t> bytes) {
         target_ = target;
-        folder_ = target.has_parent_path() ? target.parent_path() : ".";
-        const int file = open_new(folder_, beside_);
+        const int file = open_new(target, beside_);
         if (file < 0) return errno;
         is_there_ = true;
         struct stat old {};
@@ -92,7 +80,7 @@ public:
     int take_name() {
         if (::rename(beside_.c_str(), target_.c_str()) != 0) return errno;
         is_there_ = false;
-        keep_folder(folder_);
+        keep_folder(folder_of(target_));
         return 0;
     }
 
@@ -104,7 +92,7 @@ public:
     }
 
 private:
-    fs::path target_, folder_, beside_;
+    fs::path target_, beside_;
     bool is_there_ = false;
 };
 
@@ -120,11 +108,27 @@ Error cannot_write(const fs::path& path, int code) {
 
 }  // namespace
 
+std::optional<fs::path> end_of_links(fs::path path) {
+    constexpr int longest_chain = 40;
+    std::error_code error;
+    for (int i = 0; i < longest_chain; ++i) {
+        if (!fs::is_symlink(fs::symlink_status(path, error))) return path;
+        const fs::path next = fs::read_symlink(path, error);
+        if (error) return std::nullopt;
+        path = path.parent_path() / next;  // which an absolute one replaces
+    }
+    return std::nullopt;
+}
+
+fs::path name_beside(const fs::path& file) {
+    return folder_of(file) / (".viewing-sandbox-" + std::to_string(std::random_device()()) + ".partial");
+}
+
 Status write_file(const fs::path& path, std::string_view text) {
     return write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-Status write_files(std::span<const FileBytes> files) {
+Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names) {
     std::deque<Prepared> prepared;
     for (const FileBytes& file : files) {
         if (file.path.empty()) return Error{"an output needs a file name, and this one is empty"};
@@ -138,6 +142,7 @@ Status write_files(std::span<const FileBytes> files) {
                                          : ELOOP;
         if (failure != 0) return cannot_write(file.path, failure);
     }
+    if (before_names) before_names();
     for (Prepared& file : prepared)
         if (const int failure = file.take_name(); failure != 0) return cannot_write(file.target(), failure);
     return std::monostate{};
@@ -146,6 +151,21 @@ Status write_files(std::span<const FileBytes> files) {
 Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     const FileBytes file{path, bytes};
     return write_files({&file, 1});
+}
+
+bool are_same_file(const fs::path& a, const fs::path& b) {
+    struct stat of_a {
+    }, of_b{};
+    const bool a_is_there = ::stat(a.c_str(), &of_a) == 0, b_is_there = ::stat(b.c_str(), &of_b) == 0;
+    if (a_is_there != b_is_there) return false;
+    if (a_is_there)
+        return (S_ISREG(of_a.st_mode) || S_ISDIR(of_a.st_mode)) && of_a.st_dev == of_b.st_dev &&
+               of_a.st_ino == of_b.st_ino;
+    const auto place_of = [](const fs::path& path) {
+        std::error_code error;
+        return fs::weakly_canonical(fs::absolute(end_of_links(path).value_or(path), error), error);
+    };
+    return !a.empty() && !b.empty() && place_of(a) == place_of(b);
 }
 
 Status check_readable(const fs::path& file) {

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -34,7 +36,19 @@ struct FileBytes {
 };
 
 /// All of them or none, as far as that can be told before: each is complete before the first one takes its name.
-Status write_files(std::span<const FileBytes> files);
+/// `before_names` runs in between; where it throws, none does.
+Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
+
+/// Where a chain of links ends, be there a file or not; none for one that goes round.
+std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
+
+/// A name beside a file that nobody can know before, for what grows until it takes that file's name. It is not longer
+/// for a longer one, which may be as long as the file system allows.
+std::filesystem::path name_beside(const std::filesystem::path& file);
+
+/// Whether two names are those of one file or folder, through links of both kinds, "." and ".."; of files that are not
+/// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
+bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
 /// it and says why it cannot be: missing, a directory, or what the system says.

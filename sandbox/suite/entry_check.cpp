@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <system_error>
 
-#include "image/mask.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/as_json.h"
@@ -43,10 +42,8 @@ public:
           entry_(entry),
           wish_(wish),
           renderer_(renderer),
-          files_(files_of(suite.report, entry.file_name)) {
-        result_.name = entry.name;
-        result_.file_name = entry.file_name;
-    }
+          files_(files_of(suite.report, entry.file_name)),
+          result_(result_for(entry)) {}
 
     EntryResult run(gl::DebugLog& log) {
         try {
@@ -129,7 +126,7 @@ private:
         }
         const Image expected = or_broken(read_png(reference));
         tell_changed_state(reference, state);
-        const Mask mask = read_mask(drawn);
+        const Mask mask = or_broken(mask_of(entry_.mask, drawn.width, drawn.height));
         const CompareReport report = compare_images(drawn, expected, entry_.limits, mask);
         if (report.different > 0) result_.details["compare"] = Json::parse(viewing::as_json(report));
         if (report.equal) return;
@@ -141,21 +138,6 @@ private:
         write(files_.difference, difference);
         or_broken(write_file(files_.script, picture_script(entry_.file_name, all_bytes(reference), as_text(actual),
                                                            as_text(difference))));
-    }
-
-    Mask read_mask(const Image& drawn) const {
-        if (entry_.masks.empty() && entry_.mask_pictures.empty()) return {};
-        Mask mask(drawn.width, drawn.height);
-        for (const MaskRect& rect : entry_.masks) mask.leave_out(rect);
-        for (const fs::path& file : entry_.mask_pictures) {
-            const Image picture = or_broken(read_png(file));
-            if (picture.width != drawn.width || picture.height != drawn.height)
-                throw Broken(file.string() + ": the mask is " + std::to_string(picture.width) + " × " +
-                             std::to_string(picture.height) + " pixels, the picture " + std::to_string(drawn.width) +
-                             " × " + std::to_string(drawn.height));
-            mask.leave_out(Mask(picture));
-        }
-        return mask;
     }
 
     /// A reference carries the state that it was drawn of.

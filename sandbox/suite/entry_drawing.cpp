@@ -1,5 +1,6 @@
 #include "suite/entry_drawing.h"
 
+#include "frame/finite.h"
 #include "frame/hidden/hidden_views.h"
 #include "frame/plan.h"
 #include "frame/problems.h"
@@ -80,6 +81,7 @@ Result<SuiteSubject> subject_of(const SuiteEntry& entry, Renderer& renderer, boo
     subject.scene = *std::move(scene);
     const Params& wanted = subject.state.params;
     subject.derived = derive(wanted, subject.scene, Viewport{entry.size_px});
+    if (const Status finite = check_finite(subject.derived); !finite) return Error{finite.error()};
     if (const auto question = hidden_question(wanted, subject.derived, entry.size_px))
         if (const Status fits = check_hidden_budget(subject.scene, *question); !fits) return Error{fits.error()};
     return subject;
@@ -93,9 +95,9 @@ std::string fingerprint(const SuiteEntry& entry, const SuiteSubject& subject) {
         number(entry.samples.value_or(-1)), number(entry.limits.worst), format_number(entry.limits.share),
         number(entry.limits.reach_px), number(static_cast<int>(entry.limits.profile)),
         entry.checks_picture ? "picture" : "");
-    for (const MaskRect& rect : entry.masks)
+    for (const MaskRect& rect : entry.mask.rects)
         add("mask", number(rect.x), number(rect.y), number(rect.width), number(rect.height));
-    for (const std::filesystem::path& file : entry.mask_pictures) add("mask", file.string(), all_bytes(file));
+    for (const std::filesystem::path& file : entry.mask.pictures) add("mask", file.string(), all_bytes(file));
     if (entry.matrices_tolerance) add("matrices", format_number(*entry.matrices_tolerance));
     for (const SuiteMeasure& measure : entry.measures) add(measure.what, format_number(measure.tolerance));
     for (const std::string& problem : entry.wanted_problems) add("must", problem);

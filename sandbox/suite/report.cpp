@@ -148,9 +148,7 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
     for (const SuiteEntry& entry : suite.entries) {
         const auto result = found.find(entry.name);
         if (result == found.end()) {
-            EntryResult missing;
-            missing.name = entry.name;
-            missing.file_name = entry.file_name;
+            EntryResult missing = result_for(entry);
             missing.reasons = {"no shard has it"};
             whole.entries.push_back(std::move(missing));
             continue;

@@ -29,6 +29,14 @@ const char* name_of(Outcome outcome) {
     return outcome_names[static_cast<std::size_t>(outcome)];
 }
 
+EntryResult result_for(const SuiteEntry& entry) {
+    EntryResult result;
+    result.name = entry.name;
+    result.file_name = entry.file_name;
+    result.about = entry.about;
+    return result;
+}
+
 std::size_t RunResult::count(Outcome outcome) const {
     return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(),
                                                   [&](const EntryResult& entry) { return entry.outcome == outcome; }));
@@ -45,9 +53,11 @@ std::string reasons_in_lines(const EntryResult& entry) {
 }
 
 Json as_json(const EntryResult& entry) {
-    return {{"name", entry.name},    {"file", entry.file_name},  {"outcome", name_of(entry.outcome)},
-            {"kept", entry.is_kept}, {"reasons", entry.reasons}, {"seconds", entry.seconds},
-            {"key", entry.key},      {"output", entry.output},   {"details", entry.details}};
+    return {{"name", entry.name},       {"file", entry.file_name},
+            {"about", entry.about},     {"outcome", name_of(entry.outcome)},
+            {"kept", entry.is_kept},    {"reasons", entry.reasons},
+            {"seconds", entry.seconds}, {"key", entry.key},
+            {"output", entry.output},   {"details", entry.details}};
 }
 
 Json as_json(const RunResult& run) {
@@ -73,6 +83,7 @@ EntryResult read_entry_result(const Json& value, const Where& where) {
     entry.name = text_at(value, "name", where);
     entry.file_name = text_at(value, "file", where);
     if (entry.file_name != safe_file_name(entry.name)) where.key("file").refuse("is not the name's own");
+    if (value.contains("about")) entry.about = text_at(value, "about", where);
     if (!value.contains("outcome")) where.key("outcome").refuse("is missing");
     entry.outcome = static_cast<Outcome>(read_choice(value["outcome"], where.key("outcome"), outcome_names));
     entry.is_kept = value.contains("kept") && read_bool(value["kept"], where.key("kept"));

@@ -22,6 +22,7 @@ const char* name_of(Outcome outcome);  ///< "new" for a fresh one
 
 struct EntryResult {
     std::string name, file_name;
+    std::string about;  ///< the suite's words about the entry
     Outcome outcome = Outcome::failed;
     bool is_kept = false;              ///< the result of an earlier run, since nothing has changed
     std::vector<std::string> reasons;  ///< a sentence for each thing that is not as it should be
@@ -30,6 +31,9 @@ struct EntryResult {
     std::string output;  ///< what the program and the driver complained of meanwhile
     Json details;        ///< for the report: "compare", "numbers", "state", "problems"; what there is
 };
+
+/// A failed one, until somebody knows better, with the entry's name, files and words.
+EntryResult result_for(const SuiteEntry& entry);
 
 struct RunResult {
     std::string suite, argument, version, renderer;

@@ -124,9 +124,7 @@ private:
         }
         if (!worker.place) return false;
         const SuiteEntry& entry = suite_.entries[wish_.chosen[*worker.place]];
-        EntryResult result;
-        result.name = entry.name;
-        result.file_name = entry.file_name;
+        EntryResult result = result_for(entry);
         result.reasons = {why.empty() ? "the program crashed: " + end : why};
         result.output = complaint;
         finish(worker, std::move(result));

@@ -9,7 +9,7 @@
 
 #include "app/picture.h"
 #include "image/compare.h"
-#include "image/mask.h"
+#include "image/mask_source.h"
 
 namespace viewing {
 
@@ -29,6 +29,7 @@ struct SuiteMeasure {
 
 struct SuiteEntry {
     std::string name;       ///< as the suite has it
+    std::string about;      ///< why it is there, and behind that why its thresholds are loosened; "" where nobody says
     std::string file_name;  ///< the same, safe on every file system: of its reference and results, without an ending
 
     std::string state;         ///< as a command takes it; files as full paths
@@ -42,9 +43,8 @@ struct SuiteEntry {
 
     bool checks_picture = true;
     CompareOptions limits;
-    std::vector<MaskRect> masks;                       ///< what is not compared of the picture
-    std::vector<std::filesystem::path> mask_pictures;  ///< white is not compared; of the picture's size
-    std::optional<double> matrices_tolerance;          ///< none: matrices are not checked
+    MaskSource mask;                           ///< what is not compared of the picture
+    std::optional<double> matrices_tolerance;  ///< none: matrices are not checked
     std::vector<SuiteMeasure> measures;
     std::vector<std::string> wanted_problems;  ///< parts of sentences, each of which must be told
     std::vector<std::string> unwanted_problems;

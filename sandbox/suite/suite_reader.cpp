@@ -7,6 +7,7 @@
 #include "lesson/tree.h"
 #include "platform/file.h"
 #include "state/json.h"
+#include "suite/results.h"
 #include "suite/suite.h"
 #include "text/words.h"
 
@@ -16,7 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_of_suite = 100'000;
-constexpr std::array profile_names{"strict", "portable"};
 constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
 constexpr std::array each_names{"preset", "mended", "scene"};
 
@@ -56,7 +56,7 @@ glm::ivec2 read_size(const Json& value, const Where& where) {
 /// A rectangle [x, y, width, height], or a picture's file, looked up from the suite's folder.
 void read_mask(const Json& value, const Where& where, const fs::path& folder, SuiteEntry& entry) {
     if (value.is_string()) {
-        entry.mask_pictures.push_back(folder / read_name(value, where));
+        entry.mask.pictures.push_back(folder / read_name(value, where));
         return;
     }
     constexpr int largest = 16384;
@@ -64,7 +64,7 @@ void read_mask(const Json& value, const Where& where, const fs::path& folder, Su
     if (!value.is_array() || value.size() != 4) refuse_value(value, where, form);
     std::array<int, 4> sides{};
     for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest);
-    entry.masks.push_back({sides[0], sides[1], sides[2], sides[3]});
+    entry.mask.rects.push_back({sides[0], sides[1], sides[2], sides[3]});
 }
 
 double read_tolerance(const Json& object, const Where& where) {
@@ -121,7 +121,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
     });
     with("picture", [&](const Json& value, const Where& at) { entry.checks_picture = read_bool(value, at); });
     with("profile", [&](const Json& value, const Where& at) {
-        entry.limits = read_choice(value, at, profile_names) == 1 ? portable_options : CompareOptions{};
+        entry.limits = options_of(static_cast<CompareProfile>(read_choice(value, at, profile_names)));
     });
     with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
     with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
@@ -190,9 +190,8 @@ void read_subject(const Json& object, const Where& where, const fs::path& folder
         where.key("set").refuse("a lesson's step and an exercise have their own state: only ui.… can be set");
 }
 
-/// Why an entry is there is for who reads the file.
-void check_about(const Json& object, const Where& where) {
-    if (has(object, "about")) read_name(object["about"], where.key("about"));
+std::string about_at(const Json& object, const Where& where) {
+    return has(object, "about") ? read_name(object["about"], where.key("about")) : "";
 }
 
 SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& folder, const SuiteEntry& defaults) {
@@ -201,7 +200,7 @@ SuiteEntry read_entry(const Json& object, const Where& where, const fs::path& fo
                                     "course", "student"}));
     SuiteEntry entry = defaults;
     entry.name = name_at(object, "name", where);
-    check_about(object, where);
+    entry.about = about_at(object, where);
     if (has(object, "lesson") || has(object, "exercise")) entry.view = PictureView::window;
     read_settings_of(object, where, folder, entry);
     read_subject(object, where, folder, entry);
@@ -218,7 +217,7 @@ std::vector<SuiteEntry> read_each(const Json& object, const Where& where, const 
     if (place == std::string::npos) where.key("name").refuse("must have a {} where each one's name stands");
     const std::vector<std::string> except = names_at(object, "except", where);
     SuiteEntry like = defaults;
-    check_about(object, where);
+    like.about = about_at(object, where);
     read_settings_of(object, where, folder, like);
 
     const bool are_scenes = each_names[static_cast<std::size_t>(each)] == std::string_view("scene");
@@ -268,7 +267,8 @@ void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entri
         const auto entry =
             std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });
         if (entry == entries.end()) at.key("name").refuse("there is no entry " + excerpt(name));
-        name_at(list[i], "about", at);  // there is a reason
+        const std::string reason = name_at(list[i], "about", at);
+        entry->about += (entry->about.empty() ? "" : "; ") + reason;
         Json thresholds = list[i];
         thresholds.erase("name");
         thresholds.erase("about");
@@ -329,6 +329,27 @@ Suite suite_of_folder(const fs::path& folder) {
     return suite;
 }
 
+/// Nothing that a run or accept writes may be a file that the suite reads.
+void check_outputs(const Suite& suite, const Where& where) {
+    if (are_same_file(suite.report, suite.references))
+        where.key("report").refuse("must be another folder than that of the references");
+    const auto is_read = [&suite](const fs::path& written) {
+        return are_same_file(suite.argument, written) ||
+               std::any_of(suite.entries.begin(), suite.entries.end(),
+                           [&](const SuiteEntry& entry) { return are_same_file(entry.state, written); });
+    };
+    for (const char* const name : {"report.json", "junit.xml", "index.html"})
+        if (is_read(suite.report / name))
+            where.key("report").refuse("must be another folder: " + std::string(name) +
+                                       ", which is written there, is a file of the suite");
+    for (const SuiteEntry& entry : suite.entries)
+        for (const fs::path& file : {reference_picture(suite, entry), reference_numbers(suite, entry)})
+            if (are_same_file(suite.argument, file) || are_same_file(entry.state, file))
+                where.key("references")
+                    .refuse("must be another folder: " + file.filename().string() +
+                            ", which is written there, is a file of the suite");
+}
+
 }  // namespace
 
 std::string safe_file_name(const std::string& name) {
@@ -373,6 +394,7 @@ Result<Suite> load_suite(const std::string& argument) {
         }
         if (suite.entries.empty()) throw Refusal(prefix + "has no entries");
         name_files(suite, prefix);
+        check_outputs(suite, {prefix, ""});
         return suite;
     });
 }

@@ -257,6 +257,18 @@ TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
     refused({"suite", "merge", "bad.json"}, {"bad.json"});
 }
 
+TEST_F(SuiteCommand, WhyAnEntryIsThereIsInTheReport) {
+    write("suite.json", R"({"suite": 1, "defaults": {"size": [64, 36], "samples": 0}, "entries": [
+        {"name": "opening", "about": "what all begins with"}, {"name": "room", "state": "room"}],
+        "loosened": [{"name": "opening", "about": "noise", "worst": 3}]})");
+    run({"suite", "run", "suite.json"});
+    EXPECT_EQ(result("opening").at("about"), "what all begins with; noise");
+    EXPECT_EQ(result("room").at("about"), "");
+    EXPECT_TRUE(has(read("report/index.html"), "what all begins with; noise"));
+    run({"suite", "merge", "suite.json", "report"});
+    EXPECT_EQ(result("opening").at("about"), "what all begins with; noise");
+}
+
 TEST_F(SuiteCommand, ASuiteThatIsSentMayNotReadEverything) {
     fs::create_directories(folder() / "inner");
     write("outside.json", R"({"objects": [{"name": "b", "shape": "box"}]})");

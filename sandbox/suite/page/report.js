@@ -180,6 +180,7 @@ function drawEntry() {
   const differs = Boolean(details.compare) && entry.outcome !== "passed";
   at("entry").replaceChildren(...[
     make("h2", {}, entry.name),
+    entry.about ? make("p", {class: "quiet"}, entry.about) : null,
     make("p", {class: entry.outcome}, entry.outcome + (entry.kept ? " (unchanged, not drawn again)" : "")),
     ...entry.reasons.map(reason => make("p", {}, reason)),
     make("div", {class: "ways"}, ...ways.map((way, i) => make("button", {

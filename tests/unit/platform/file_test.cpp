@@ -50,6 +50,28 @@ TEST_F(Files, NothingPlantedUnderAKnownNameIsFollowed) {
     EXPECT_EQ(file_count(), 3U) << "nothing is left over";
 }
 
+TEST_F(Files, AreTheSameByWhateverName) {
+    std::ofstream(folder / "a") << "a";
+    std::ofstream(folder / "b") << "a";
+    fs::create_directory(folder / "in");
+    fs::create_hard_link(folder / "a", folder / "hard");
+    fs::create_symlink("a", folder / "soft");
+    fs::create_symlink("nowhere", folder / "dangling");
+    fs::create_symlink("round", folder / "round");
+    fs::create_directory_symlink("in", folder / "link");
+    for (const char* const name : {"a", "hard", "soft", "in/../a", "./a"})
+        EXPECT_TRUE(are_same_file(folder / "a", folder / name)) << name;
+    EXPECT_TRUE(are_same_file(folder / "nowhere", folder / "dangling"));
+    EXPECT_TRUE(are_same_file(folder / "in/new", folder / "link/new"));
+    EXPECT_TRUE(are_same_file(folder / "in", folder / "link"));
+    EXPECT_FALSE(are_same_file(folder / "a", folder / "b"));
+    EXPECT_FALSE(are_same_file(folder / "a", folder / "new"));
+    EXPECT_FALSE(are_same_file(folder / "new", folder / "in/new"));
+    EXPECT_FALSE(are_same_file(folder / "round", folder / "new"));
+    EXPECT_FALSE(are_same_file("/dev/null", "/dev/null"));
+    EXPECT_FALSE(are_same_file("", ""));
+}
+
 TEST_F(Files, KeepTheirMode) {
     std::ofstream(folder / "old") << "old";
     fs::permissions(folder / "old", fs::perms(0640));
