@@ -28,14 +28,9 @@ Result<Drawing> draw_figure(Renderer& renderer, const LoadedState& state, const 
         if (!image) return Error{image.error()};
         return drawing_of(*std::move(image));
     }
-    LoadedState wanted = state;
-    wanted.params = drawn_params(state.params, request);
-    if (!request.transparent) return draw_on(renderer, wanted, scene, request, std::nullopt);
-    const Result<Drawing> on_black = draw_on(renderer, wanted, scene, request, Color{0, 0, 0});
-    if (!on_black) return on_black;
-    const Result<Drawing> on_white = draw_on(renderer, wanted, scene, request, Color{255, 255, 255});
-    if (!on_white) return on_white;
-    return without_ground(*on_black, *on_white);
+    return drawn_without_ground(state, request, [&](const LoadedState& wanted, std::optional<Color> ground) {
+        return draw_on(renderer, wanted, scene, request, ground);
+    });
 }
 
 }  // namespace viewing

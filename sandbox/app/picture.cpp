@@ -1,7 +1,6 @@
 #include "app/picture.h"
 
 #include "app/resting_window.h"
-#include "image/matte.h"
 #include "measure/camera_picture.h"
 
 namespace viewing {
@@ -97,14 +96,9 @@ bool is_drawn_by_gl(const PictureRequest& request) {
 
 Result<Image> draw_picture(Renderer& renderer, const LoadedState& state, const Scene& scene,
                            const PictureRequest& request) {
-    LoadedState wanted = state;
-    wanted.params = drawn_params(state.params, request);
-    if (!request.transparent) return draw_on(renderer, wanted, scene, request, std::nullopt);
-    const Result<Image> on_black = draw_on(renderer, wanted, scene, request, Color{0, 0, 0});
-    if (!on_black) return on_black;
-    const Result<Image> on_white = draw_on(renderer, wanted, scene, request, Color{255, 255, 255});
-    if (!on_white) return on_white;
-    return without_ground(*on_black, *on_white);
+    return drawn_without_ground(state, request, [&](const LoadedState& wanted, std::optional<Color> ground) {
+        return draw_on(renderer, wanted, scene, request, ground);
+    });
 }
 
 }  // namespace viewing

@@ -106,46 +106,32 @@ Drawing RestingWindow::record() {
 }
 
 Topic topic_of(PictureView view, const Params& params) {
-    switch (view) {
-        case PictureView::observer:
-            return Topic::observer;
-        case PictureView::derivation:
-            return is_shown(params, Topic::mirror_derivation) ? Topic::mirror_derivation : Topic::shadow_derivation;
-        case PictureView::shadow_derivation:
-            return Topic::shadow_derivation;
-        case PictureView::mirror_derivation:
-            return Topic::mirror_derivation;
-        case PictureView::tree:
-            return Topic::tree;
-        case PictureView::order:
-            return Topic::order;
-        case PictureView::precision:
-            return Topic::precision;
-        case PictureView::codes:
-            return Topic::codes;
-        case PictureView::histogram:
-            return Topic::histogram;
-        case PictureView::cells:
-            return Topic::cells;
-        case PictureView::pixel:
-            return Topic::pixel;
-        case PictureView::fighting:
-            return Topic::fighting;
-        case PictureView::passes:
-            return Topic::passes;
-        case PictureView::moving_world:
-            return Topic::moving_world;
-        case PictureView::from_light:
-            return Topic::from_light;
-        case PictureView::mirror_ways:
-            return Topic::mirror_ways;
-        case PictureView::lecture_code:
-            return Topic::lecture_code;
-        case PictureView::display_code:
-            return Topic::display_code;
-        default:
-            return Topic::automatic;
-    }
+    struct Shown {
+        PictureView view;
+        Topic topic;
+    };
+    static constexpr Shown all[] = {{PictureView::observer, Topic::observer},
+                                    {PictureView::shadow_derivation, Topic::shadow_derivation},
+                                    {PictureView::mirror_derivation, Topic::mirror_derivation},
+                                    {PictureView::tree, Topic::tree},
+                                    {PictureView::order, Topic::order},
+                                    {PictureView::precision, Topic::precision},
+                                    {PictureView::codes, Topic::codes},
+                                    {PictureView::histogram, Topic::histogram},
+                                    {PictureView::cells, Topic::cells},
+                                    {PictureView::pixel, Topic::pixel},
+                                    {PictureView::fighting, Topic::fighting},
+                                    {PictureView::passes, Topic::passes},
+                                    {PictureView::moving_world, Topic::moving_world},
+                                    {PictureView::from_light, Topic::from_light},
+                                    {PictureView::mirror_ways, Topic::mirror_ways},
+                                    {PictureView::lecture_code, Topic::lecture_code},
+                                    {PictureView::display_code, Topic::display_code}};
+    if (view == PictureView::derivation)
+        return is_shown(params, Topic::mirror_derivation) ? Topic::mirror_derivation : Topic::shadow_derivation;
+    for (const Shown& shown : all)
+        if (shown.view == view) return shown.topic;
+    return Topic::automatic;
 }
 
 }  // namespace viewing

@@ -4,6 +4,7 @@
 
 #include "app/picture.h"
 #include "app/studio.h"
+#include "image/matte.h"
 
 namespace viewing {
 
@@ -30,6 +31,21 @@ private:
     Studio studio_;
     Studio::Surroundings surroundings_;  ///< in which it rests
 };
+
+/// What `draw` makes of the state as the request has it: once, or, where it is to be transparent, on black and on
+/// white, of which what is no ground is left.
+template <typename Draw>
+auto drawn_without_ground(const LoadedState& state, const PictureRequest& request, const Draw& draw)
+    -> decltype(draw(state, std::optional<Color>())) {
+    LoadedState wanted = state;
+    wanted.params = drawn_params(state.params, request);
+    if (!request.transparent) return draw(wanted, std::nullopt);
+    auto on_black = draw(wanted, Color{0, 0, 0});
+    if (!on_black) return on_black;
+    const auto on_white = draw(wanted, Color{255, 255, 255});
+    if (!on_white) return on_white;
+    return without_ground(*on_black, *on_white);
+}
 
 /// The topic of the lower views that a view shows by itself; automatic for all that are none.
 Topic topic_of(PictureView view, const Params& params);

@@ -9,18 +9,16 @@
 #include "cli/headless.h"
 #include "cli/options.h"
 #include "cli/output.h"
+#include "cli/results/picture_file.h"
 #include "cli/results/reference.h"
 #include "cli/state_arguments.h"
 #include "cli/thresholds.h"
 #include "cli/values.h"
-#include "figure/write.h"
 #include "frame/finite.h"
 #include "gl/facts.h"
-#include "image/png.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
 #include "state/json.h"
-#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -46,8 +44,7 @@ struct Wish {
 
 /// What was drawn, and by whom.
 struct Drawn {
-    Image image;      ///< empty where shapes and text are wanted
-    Drawing drawing;  ///< of them
+    DrawnPicture picture;
     std::string device, renderer, gl_version;
 };
 
@@ -178,12 +175,6 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     return state;
 }
 
-bool is_blank(const Image& image) {
-    for (std::size_t at = 4; at < image.rgba.size(); ++at)
-        if (image.rgba[at] != image.rgba[at % 4]) return false;
-    return true;
-}
-
 Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) {
     Headless headless(wish.device);
     const auto drawn = [&](auto draw) {
@@ -192,9 +183,9 @@ Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) 
     };
     Drawn result;
     if (wish.is_vector)
-        result.drawing = drawn(draw_figure);
+        result.picture.drawing = drawn(draw_figure);
     else
-        result.image = drawn(draw_picture);
+        result.picture.image = drawn(draw_picture);
     const gl::ContextFacts facts = gl::context_facts();
     result.device = headless.context().description();
     result.renderer = facts.renderer;
@@ -206,25 +197,13 @@ Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
     Drawn first = draw_once(wish, state, scene);
     for (int i = 2; i <= wish.repeat; ++i) {
         const Drawn again = draw_once(wish, state, scene);
-        if (again.image == first.image) continue;
-        const CompareReport report = compare_images(again.image, first.image, {0, 0.0});
+        if (again.picture.image == first.picture.image) continue;
+        const CompareReport report = compare_images(again.picture.image, first.picture.image, {0, 0.0});
         throw Failure(ExitStatus::not_repeatable, "not repeatable: drawing " + std::to_string(i) + " of " +
                                                       std::to_string(wish.repeat) +
                                                       " is not the first one: " + sentence(report));
     }
     return first;
-}
-
-/// In the form that the file's name says, with the state that it shows.
-void add_picture(Outputs& outputs, const std::string& target, const Wish& wish, const Drawn& drawn,
-                 const std::string& note) {
-    const VectorOptions options{wish.picture.dpi, "viewing-sandbox: " + wish.view, note};
-    if (!wish.is_vector)
-        outputs.add(target, encode_png(drawn.image, note, wish.picture.dpi));
-    else if (in_lower_case(std::filesystem::path(target).extension().string()) == ".svg")
-        outputs.add(target, as_svg(drawn.drawing, options));
-    else
-        outputs.add(target, as_pdf(drawn.drawing, options));
 }
 
 int samples_of(const Wish& wish, const Params& params) {
@@ -257,7 +236,7 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
     report.tell("device", drawn.device);
     report.tell("renderer", drawn.renderer);
     report.tell("gl_version", drawn.gl_version);
-    report.tell("blank", drawn.image.rgba.empty() ? drawn.drawing.marks.empty() : is_blank(drawn.image));
+    report.tell("blank", drawn.picture.is_blank());
 }
 
 /// The state that is shown, by whatever way it was named.
@@ -302,13 +281,15 @@ ExitStatus take(const Options& options, const Typed& typed, const StateArguments
     wish.device = device_option(options, typed.device);
     const Drawn drawn = draw(wish, state, scene);
     tell_drawn(report, drawn);
-    if (typed.fail_if_blank && is_blank(drawn.image))
+    if (typed.fail_if_blank && drawn.picture.is_blank())
         throw Failure(ExitStatus::nan_or_blank, "the picture is blank: all pixels have the same colour");
 
     Outputs outputs;
     if (typed.output)
-        add_picture(outputs, *typed.output, wish, drawn, write_state(drawn_params(state.params, wish.picture)));
-    if (reference) reference->hold_against(drawn.image, typed.diff, outputs, report);
+        outputs.add(*typed.output, picture_file(*typed.output, drawn.picture,
+                                                {wish.picture.dpi, "viewing-sandbox: " + wish.view,
+                                                 write_state(drawn_params(state.params, wish.picture))}));
+    if (reference) reference->hold_against(drawn.picture.image, typed.diff, outputs, report);
     const ExitStatus status = reference ? reference->status() : ExitStatus::done;
     report.finish(outputs, status, reference ? reference->told() : "");
     if (reference) reference->tell(typed.output == "-" || typed.diff == "-" || typed.json == "-");

@@ -96,11 +96,6 @@ void check_picture_name(const Options& options, const char* name, const std::str
         options.refuse(std::string(name) + ": must end in .png, or be - for standard output" + got(target));
 }
 
-bool is_vector_name(const std::string& target) {
-    const std::string ending = in_lower_case(std::filesystem::path(target).extension().string());
-    return ending == ".svg" || ending == ".pdf";
-}
-
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text) {
     if (!text) return std::nullopt;
     constexpr std::array choices{"0", "4"};

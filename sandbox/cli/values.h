@@ -34,9 +34,6 @@ bool is_png_name(const std::string& name);
 /// The name of a picture that is written: it ends in .png, or is "-", or that of a device or a pipe.
 void check_picture_name(const Options& options, const char* name, const std::string& target);
 
-/// Whether a picture is to be written as shapes and text: .svg or .pdf.
-bool is_vector_name(const std::string& target);
-
 /// The value of --samples, 0 or 4; none where it was left out.
 std::optional<int> samples_option(const Options& options, const std::optional<std::string>& text);
 

@@ -5,7 +5,7 @@
 #include "app/picture.h"
 #include "figure/faces.h"
 #include "frame/ground.h"
-#include "gl/gl_test.h"
+#include "golden/states.h"
 #include "image/matte.h"
 
 namespace viewing {
@@ -13,21 +13,8 @@ namespace {
 
 constexpr glm::ivec2 usual_px{1000, 600};
 
-class FigureTest : public testing::GlTest {
+class FigureTest : public testing::PictureTest {
 protected:
-    static LoadedState state_with(const std::string& preset, const std::vector<std::string>& settings = {}) {
-        Result<LoadedState> state = load_state(preset);
-        EXPECT_TRUE(state) << state.error();
-        const Result<Params> params = apply_settings(state->params, settings);
-        EXPECT_TRUE(params) << params.error();
-        state->params = *params;
-        return *state;
-    }
-    static Scene scene_of(const LoadedState& state) {
-        const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
-        EXPECT_TRUE(scene) << scene.error();
-        return *scene;
-    }
     static Result<Image> image_of(const LoadedState& state, const PictureRequest& request) {
         return draw_picture(renderer(), state, scene_of(state), request);
     }
@@ -110,7 +97,7 @@ TEST_F(FigureSlowTest, EachViewIsDrawnByItselfWithNothingCutOff) {
             std::vector<std::string> settings = one.settings;
             settings.emplace_back(theme);
             const Result<Drawing> drawing =
-                drawing_of(state_with(one.preset, settings), {one.view, size_px, std::nullopt});
+                drawing_of(state_with(settings, one.preset), {one.view, size_px, std::nullopt});
             ASSERT_TRUE(drawing) << drawing.error();
             EXPECT_EQ(cut_line(*drawing), "");
             EXPECT_NE(text_in(*drawing).find(one.says), std::string::npos) << text_in(*drawing);
@@ -122,7 +109,7 @@ TEST_F(FigureSlowTest, EachViewIsDrawnByItselfWithNothingCutOff) {
 TEST_F(FigureTest, AViewRepeats) {
     for (const PictureView view : {PictureView::matrices, PictureView::precision, PictureView::derivation}) {
         const PictureRequest request{view, usual_px, std::nullopt};
-        const Result<Image> image = image_of(state_with(""), request), again = image_of(state_with(""), request);
+        const Result<Image> image = image_of(state_with({}), request), again = image_of(state_with({}), request);
         ASSERT_TRUE(image && again);
         EXPECT_EQ(*image, *again) << static_cast<int>(view);
     }
@@ -130,17 +117,17 @@ TEST_F(FigureTest, AViewRepeats) {
 
 TEST_F(FigureTest, WhatHasNothingToShowOrNoRoomIsSaid) {
     const auto trouble = [](const Result<Image>& image) { return image ? std::string("drawn") : image.error(); };
-    EXPECT_EQ(trouble(image_of(state_with(""), {PictureView::tree, usual_px, std::nullopt})),
+    EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::tree, usual_px, std::nullopt})),
               "the view tree has nothing to show: Only the BSP tree has a tree to show.");
-    EXPECT_EQ(trouble(image_of(state_with(""), {PictureView::pixel, usual_px, std::nullopt})),
+    EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::pixel, usual_px, std::nullopt})),
               "the view pixel is of a pixel of the camera's picture, and none is pinned: view.pixel=[X,Y]");
     // What is said of the size is true.
-    const std::string small = trouble(image_of(state_with(""), {PictureView::passes, {700, 320}, std::nullopt}));
+    const std::string small = trouble(image_of(state_with({}), {PictureView::passes, {700, 320}, std::nullopt}));
     const std::string before = "drawn; 700x";
     const std::size_t at = small.find(before);
     ASSERT_NE(at, std::string::npos) << small;
     const int height = std::stoi(small.substr(at + before.size()));
-    EXPECT_EQ(trouble(image_of(state_with(""), {PictureView::passes, {700, height}, std::nullopt})), "drawn") << small;
+    EXPECT_EQ(trouble(image_of(state_with({}), {PictureView::passes, {700, height}, std::nullopt})), "drawn") << small;
 }
 
 /// A picture over a plain colour.
@@ -164,7 +151,7 @@ int worst_difference(const Image& a, const Image& b) {
 }
 
 TEST_F(FigureTest, ATransparentPictureOverTheGroundIsThePicture) {
-    const LoadedState state = state_with("", {"ui.theme=light"});
+    const LoadedState state = state_with({"ui.theme=light"});
     const Color ground = ground_of(Theme::light).background;
     for (const int samples : {0, 4}) {
         PictureRequest request{PictureView::camera, {480, 270}, samples};
@@ -199,7 +186,7 @@ TEST_F(FigureSlowTest, ATransparentDrawingHasTheSameTextsAndNoGround) {
     for (const Case& one : cases()) {
         SCOPED_TRACE(picture_view_names[static_cast<std::size_t>(one.view)]);
         PictureRequest request{one.view, {1280, 720}, std::nullopt};
-        const LoadedState state = state_with(one.preset, one.settings);
+        const LoadedState state = state_with(one.settings, one.preset);
         const Result<Drawing> opaque = drawing_of(state, request);
         request.transparent = true;
         const Result<Drawing> cut = drawing_of(state, request);
@@ -212,7 +199,7 @@ TEST_F(FigureSlowTest, ATransparentDrawingHasTheSameTextsAndNoGround) {
 }
 
 TEST_F(FigureTest, LabelsAreAskedFor) {
-    const LoadedState state = state_with("", {R"(view.beside.shows=depth)"});
+    const LoadedState state = state_with({R"(view.beside.shows=depth)"});
     PictureRequest request{PictureView::camera, {640, 360}, std::nullopt};
     const Result<Drawing> plain = drawing_of(state, request);
     request.labels = true;
@@ -229,7 +216,7 @@ TEST_F(FigureTest, LabelsAreAskedFor) {
 }
 
 TEST_F(FigureTest, TypeIsAsHighInPrintWithAnyResolution) {
-    const LoadedState state = state_with("");
+    const LoadedState state = state_with({});
     const auto largest_pt = [&](double dpi) {
         PictureRequest request{PictureView::matrices, glm::ivec2(glm::dvec2(1200, 700) * dpi / 96.0), std::nullopt};
         request.dpi = dpi;
@@ -247,7 +234,7 @@ TEST_F(FigureTest, TypeIsAsHighInPrintWithAnyResolution) {
 }
 
 TEST_F(FigureTest, AHaloIsNoFurtherText) {
-    const Result<Drawing> drawing = drawing_of(state_with(""), {PictureView::precision, usual_px, std::nullopt});
+    const Result<Drawing> drawing = drawing_of(state_with({}), {PictureView::precision, usual_px, std::nullopt});
     ASSERT_TRUE(drawing);
     const std::string text = text_in(*drawing);
     EXPECT_EQ(text.find("16 log"), text.rfind("16 log")) << text;

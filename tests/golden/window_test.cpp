@@ -5,7 +5,7 @@
 
 #include "app/picture.h"
 #include "app/studio.h"
-#include "gl/gl_test.h"
+#include "golden/states.h"
 
 namespace viewing {
 namespace {
@@ -17,21 +17,8 @@ struct Driven {
     bool rests = false;
 };
 
-class WindowTest : public testing::GlTest {
+class WindowTest : public testing::PictureTest {
 protected:
-    static LoadedState state_with(const std::vector<std::string>& settings) {
-        Result<LoadedState> state = load_state("");
-        EXPECT_TRUE(state) << state.error();
-        const Result<Params> params = apply_settings(state->params, settings);
-        EXPECT_TRUE(params) << params.error();
-        state->params = *params;
-        return *state;
-    }
-    static Scene scene_of(const LoadedState& state) {
-        const Result<Scene> scene = load_scene(state.params.scene, state.base, state.params.coplanar);
-        EXPECT_TRUE(scene) << scene.error();
-        return *scene;
-    }
     static Image snapshot(const LoadedState& state, const PictureRequest& request) {
         Result<Image> image = draw_picture(renderer(), state, scene_of(state), request);
         EXPECT_TRUE(image) << image.error();
