@@ -18,6 +18,8 @@ void NewFrame(Context& context) {
     context.entry_hovered_next = false;
     context.recorded.clear();
     context.seen_share = 1.0F;
+    context.used_share = 0.0F;
+    context.scrolled_count = 0;
     context.offered.clear();
     context.label_path.clear();
     inner::BeginTargets(context.targets);
@@ -38,12 +40,16 @@ Context& CurrentContext() {
     return *current;
 }
 
-void CountScrolled() {
+void CountScrolled(bool is_filled) {
     const auto share = [](float size, float hidden) { return size / std::max(size + hidden, 1.0F); };
-    const float least = std::min(share(ImGui::GetWindowWidth(), ImGui::GetScrollMaxX()),
-                                 share(ImGui::GetWindowHeight(), ImGui::GetScrollMaxY()));
+    const float width = ImGui::GetWindowWidth(), height = ImGui::GetWindowHeight();
     Context& context = CurrentContext();
-    context.seen_share = std::min(context.seen_share, least);
+    context.seen_share =
+        std::min({context.seen_share, share(width, ImGui::GetScrollMaxX()), share(height, ImGui::GetScrollMaxY())});
+    ++context.scrolled_count;
+    if (!is_filled)
+        context.used_share =
+            std::max(context.used_share, (ImGui::GetCursorPosY() + ImGui::GetScrollY()) / std::max(height, 1.0F));
 }
 
 float RedrawIn(const Context& context) {

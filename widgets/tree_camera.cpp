@@ -75,7 +75,8 @@ void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
     const glm::dvec2 fitting = size / (tree + 2.0 * margin);
     const double zoom = std::min(fitting.x, fitting.y);
     const bool fits = whole || zoom >= TreeCamera::readable_zoom;
-    state.zoom = std::clamp(zoom, fits ? smallest_zoom : TreeCamera::comfortable_zoom, 1.0);
+    const double largest = CurrentContext().printed ? 2.0 : 1.0;
+    state.zoom = std::clamp(zoom, fits ? smallest_zoom : TreeCamera::comfortable_zoom, largest);
     const double edge = margin * state.zoom;
     const glm::dvec2 zoomed = tree * state.zoom, room = size - 2.0 * edge;
     const double to_left = -layout.min_x * TreeCamera::pitch * state.zoom;

@@ -215,6 +215,11 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(min, max, inner::Shown(palette.view_ground), Px(4));
 
+    if (CurrentContext().printed) {  // all of it, in all the room
+        state.fold_next = false;
+        state.fit_whole_next = true;
+        state.reveal_next = -1;
+    }
     Update(nodes, revision, state);
     UnfoldTo(nodes, state.reveal_next, state);
     Update(nodes, revision, state);
@@ -249,7 +254,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
         inner::DrawTree(draw, camera, nodes, state, selected, style);
         if (!button_hovered) NodeTooltip(camera, nodes, state);
     }
-    DrawFitButton(draw, button_min, side, button_hovered);
+    if (!CurrentContext().printed) DrawFitButton(draw, button_min, side, button_hovered);
     return changed;
 }
 

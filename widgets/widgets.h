@@ -104,9 +104,12 @@ struct Context {
     std::vector<std::string> label_path;  ///< see Group
     Editing editing;
     Targets targets;
-    bool printed = false;     ///< a figure: nothing in it can be pressed, so nothing looks as if it could
-    std::string offered;      ///< in this frame, in the place of a view that has nothing to show
-    float seen_share = 1.0F;  ///< of what a window scrolls, in the one that shows the least of it in this frame
+    bool printed = false;  ///< a figure: nothing in it can be pressed, so nothing looks as if it could
+    std::string offered;   ///< in this frame, in the place of a view that has nothing to show
+    /// Of the windows that scroll, in this frame: the share of its content that the one shows that shows the least of
+    /// it, and the share of its height that the one takes that takes the most; their number.
+    float seen_share = 1.0F, used_share = 0.0F;
+    int scrolled_count = 0;
 };
 
 /// Makes a context current for all widgets; call once a frame before the first. Moves hovered_next to hovered.
@@ -131,8 +134,9 @@ struct Group {
 /// Records the last ImGui item under `label` (for items that are not made by this library).
 void Record(const char* label);
 
-/// Counts the current window, a child or a table that scrolls into Context::seen_share; call before it ends.
-void CountScrolled();
+/// Counts the current window, a child or a table that scrolls into Context::seen_share and used_share; call before it
+/// ends. `is_filled`: by another one that is counted itself, so that its own height says nothing.
+void CountScrolled(bool is_filled = false);
 
 /// A label for ImGui itself: what is shown in the language spoken now, under an id that is English in all of them.
 std::string LabelText(const char* label);

@@ -4,14 +4,17 @@
 #include <cmath>
 
 #include "ui/parts/topics.h"
+#include "ui/window/recording.h"
 
 namespace viewing {
 namespace {
 
 /// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
 constexpr int most_frames = 12;
-/// Below half of its size type cannot be read any more.
-constexpr double least_size = 0.5;
+/// Below half of its size type cannot be read any more; beyond twice it is more than a figure wants.
+constexpr double least_size = 0.5, most_size = 2.0;
+/// Of the height: what takes as much is not drawn larger.
+constexpr double full_share = 0.9;
 
 ViewName maximised(PictureView view) {
     if (view == PictureView::window) return ViewName::none;
@@ -72,19 +75,45 @@ Status RestingWindow::rest(const PictureRequest& request) {
     ImGui::GetIO().MousePos = {-1e6F, -1e6F};  // the pointer is nowhere
     if (request.lesson) lead(studio_, *request.lesson);
 
-    const double usual_scale = request.dpi / usual_dpi;
-    double shrunk = 1.0;
-    while (true) {
-        surroundings_ = {.size_px = request.size_px, .device_scale = usual_scale * shrunk, .input = {}};
+    surroundings_ = {.size_px = request.size_px, .device_scale = request.dpi / usual_dpi, .input = {}};
+    if (Status settled = settle(); !settled || !workbench.arrangement.bare) return settled;
+    if (!workbench.widgets.offered.empty())
+        return Error{nothing_to_show(request.view, studio_.session.params, workbench.widgets.offered)};
+    return fit();
+}
+
+Drawing RestingWindow::sketch() const {
+    return recorded(*ImGui::GetDrawData(), [](ImTextureID) { return nullptr; });
+}
+
+bool RestingWindow::fits() const {
+    return studio_.workbench.widgets.seen_share >= 1.0F && !has_cut_text(sketch());
+}
+
+Status RestingWindow::fit() {
+    const glm::ivec2 size_px = surroundings_.size_px;
+    const double usual = surroundings_.device_scale;
+    double& scale = surroundings_.device_scale;
+    // Lines that are broken need fewer of them where they are smaller: at most a tenth at once.
+    while (!fits()) {
+        if (scale <= least_size * usual) return Error{too_small(size_px)};
+        const double seen = static_cast<double>(studio_.workbench.widgets.seen_share);
+        scale = std::max(least_size * usual, scale * std::clamp(seen, 0.9, 0.97));
         if (Status settled = settle(); !settled) return settled;
-        if (workbench.arrangement.bare && !workbench.widgets.offered.empty())
-            return Error{nothing_to_show(request.view, studio_.session.params, workbench.widgets.offered)};
-        const float seen = workbench.widgets.seen_share;
-        if (!workbench.arrangement.bare || seen >= 1.0F) return std::monostate{};
-        if (shrunk <= least_size) return Error{too_small(request.size_px)};
-        // Lines that are broken need fewer of them where they are smaller: at most a tenth at once.
-        shrunk = std::max(least_size, shrunk * std::clamp(static_cast<double>(seen), 0.9, 0.98));
     }
+    // What leaves room is drawn larger, as long as it still fits.
+    for (double used = studio_.workbench.widgets.used_share;
+         used > 0.0 && used < full_share && scale < most_size * usual; used = studio_.workbench.widgets.used_share) {
+        const double before = scale;
+        const std::size_t letters = letter_count(sketch());
+        scale = std::min(most_size * usual, scale * std::clamp(full_share / used, 1.05, 1.3));
+        if (Status settled = settle(); !settled) return settled;
+        // Some views leave out a column where they are narrow.
+        if (fits() && letter_count(sketch()) >= letters) continue;
+        scale = before;
+        return settle();
+    }
+    return std::monostate{};
 }
 
 std::string RestingWindow::too_small(glm::ivec2 size_px) {

@@ -14,9 +14,9 @@ public:
     RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                   std::optional<Color> ground = std::nullopt);
 
-    /// Draws what is asked for until two frames are equal. Where a view by itself would have to be scrolled, everything
-    /// in it is drawn smaller until all of it is seen. The error is what the window says, or that the size is too
-    /// small for that and which one is not.
+    /// Draws what is asked for until two frames are equal. Where a view by itself would have to be scrolled or cut,
+    /// everything in it is drawn smaller until all of it is seen, and larger where it leaves room. The error is what
+    /// the window says, or that the size is too small for that and which one is not.
     Status rest(const PictureRequest& request);
 
     Image read() const { return studio_.read(); }
@@ -25,6 +25,12 @@ public:
 
 private:
     Status settle();
+    /// What it shows now, without its pictures.
+    Drawing sketch() const;
+    /// Whether nothing is cut off or has to be scrolled.
+    bool fits() const;
+    /// Finds the size at which all is drawn.
+    Status fit();
     /// Finds the height that has room for all of it.
     std::string too_small(glm::ivec2 size_px);
 

@@ -1,5 +1,7 @@
 #include "figure/drawing.h"
 
+#include <algorithm>
+
 #include "image/matte.h"
 
 namespace viewing {
@@ -38,6 +40,26 @@ bool is_nothing(const Mark& mark) {
 }
 
 }  // namespace
+
+std::size_t letter_count(const Drawing& drawing) {
+    std::size_t count = 0;
+    for (const Mark& mark : drawing.marks)
+        if (const Line* const line = std::get_if<Line>(&mark.what))
+            count += line->characters.size() - std::count(line->characters.begin(), line->characters.end(), U' ');
+    return count;
+}
+
+bool has_cut_text(const Drawing& drawing) {
+    constexpr float tolerance_px = 1.0F;
+    return std::any_of(drawing.marks.begin(), drawing.marks.end(), [&](const Mark& mark) {
+        const Line* const line = std::get_if<Line>(&mark.what);
+        if (!line || line->lefts_px.empty()) return false;
+        const glm::vec2 min = glm::max(mark.clip.min, glm::vec2(0.0F)) - tolerance_px;
+        const glm::vec2 max = glm::min(mark.clip.max, drawing.size_px) + tolerance_px;
+        return line->lefts_px.front() < min.x || line->lefts_px.back() + 0.25F * line->em_px > max.x ||
+               line->baseline_px - 0.65F * line->em_px < min.y || line->baseline_px > max.y;
+    });
+}
 
 Result<Drawing> without_ground(const Drawing& on_black, const Drawing& on_white) {
     if (on_black.marks.size() != on_white.marks.size())

@@ -71,6 +71,13 @@ struct Drawing {
     std::vector<Mark> marks;
 };
 
+/// How many characters are written, blanks apart.
+std::size_t letter_count(const Drawing& drawing);
+
+/// Whether a part of a text lies outside what is seen of it: its capitals' height, from the first origin to the middle
+/// of the last character.
+bool has_cut_text(const Drawing& drawing);
+
 /// What both drawings of the same on black and on white ground have, without the ground: what is black in one and white
 /// in the other is left out, what shows some of it is so much less opaque. Both have the same marks in the same order;
 /// the error says that they have not.

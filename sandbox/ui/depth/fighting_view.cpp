@@ -298,8 +298,6 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
     const bool is_so = cure.params == session.params;
     ImGui::BeginGroup();
     const float left = ImGui::GetCursorPosX();
-    if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already."))) session.params = cure.params;
-    widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
     const auto number = [&](const std::string& text, ImU32 color) {
         ImGui::SetCursorPosX(left + std::floor(0.5F * (width - ImGui::CalcTextSize(text.c_str()).x)));
         ImGui::PushStyleColor(ImGuiCol_Text, is_behind ? palette().quiet : color);
@@ -307,6 +305,11 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
         ImGui::PopStyleColor();
         widgets::Record((cure.name + ": " + text).c_str());
     };
+    if (widgets::CurrentContext().printed)
+        number(cure.name, palette().text);
+    else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already.")))
+        session.params = cure.params;
+    widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     if (!counts) {
         number("…", palette().quiet);

@@ -41,6 +41,7 @@ LevelWords words_of(const HiddenResult& result) {
 /// Goes to a step where there is one; as wide as its sign takes.
 void step_button(const char* id, const char* sign, std::optional<int> to, int& step, const char* title,
                  const char* explanation, const char* why_not) {
+    if (widgets::CurrentContext().printed) return;
     ImGui::PushID(id);
     ImGui::BeginDisabled(!to);
     const float width = std::max(std::round(1.15F * ImGui::GetFrameHeight()), ImGui::CalcTextSize(sign).x + px(10.0F));

@@ -9,7 +9,8 @@
 namespace viewing {
 
 ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flags)
-    : never_scrolls_((flags & ImGuiWindowFlags_NoScrollbar) != 0) {
+    : never_scrolls_((flags & ImGuiWindowFlags_NoScrollbar) != 0),
+      counted_before_(widgets::CurrentContext().scrolled_count) {
     ImGui::SetCursorScreenPos(rect.min);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, palette().view_ground);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(6.0F)});
@@ -18,7 +19,7 @@ ViewWindow::ViewWindow(const char* name, const Rect& rect, ImGuiWindowFlags flag
 }
 
 ViewWindow::~ViewWindow() {
-    if (!never_scrolls_) widgets::CountScrolled();
+    if (!never_scrolls_) widgets::CountScrolled(widgets::CurrentContext().scrolled_count > counted_before_);
     ImGui::EndChild();
     ImGui::PopStyleColor();
 }

@@ -16,6 +16,7 @@ struct ViewWindow {
 
 private:
     bool never_scrolls_;
+    int counted_before_;  ///< windows that scroll
 };
 
 /// How high a widgets::Note is in the room that there is, pixels.

@@ -178,7 +178,7 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
             draw_matrices(session, derived, before, matrix_choice_);
         else
             draw_listed_matrices(session, derived, before, matrix_choice_);
-        widgets::CountScrolled();
+        widgets::CountScrolled(widgets.scrolled_count > 0);
         ImGui::End();
     }
     ImGui::PopStyleVar();
