@@ -76,8 +76,9 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
     if (!state) {
         return Error{state.error()};
     }
-    return LoadedState{std::move(state->params), base, source + ": scene", nullptr, std::move(state->titles),
-                       reach_of_folder(base)};
+    return LoadedState{
+        std::move(state->params), base, source + ": scene", nullptr, std::move(state->titles), std::move(state->flight),
+        reach_of_folder(base)};
 }
 
 Result<std::string> state_in_picture(const fs::path& path) {

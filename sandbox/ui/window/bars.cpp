@@ -109,6 +109,8 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     if (item(marked("Paste state"), "Ctrl+V")) paste(session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
+    if (item(recorder.is_recording() ? marked("End the recording") : marked("Record a flight"), "F9"))
+        toggle_recording(session);
     if (item(marked("Reset all"), "")) session.reset();
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
@@ -250,8 +252,15 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PopStyleVar();
     ImGui::PushFont(widgets.fonts.small_number);
     ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
+    const std::string recording = recording_sign();
+    const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
+    if (!recording.empty()) {
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(widgets.palette.trouble), "%s", recording.c_str());
+        widgets::Record(recording.c_str());
+        ImGui::SameLine(px(10.0F) + room);
+    }
     ImGui::TextUnformatted(status.frame_time.c_str());
-    ImGui::SameLine(px(84.0F));
+    ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
     // What fits, the most wanted first; the hint keeps its place.
     const char* hint = tr("F1 keys");
