@@ -46,7 +46,8 @@ StateArguments::StateArguments(Options& options) : options_(options) {
     options.group("State");
     options.positional("STATE", state_,
                        "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
-                       "at, or - for standard input; left out: the opening preset. A flight that the window recorded "
+                       "at, a link that state --link printed, or - for standard input; left out: the opening preset. A "
+                       "flight that the window recorded "
                        "is its start");
     options.text("--at", "SECONDS", at_, "STATE is a flight: the picture that it shows then");
     options.texts("--set", "PATH=VALUE", settings_,

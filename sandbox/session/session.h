@@ -120,7 +120,8 @@ public:
     void open(const std::string& argument);
     /// The name that was given to open() while that is read, else "".
     const std::string& opening() const;
-    /// A text has no folder of its own: files that it names outside the assets are asked about.
+    /// A whole state, or a link to one. A text has no folder of its own: files that it names outside the assets are
+    /// asked about.
     Status paste(const std::string& text);
     void save(const std::filesystem::path& file);
     /// `work` writes a file, beside this thread; `told` is the message when it is done.

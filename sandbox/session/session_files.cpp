@@ -5,6 +5,7 @@
 #include "platform/file.h"
 #include "session/session.h"
 #include "state/json.h"
+#include "state/link.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -225,6 +226,16 @@ const std::string& Session::opening() const {
 }
 
 Status Session::paste(const std::string& text) {
+    const std::string told = tr("state pasted from the clipboard");
+    if (is_link(text)) {
+        Result<LoadedState> linked = load_state(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
+        if (!linked) return Error{linked.error()};
+        // What it does not say is the default, but for looks and layout, which are the person's.
+        if (linked->params.ui == UiParams{}) linked->params.ui = params.ui;
+        if (linked->params.view.layout == LayoutParams{}) linked->params.view.layout = params.view.layout;
+        start_reading({.state = *std::move(linked), .is_whole = true, .told = told});
+        return std::monostate{};
+    }
     Result<StateDocument> pasted = parse_state_document(text, "clipboard");
     if (!pasted) return Error{pasted.error()};
     LoadedState state;
@@ -232,7 +243,7 @@ Status Session::paste(const std::string& text) {
     state.flight = std::move(pasted->flight);
     state.scene_origin = "clipboard: scene";
     state.reach = {false, {}};
-    start_reading({.state = std::move(state), .is_whole = true, .told = tr("state pasted from the clipboard")});
+    start_reading({.state = std::move(state), .is_whole = true, .told = told});
     return std::monostate{};
 }
 

@@ -9,6 +9,7 @@
 #include "platform/text_file.h"
 #include "state/document.h"
 #include "state/json.h"
+#include "state/link.h"
 #include "state/scene.h"
 #include "text/words.h"
 
@@ -88,6 +89,24 @@ Result<std::string> state_in_picture(const fs::path& path) {
     return note;
 }
 
+/// A link has no folder: what its state names has to be asked about.
+Result<LoadedState> state_in_link(const std::string& text) {
+    const Result<Link> link = read_link(text);
+    if (!link) return Error{link.error()};
+    if (link->kind == Link::Kind::lesson)
+        return Error{"this is a lesson's link: viewing-sandbox lesson " + link->text +
+                     (link->step.empty() ? "" : " --step " + link->step)};
+    if (link->kind == Link::Kind::preset) {
+        const std::vector<NamedFile> known = presets();
+        if (std::none_of(known.begin(), known.end(), [&](const NamedFile& file) { return file.name == link->text; }))
+            return Error{"link: " + one_line(link->text) + ": no such preset" + names_hint(link->text, known)};
+        return load_state(link->text);
+    }
+    Result<LoadedState> state = parsed(link->text, "link", "");
+    if (state) state->reach = {false, {}};
+    return state;
+}
+
 Error unknown_state(const std::string& argument) {
     for (const NamedFile& scene : scenes())
         if (scene.name == argument)
@@ -130,6 +149,7 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (argument == "-") {
         return parsed(read_text(std::cin, "standard input"), "standard input", "");
     }
+    if (is_link(argument)) return state_in_link(argument);
     const fs::path path(argument);
     const bool is_name = !path.has_parent_path() && path.extension() != ".json";
     if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {

@@ -53,7 +53,7 @@ struct LoadedState {
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
-/// preset; a .png file that carries its state; a flight.
+/// preset; a .png file that carries its state; a flight; a link.
 Result<LoadedState> load_state(const std::string& argument);
 
 }  // namespace viewing
