@@ -215,8 +215,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     ImDrawList* draw = ImGui::GetWindowDrawList();
     draw->AddRectFilled(min, max, inner::Shown(palette.view_ground), Px(4));
 
-    if (CurrentContext().printed) {  // all of it, in all the room
-        state.fold_next = false;
+    if (CurrentContext().printed) {  // all that is unfolded, in all the room
         state.fit_whole_next = true;
         state.reveal_next = -1;
     }

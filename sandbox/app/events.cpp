@@ -77,6 +77,7 @@ constexpr KeyName key_names[] = {{GLFW_KEY_W, Key::w},
                                  {GLFW_KEY_F3, Key::f3},
                                  {GLFW_KEY_F5, Key::f5},
                                  {GLFW_KEY_F6, Key::f6},
+                                 {GLFW_KEY_F9, Key::f9},
                                  {GLFW_KEY_F11, Key::f11},
                                  {GLFW_KEY_F12, Key::f12},
                                  {GLFW_KEY_ESCAPE, Key::escape}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "gl/dialect.h"
@@ -16,6 +17,11 @@ namespace viewing {
 namespace {
 
 constexpr double slow_ms = 80.0;  // of a frame: what moves by hand does not follow any more
+
+/// Of two times until a redraw the one that comes first; negative: never.
+double sooner(double a_s, double b_s) {
+    return a_s < 0.0 || b_s < 0.0 ? std::max(a_s, b_s) : std::min(a_s, b_s);
+}
 
 std::string renderer_name() {
     std::string name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
@@ -154,6 +160,15 @@ void Studio::make_exercise() {
     settling_ = std::max(settling_, 2);
 }
 
+void Studio::record(double dt_s) {
+    FlightRecorder& recorder = workbench.recorder;
+    recorder.pass(dt_s);
+    if (!recorder.is_recording() || session.awaits_scene()) return;
+    Params drawn = session.portable(shown_.params);
+    drawn.animation.jiggle = drawn.animation.light_orbit = false;  // they have moved what they move
+    recorder.note(drawn);
+}
+
 double Studio::next_redraw_in_s() const {
     const bool behind = (views_are_behind_ || drawn_.is_coarse) && !ImGui::IsAnyItemActive();
     const bool leads = workbench.guide.is_revealing() || workbench.guide.is_reading() ||
@@ -163,12 +178,12 @@ double Studio::next_redraw_in_s() const {
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking;
     if (busy || works) return busy ? 0.0 : 0.05;
-    const auto widgets_in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
-    const double message_in_s = Workbench::message_ends_in_s(session.message);
     if (workbench.presenter.has_running_clock()) return 0.5;
-    if (workbench.presenter.is_on() && widgets_in_s < 0.0 && message_in_s < 0.0) return 60.0;
-    if (widgets_in_s < 0.0 || message_in_s < 0.0) return std::max(widgets_in_s, message_in_s);
-    return std::min(widgets_in_s, message_in_s);
+    const double recorded_s = workbench.recorder.seconds();
+    const double in_s = sooner(sooner(static_cast<double>(widgets::RedrawIn(workbench.widgets)),
+                                      Workbench::message_ends_in_s(session.message)),
+                               workbench.recorder.is_recording() ? std::floor(recorded_s) + 1.0 - recorded_s : -1.0);
+    return workbench.presenter.is_on() && in_s < 0.0 ? 60.0 : in_s;
 }
 
 Requests Studio::frame(const Surroundings& surroundings) {
@@ -197,6 +212,7 @@ Requests Studio::frame(const Surroundings& surroundings) {
 
     update(workbench.layout(io.DisplaySize, session), surroundings);
     if (!views_are_behind_ && !drawn_.is_coarse) session.report(inspection_.read(shown_, session, workbench.views));
+    record(surroundings.input.dt_s);
     const Requests requests = draw_interface(surroundings);
 
     if (settling_ > 0) --settling_;

@@ -62,6 +62,7 @@ private:
     Requests draw_interface(const Surroundings& surroundings);
     /// Of the student's sheet one exercise a frame is made, since its numbers may be measured in pictures.
     void make_exercise();
+    void record(double dt_s);
     double next_redraw_in_s() const;
     bool is_held() const;  ///< something is moved by hand
 

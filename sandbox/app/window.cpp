@@ -240,7 +240,11 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
     }
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
-    for (const Status& written : {memory.remember(last), memory.finish(), studio.workbench.exercises.finish()})
+    Status flight_is_written = std::monostate{};
+    if (const std::optional<Flight> flight = studio.workbench.recorder.end())
+        flight_is_written = write_file(new_flight_file(), write_flight(*flight));
+    for (const Status& written :
+         {memory.remember(last), memory.finish(), studio.workbench.exercises.finish(), flight_is_written})
         if (!written) std::cerr << written.error() << '\n';
 }
 

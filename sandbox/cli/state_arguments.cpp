@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <set>
 #include <string_view>
+#include <utility>
 
+#include "cli/values.h"
 #include "state/fields.h"
 #include "state/json.h"
 #include "text/words.h"
@@ -46,7 +48,10 @@ StateArguments::StateArguments(Options& options) : options_(options) {
     options.group("State");
     options.positional("STATE", state_,
                        "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
-                       "at, or - for standard input; left out: the opening preset");
+                       "at, a link that state --link printed, or - for standard input; left out: the opening preset. A "
+                       "flight that the window recorded "
+                       "is its start");
+    options.text("--at", "SECONDS", at_, "STATE is a flight: the picture that it shows then");
     options.texts("--set", "PATH=VALUE", settings_,
                   "Sets one field, a group or an element after STATE was read, as often as wanted, in order: "
                   "projection.near=0.01, light.position=[2,5,1,0], depth.func=always (viewing-sandbox params)");
@@ -63,6 +68,7 @@ LoadedState StateArguments::load() const {
         options_.refuse("--mesh: " + one_line(*mesh_) + " must be a Wavefront .obj file");
 
     LoadedState loaded = value_or_end(load_state(state_is_mesh ? "" : state_));
+    if (at_) take_picture_at(loaded);
     if (mesh_ || state_is_mesh) {
         loaded.params.scene = mesh_.value_or(state_);
         loaded.base.clear();
@@ -79,6 +85,11 @@ LoadedState StateArguments::load() const {
     loaded.reach.is_everywhere = allows_outside_;
     for (const std::string& file : files_named_by(loaded.params.scene))
         if (!named_by_state.contains(file)) loaded.reach.add(loaded.base / file);
+    if (loaded.flight && loaded.flight->start != loaded.params) {
+        Flight flight = *loaded.flight;
+        flight.start = loaded.params;
+        loaded.flight = std::make_shared<const Flight>(std::move(flight));
+    }
     return loaded;
 }
 
@@ -87,6 +98,13 @@ std::vector<FileArgument> StateArguments::files() const {
     add_file_if_there(files, "STATE", state_);
     if (mesh_) files.push_back({"--mesh", *mesh_});
     return files;
+}
+
+void StateArguments::take_picture_at(LoadedState& loaded) const {
+    const std::shared_ptr<const Flight> flight = std::exchange(loaded.flight, nullptr);
+    if (!flight) options_.refuse("--at needs a flight as STATE: a file that the window recorded");
+    const double at_s = number_option(options_, "--at", *at_, 0.0, flight->seconds);
+    loaded.params = value_or_end(FlightWalk(flight).at(flight->picture_at(at_s)));
 }
 
 bool StateArguments::set_only_looks() const {

@@ -1,4 +1,4 @@
-// STATE, --mesh and --set: what every command takes that looks at a state.
+// STATE, --at, --mesh and --set: what every command takes that looks at a state.
 #pragma once
 
 #include <optional>
@@ -19,10 +19,12 @@ public:
     StateArguments(const StateArguments&) = delete;
     StateArguments& operator=(const StateArguments&) = delete;
 
-    /// STATE, then the mesh in place of its scene, then the settings in order. Relative files in STATE are relative to
-    /// its folder, those in settings to the working directory; they are written back as given, except that an inline
-    /// scene which settings change has all its files relative to the working directory. Within reach are STATE's folder
-    /// and what was typed here; everything with --allow-outside. Throws Failure.
+    /// STATE, of a flight the picture that --at says, then the mesh in place of its scene, then the settings in order.
+    /// Relative files in STATE are relative to its folder, those in settings to the working directory; they are written
+    /// back as given, except that an inline scene which settings change has all its files relative to the working
+    /// directory. Within reach are STATE's folder and what was typed here; everything with --allow-outside. Of a flight
+    /// without
+    /// --at mesh and settings are those of its start. Throws Failure.
     LoadedState load() const;
     /// The files that were typed: STATE, unless it is a preset, and --mesh.
     std::vector<FileArgument> files() const;
@@ -31,17 +33,18 @@ public:
     /// What --set says of theme, scale and language. Throws Failure: it says more, or --mesh was typed.
     UiParams looks() const;
     /// Whether any of them was typed.
-    bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_; }
+    bool are_given() const { return !state_.empty() || !settings_.empty() || mesh_ || at_; }
     /// Whether what was typed says no more than how the window looks: theme, scale, language.
     bool say_only_looks() const;
 
 private:
     bool set_only_looks() const;
+    void take_picture_at(LoadedState& loaded) const;
 
     const Options& options_;
     std::string state_;
     std::vector<std::string> settings_;
-    std::optional<std::string> mesh_;
+    std::optional<std::string> at_, mesh_;
     bool allows_outside_ = false;
 };
 

@@ -1,5 +1,5 @@
-// sweep: one or two fields of a state on their way through values, as a film, a sheet, a folder of pictures, or a table
-// of numbers. Each picture is the one that snapshot draws.
+// sweep: one or two fields of a state on their way through values, or a flight that the window recorded, as a film, a
+// sheet, a folder of pictures, or a table of numbers. Each picture is the one that snapshot draws.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,6 +20,7 @@
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/lesson_numbers.h"
+#include "state/flight.h"
 #include "state/json.h"
 #include "state/variation.h"
 #include "text/numbers.h"
@@ -67,7 +68,9 @@ void declare(Options& options, Typed& typed) {
         "-o,--output", "OUT", typed.output,
         ".mp4, .gif or .webp: a film (ffmpeg); .png: a sheet with each picture's values; a folder's name: a .png "
         "for each");
-    options.text("--fps", "N", typed.fps, "Pictures a second of a film, 1 to 120; default 30");
+    options.text("--fps", "N", typed.fps,
+                 "Pictures a second of a film, 1 to 120; default 30. Of a flight also those of a sheet, a folder or a "
+                 "table, which else have all that were recorded");
     options.text("--columns", "N", typed.columns, "Of a sheet; default: the second field's count, else a square");
     options.text("--csv", "FILE|-", typed.csv, "A row for each picture: its values, and those of --value");
     options.texts(
@@ -115,10 +118,18 @@ void keep_apart(const Options& options, const Typed& typed, const Wish& wish, st
     }
 }
 
-Wish checked(const Options& options, const Typed& typed) {
+/// A flight goes its own way; everything else needs a field to vary.
+void check_way(const Options& options, const Typed& typed, bool is_flight) {
+    if (!is_flight && (typed.vary.empty() || typed.vary.size() > 2))
+        options.refuse("--vary PATH=FROM:TO:COUNT is wanted once or twice; only a flight needs none");
+    if (is_flight && !typed.vary.empty())
+        options.refuse("--vary: STATE is a flight, which varies itself; --at SECONDS takes one picture of it");
+    if (is_flight && (typed.ease || typed.back)) options.refuse("--ease and --back need --vary; STATE is a flight");
+}
+
+Wish checked(const Options& options, const Typed& typed, bool is_flight) {
     Wish wish;
-    if (typed.vary.empty() || typed.vary.size() > 2)
-        options.refuse("--vary PATH=FROM:TO:COUNT is wanted once or twice");
+    check_way(options, typed, is_flight);
     for (const std::string& text : typed.vary) wish.variations.push_back(value_or_end(Variation::parse(text)));
     if (typed.together && wish.variations.size() != 2) options.refuse("--together needs two --vary");
     if (typed.together && wish.variations[0].count != wish.variations[1].count)
@@ -132,7 +143,7 @@ Wish checked(const Options& options, const Typed& typed) {
     wish.picture.size_px = size_option(options, typed.size);
     wish.picture.samples = samples_option(options, typed.samples);
     if (typed.output) wish.kind = kind_of(*typed.output, wish.ending);
-    if (wish.kind != Kind::film && typed.fps) options.refuse("--fps needs a film: .mp4, .gif or .webp");
+    if (wish.kind != Kind::film && typed.fps && !is_flight) options.refuse("--fps needs a film: .mp4, .gif or .webp");
     if (wish.kind != Kind::sheet && typed.columns) options.refuse("--columns needs a sheet: .png");
     if (typed.fps) wish.fps = number_option(options, "--fps", *typed.fps, 1.0, 120.0);
     const glm::ivec2 size_px = wish.picture.size_px;
@@ -142,22 +153,42 @@ Wish checked(const Options& options, const Typed& typed) {
     return wish;
 }
 
-/// The settings of each picture, in order.
-std::vector<std::vector<std::string>> settings_of(const Wish& wish, bool together, bool back) {
-    std::vector<std::vector<std::string>> all;
+/// One picture: of a variation what is set, of a flight which one it is, with its time as "t=0.5".
+struct Stop {
+    std::vector<std::string> settings;
+    std::size_t of_flight = 0;
+};
+
+/// Those of a variation, in order.
+std::vector<Stop> stops_of(const Wish& wish, bool together, bool back) {
+    std::vector<Stop> all;
     const Variation& first = wish.variations.front();
     for (int i = 0; i < first.count; ++i) {
         const std::string setting = first.setting(i, wish.ease);
         if (wish.variations.size() == 1) {
-            all.push_back({setting});
+            all.push_back({{setting}});
             continue;
         }
         const Variation& second = wish.variations.back();
         for (int k = together ? i : 0; k < (together ? i + 1 : second.count); ++k)
-            all.push_back({setting, second.setting(k, wish.ease)});
+            all.push_back({{setting, second.setting(k, wish.ease)}});
     }
     if (back)
         for (std::size_t i = all.size() - 1; i-- > 1;) all.push_back(all[i]);
+    return all;
+}
+
+/// Those of a flight: all that were recorded, or what it shows at k / fps seconds.
+std::vector<Stop> stops_of(const Flight& flight, std::optional<double> fps) {
+    std::vector<Stop> all;
+    const auto add = [&all](double t_s, std::size_t picture) {
+        all.push_back({{"t=" + shortest_number(t_s)}, picture});
+    };
+    if (!fps)
+        for (std::size_t i = 0; i < flight.picture_count(); ++i) add(flight.time_s(i), i);
+    else  // one too many where there are too many
+        for (int k = 0; k / *fps <= flight.seconds && k <= Variation::most_frames; ++k)
+            add(k / *fps, flight.picture_at(k / *fps));
     return all;
 }
 
@@ -166,16 +197,20 @@ std::vector<std::vector<std::string>> settings_of(const Wish& wish, bool togethe
 /// The state of each picture; scenes are loaded again only where they change.
 class Steps {
 public:
-    Steps(LoadedState state, const std::vector<std::vector<std::string>>& settings)
-        : state_(std::move(state)), settings_(settings), scene_(scene_of(state_)), loaded_(state_.params) {}
+    Steps(LoadedState state, const std::vector<Stop>& stops)
+        : state_(std::move(state)), stops_(stops), scene_(scene_of(state_)), loaded_(state_.params) {
+        if (state_.flight) walk_.emplace(state_.flight);
+    }
 
-    std::size_t count() const { return settings_.size(); }
-    const std::vector<std::string>& settings(std::size_t index) const { return settings_[index]; }
+    std::size_t count() const { return stops_.size(); }
+    const std::vector<std::string>& settings(std::size_t index) const { return stops_[index].settings; }
     const Scene& scene() const { return scene_; }
 
     LoadedState at(std::size_t index) {
         LoadedState state = state_;
-        state.params = value_or_end(apply_settings(state.params, settings_[index], "--vary "));
+        const Stop& stop = stops_[index];
+        state.params =
+            value_or_end(walk_ ? walk_->at(stop.of_flight) : apply_settings(state.params, stop.settings, "--vary "));
         if (!(state.params.scene == loaded_.scene && state.params.coplanar == loaded_.coplanar)) {
             scene_ = scene_of(state);
             loaded_ = state.params;
@@ -185,7 +220,8 @@ public:
 
 private:
     LoadedState state_;
-    const std::vector<std::vector<std::string>>& settings_;
+    const std::vector<Stop>& stops_;
+    std::optional<FlightWalk> walk_;
     Scene scene_;
     Params loaded_;  ///< whose scene it is
 };
@@ -198,6 +234,7 @@ std::string cell(const Json& value) {
 
 std::string head(const Typed& typed, const Wish& wish) {
     std::string line;
+    if (wish.variations.empty()) line = "t";
     for (const Variation& variation : wish.variations) line += (line.empty() ? "" : ",") + csv_quoted(variation.path);
     for (const std::string& expression : typed.values) line += "," + csv_quoted(expression);
     return line + "\n";
@@ -243,30 +280,35 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Typed typed;
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
-    Wish wish = checked(options, typed);
-    const std::vector<std::vector<std::string>> settings = settings_of(wish, typed.together, typed.back);
-    if (settings.size() > static_cast<std::size_t>(Variation::most_frames))
-        options.refuse("--vary: " + std::to_string(settings.size()) + " pictures are more than " +
-                       std::to_string(Variation::most_frames));
+    const LoadedState start = state_arguments.load();
+    Wish wish = checked(options, typed, start.flight != nullptr);
+    const bool resamples = typed.fps || wish.kind == Kind::film;
+    const std::vector<Stop> stops = start.flight
+                                        ? stops_of(*start.flight, resamples ? std::optional(wish.fps) : std::nullopt)
+                                        : stops_of(wish, typed.together, typed.back);
+    if (stops.size() > static_cast<std::size_t>(Variation::most_frames))
+        options.refuse(start.flight ? "--fps: the flight of " + shortest_number(start.flight->seconds) +
+                                          " s has more than " + std::to_string(Variation::most_frames) + " pictures so"
+                                    : "--vary: " + std::to_string(stops.size()) + " pictures are more than " +
+                                          std::to_string(Variation::most_frames));
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.kind == Kind::sheet) {
-        wish.columns = columns_of(options, typed, wish, settings.size());
-        const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(settings.size()), wish.columns);
+        wish.columns = columns_of(options, typed, wish, stops.size());
+        const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(stops.size()), wish.columns);
         if (sheet_px.x > largest_image_side || sheet_px.y > largest_image_side ||
             static_cast<std::int64_t>(sheet_px.x) * sheet_px.y > most_image_pixels)
             options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " +
                            std::to_string(sheet_px.y) + " pixels; at most " + std::to_string(largest_image_side) +
                            " a side and 64 million in all");
     }
-    keep_apart(options, typed, wish, settings.size(), state_arguments.files());
-    const LoadedState start = state_arguments.load();
-    Steps steps(start, settings);
+    keep_apart(options, typed, wish, stops.size(), state_arguments.files());
+    Steps steps(start, stops);
     std::vector<fs::path> read;
     for (std::size_t i = 0; i < steps.count(); ++i) {  // what is wrong is said before anything is drawn
         const LoadedState state = steps.at(i);
         if (steps.scene().read != read) {
             read = steps.scene().read;
-            keep_apart(options, typed, wish, settings.size(), files_of(steps.scene()));
+            keep_apart(options, typed, wish, stops.size(), files_of(steps.scene()));
         }
         const Derived derived = derive(state.params, steps.scene(), Viewport{size_px});
         if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
@@ -284,17 +326,21 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     }
     std::vector<SheetPicture> sheet;
     std::string table = head(typed, wish);
+    std::optional<Params> drawn;  // what `image` shows
+    Image image;
     for (std::size_t i = 0; i < steps.count(); ++i) {
         const LoadedState state = steps.at(i);
         if (typed.csv) table += row(typed, steps.settings(i), state, start, steps.scene(), headless.renderer());
         if (wish.kind == Kind::nothing) continue;
-        Image image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture),
-                                     status_of_trouble(wish.picture.view));
+        if (drawn != state.params)
+            image = headless.drawn(draw_picture(headless.renderer(), state, steps.scene(), wish.picture),
+                                   status_of_trouble(wish.picture.view));
+        drawn = state.params;
         if (film) value_or_end(film->add(image));
         if (wish.kind == Kind::folder)
             value_or_end(write_file(fs::path(*typed.output) / file_of_picture(i, steps.count()),
                                     encode_png(image, write_state(drawn_params(state.params, wish.picture)))));
-        if (wish.kind == Kind::sheet) sheet.push_back({std::move(image), captions_of(steps.settings(i))});
+        if (wish.kind == Kind::sheet) sheet.push_back({image, captions_of(steps.settings(i))});
     }
     headless.require_no_errors();
     Outputs outputs;
@@ -309,18 +355,21 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
 constinit const Command sweep_command{
     "sweep",
-    "[STATE] --vary PATH=FROM:TO:COUNT [--vary …] -o OUT.mp4|gif|webp|png|DIR [OPTIONS]",
-    "a field on its way through values: a film, a sheet of pictures, a table",
+    "[STATE] --vary PATH=FROM:TO:COUNT [--vary …] | FLIGHT.json -o OUT.mp4|gif|webp|png|DIR [OPTIONS]",
+    "a field on its way through values, or a flight: a film, a sheet of pictures, a table",
     "Every picture is the one that snapshot draws of the state with that value. Numbers and lists of numbers go evenly "
     "from "
     "value to value, everything else (a format, a name) stays until the next. With two fields a sheet has a row for "
     "each "
-    "value of the first and a column for each of the second. Films are made by ffmpeg, where that is installed.",
+    "value of the first and a column for each of the second. A flight (F9 in the window) needs no --vary: a folder, a "
+    "sheet or a table has a picture for its start and for each change that was recorded, a film what was on the screen "
+    "at each of its times. Films are made by ffmpeg, where that is installed.",
     "sweep --vary light.position[0]=-3:3:61 -o light.mp4 --ease smooth --back\n"
     "sweep depth-fighting --vary projection.near=0.01:1:9 --size 320x180 -o near.png\n"
     "sweep --vary light.position[1]=1:6:4 --vary shadow.opacity=0.25:1:4 --size 320x180 -o sheet.png\n"
     "sweep --vary light.position[1]=1:6:6 --csv table.csv --value S[0][0] --value facts.plane_dot_light\n"
-    "sweep --vary camera.position=[3.9,3,6.6]:[0,3,7]:[-4,2,6]:90 -o frames",
+    "sweep --vary camera.position=[3.9,3,6.6]:[0,3,7]:[-4,2,6]:90 -o frames\n"
+    "sweep flight-20260301-101500.json -o flight.mp4",
     "0234589",
     run};
 

@@ -49,18 +49,9 @@ Result<Params> changed_start(const LessonStep& step, const std::vector<std::stri
 }
 
 std::vector<std::string> settings_between(const Params& before, const Params& after) {
-    const Json document = params_as_document(after);
-    std::vector<std::string> settings;
-    for (const std::string& path : changed_fields(before, after)) {
-        if (is_looking(path)) continue;
-        const Json* value = &document;
-        for (std::size_t begin = 0, end = 0; value && begin <= path.size(); begin = end + 1) {
-            end = std::min(path.find('.', begin), path.size());
-            const auto member = value->find(path.substr(begin, end - begin));
-            value = member == value->end() ? nullptr : &*member;
-        }
-        if (value) settings.push_back(path + "=" + value->dump());
-    }
+    std::vector<std::string> settings = settings_to(before, after);
+    std::erase_if(settings,
+                  [](const std::string& setting) { return is_looking(setting.substr(0, setting.find('='))); });
     return settings;
 }
 

@@ -32,11 +32,8 @@ void append_numbers(const Json& value, std::vector<double>& numbers, const Where
 }
 
 std::vector<std::string> settings_in(const Json& object, const Where& where) {
-    require_object(object, where, "an object of paths and values");
     if (object.size() > most_settings) where.refuse("has more than " + std::to_string(most_settings) + " paths");
-    std::vector<std::string> settings;
-    for (const auto& [path, value] : object.items()) settings.push_back(path + "=" + value.dump());
-    return settings;
+    return read_settings(object, where);
 }
 
 Attempt read_attempt(const Json& object, const Where& where) {
@@ -115,15 +112,6 @@ Json numbers_as_json(const std::vector<double>& numbers) {
     for (std::ptrdiff_t row = 0; row < 4; ++row)
         rows.push_back(std::vector<double>(numbers.begin() + 4 * row, numbers.begin() + 4 * (row + 1)));
     return rows;
-}
-
-Json settings_as_json(const std::vector<std::string>& settings) {
-    Json object = Json::object();
-    for (const std::string& setting : settings) {
-        const std::size_t sign = setting.find('=');
-        object[setting.substr(0, sign)] = Json::parse(setting.substr(sign + 1), nullptr, false);
-    }
-    return object;
 }
 
 Json attempt_as_json(const Attempt& attempt) {

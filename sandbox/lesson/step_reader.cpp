@@ -88,16 +88,8 @@ std::string expression_at(const Json& object, const char* key, const Where& wher
     return expression_in(object[key], where.key(key), constants);
 }
 
-/// {"projection.near": 0.1, …} as PATH=VALUE.
-std::vector<std::string> settings_in(const Json& object, const Where& where) {
-    require_object(object, where, "an object of paths and values");
-    std::vector<std::string> settings;
-    for (const auto& [path, value] : object.items()) settings.push_back(path + "=" + value.dump());
-    return settings;
-}
-
 std::vector<std::string> settings_at(const Json& object, const char* key, const Where& where) {
-    return has(object, key) ? settings_in(object[key], where.key(key)) : std::vector<std::string>();
+    return has(object, key) ? read_settings(object[key], where.key(key)) : std::vector<std::string>();
 }
 
 Params changed(const Params& params, const std::vector<std::string>& settings, const Where& where) {

@@ -14,11 +14,6 @@ std::vector<std::string> keys_of(const Json& object) {
     return keys;
 }
 
-void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known) {
-    require_object(object, where, "an object");
-    for (const auto& [key, value] : object.items()) require_known_key(key, where, known);
-}
-
 namespace {
 
 constexpr std::size_t longest_text = 4000;  // bytes

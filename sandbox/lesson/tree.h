@@ -13,9 +13,6 @@ namespace viewing {
 
 bool has(const Json& object, const char* key);
 
-/// Refuses what is no object, and keys that are not known.
-void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
-
 std::vector<std::string> keys_of(const Json& object);
 
 /// A text, or {"en": …, "ko": …}.

@@ -1,37 +1,67 @@
 #include "session/replay.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "state/json.h"
 
 namespace viewing {
 namespace {
 
-constexpr double shortest_pause_s = 0.2, longest_pause_s = 1.5;
+constexpr double first_pause_s = 1.5, shortest_pause_s = 0.2, longest_pause_s = 1.5;
 
-double pause(const std::vector<ReplayStep>& steps, std::size_t next) {
-    const double before = next == 0 ? 0.0 : steps[next - 1].after_s;
-    return std::clamp(steps[next].after_s - before, shortest_pause_s, longest_pause_s);
+Flight flight_of(const Params& start, const std::vector<ReplayStep>& steps) {
+    Flight flight{start, {}, 0.0};
+    Params before = start;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        flight.seconds += i == 0
+                              ? first_pause_s
+                              : std::clamp(steps[i].after_s - steps[i - 1].after_s, shortest_pause_s, longest_pause_s);
+        const Result<Params> changed = apply_settings(start, steps[i].settings);
+        if (!changed) continue;
+        flight.frames.push_back({flight.seconds, settings_to(before, *changed)});
+        before = *changed;
+    }
+    return flight;
+}
+
+/// In the person's looks and layout.
+Params in_own_looks_and_layout(const Session& session, const Params& other) {
+    Params own = session.in_own_looks(other);
+    own.view.layout = session.params.view.layout;
+    return own;
 }
 
 }  // namespace
 
-void Replay::begin(const LessonStep& step, std::vector<ReplayStep> steps) {
-    start_ = step.start.params;
-    steps_ = std::move(steps);
-    next_ = 0;
-    wait_s_ = longest_pause_s;
-    if (steps_.empty()) stop();
+void Replay::begin(std::shared_ptr<const Flight> flight) {
+    walk_.emplace(std::move(flight));
+    time_s_.reset();
+    shown_ = 0;
+    put_.reset();
+}
+
+void Replay::begin(const LessonStep& step, const std::vector<ReplayStep>& steps) {
+    stop();
+    if (!steps.empty()) begin(std::make_shared<const Flight>(flight_of(step.start.params, steps)));
 }
 
 void Replay::update(Session& session, double dt_s) {
-    if (!start_) return;
-    wait_s_ -= dt_s;
-    if (wait_s_ > 0.0) return;
-    if (const Result<Params> changed = apply_settings(*start_, steps_[next_].settings))
-        session.params = session.in_own_looks(*changed);
-    if (++next_ == steps_.size()) return stop();
-    wait_s_ = pause(steps_, next_);
+    if (!walk_) return;
+    if (put_ && session.params != in_own_looks_and_layout(session, *put_)) return stop();
+    time_s_ = time_s_ ? *time_s_ + dt_s : 0.0;
+    const Flight& flight = walk_->flight();
+    const std::size_t wanted = flight.picture_at(*time_s_);
+    if (wanted != std::exchange(shown_, wanted)) {
+        const Result<Params> params = walk_->at(wanted);
+        if (!params) {
+            session.report(Error{params.error()});
+            return stop();
+        }
+        session.params = in_own_looks_and_layout(session, *params);
+    }
+    put_ = session.params;
+    if (*time_s_ >= flight.seconds) stop();
 }
 
 }  // namespace viewing

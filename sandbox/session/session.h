@@ -107,6 +107,9 @@ public:
     /// Everything as the preset has it, as one step; nothing without one.
     void return_to_preset();
 
+    /// What was opened last, once, where it was a flight: its start is there, and it wants to be played.
+    std::shared_ptr<const Flight> take_flight() { return std::exchange(flight_, nullptr); }
+
     void reset();
     /// Takes over a state as one step, when its scene is there.
     void replace(const LoadedState& state);
@@ -117,7 +120,8 @@ public:
     void open(const std::string& argument);
     /// The name that was given to open() while that is read, else "".
     const std::string& opening() const;
-    /// A text has no folder of its own: files that it names outside the assets are asked about.
+    /// A whole state, or a link to one. A text has no folder of its own: files that it names outside the assets are
+    /// asked about.
     Status paste(const std::string& text);
     void save(const std::filesystem::path& file);
     /// `work` writes a file, beside this thread; `told` is the message when it is done.
@@ -125,8 +129,12 @@ public:
     /// Of the latest open(), save() or write() that has ended; a file that is asked about ends an open() too.
     std::optional<Status> take_outcome() { return std::exchange(outcome_, std::nullopt); }
 
-    /// The whole state as text, with the files it names told from the root: it reads back from anywhere.
+    /// Parameters of this session with the files they name told from the root: they mean the same from anywhere.
+    Params portable(Params own) const;
+    /// The whole state as text, portable.
     std::string text() const;
+    /// Whether the scene that `params` names is not there yet: what is drawn has the one before.
+    bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
 
 private:
     /// What one step of the history brings back.
@@ -156,7 +164,6 @@ private:
 
     /// Turns the camera to the orbit's target when that is out of view: orbiting something unseen helps nobody.
     void aim_at_target();
-    bool awaits_scene() const { return params.scene != loaded_source_ || base_ != loaded_base_; }
     /// Makes the scene anew at once where a formula made it from other parameters: there is nothing to wait for.
     void remake_scene();
     void begin_here();  ///< where the camera is now is its home
@@ -191,6 +198,7 @@ private:
     MovingFreedoms moving_;
     MotionTuning tuning_;
     std::shared_ptr<const OpenPreset> preset_;
+    std::shared_ptr<const Flight> flight_;
     History<Step> history_;
     Params at_rest_, before_;
 };

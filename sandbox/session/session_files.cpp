@@ -5,6 +5,7 @@
 #include "platform/file.h"
 #include "session/session.h"
 #include "state/json.h"
+#include "state/link.h"
 #include "text/catalogue.h"
 
 namespace viewing {
@@ -121,6 +122,7 @@ void Session::end_reading(Result<Arrived> result) {
         looks.language = params.ui.language;
         if (!wanted.argument.empty() && layout == LayoutParams{}) layout = params.view.layout;
         params = result->state.params;
+        flight_ = result->state.flight;
         preset_ = result->state.preset;
         base_ = result->state.base;
         begin_here();
@@ -224,30 +226,44 @@ const std::string& Session::opening() const {
 }
 
 Status Session::paste(const std::string& text) {
-    Result<Params> pasted = parse_state(text, "clipboard");
+    const std::string told = tr("state pasted from the clipboard");
+    if (is_link(text)) {
+        Result<LoadedState> linked = load_state(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
+        if (!linked) return Error{linked.error()};
+        // What it does not say is the default, but for looks and layout, which are the person's.
+        if (linked->params.ui == UiParams{}) linked->params.ui = params.ui;
+        if (linked->params.view.layout == LayoutParams{}) linked->params.view.layout = params.view.layout;
+        start_reading({.state = *std::move(linked), .is_whole = true, .told = told});
+        return std::monostate{};
+    }
+    Result<StateDocument> pasted = parse_state_document(text, "clipboard");
     if (!pasted) return Error{pasted.error()};
     LoadedState state;
-    state.params = *std::move(pasted);
+    state.params = std::move(pasted->params);
+    state.flight = std::move(pasted->flight);
     state.scene_origin = "clipboard: scene";
     state.reach = {false, {}};
-    start_reading({.state = std::move(state), .is_whole = true, .told = tr("state pasted from the clipboard")});
+    start_reading({.state = std::move(state), .is_whole = true, .told = told});
     return std::monostate{};
 }
 
-std::string Session::text() const {
+Params Session::portable(Params own) const {
     // A name that is relative to the state's folder means nothing elsewhere; names of assets stay.
     const auto from_root = [this](const std::filesystem::path& file) {
         return std::filesystem::absolute(base_ / file).lexically_normal().string();
     };
-    Params portable = params;
-    if (auto* name = std::get_if<std::string>(&portable.scene)) {
+    if (auto* name = std::get_if<std::string>(&own.scene)) {
         if (!awaits_scene() && !scene_.file.empty())
             *name = std::filesystem::absolute(scene_.file).lexically_normal().string();
     } else {
-        for (ObjectDescription& object : std::get<SceneDescription>(portable.scene).objects)
+        for (ObjectDescription& object : std::get<SceneDescription>(own.scene).objects)
             if (object.shape == ShapeKind::mesh) object.file = from_root(object.file);
     }
-    return write_state(portable);
+    return own;
+}
+
+std::string Session::text() const {
+    return write_state(portable(params));
 }
 
 void Session::write(std::function<Status()> work, std::string told) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "state/flight.h"
 #include "state/reader.h"
 #include "text/words.h"
 
@@ -55,6 +56,11 @@ Result<StateDocument> parse_state_document(std::string_view json, std::string_vi
         Json document = parse_document(json, root.prefix);
         StateDocument state;
         state.titles = take_titles(document, root);
+        if (is_flight(document)) {
+            state.flight = std::make_shared<const Flight>(read_flight(document, root));
+            state.params = state.flight->start;
+            return state;
+        }
         if (document.is_object() && document.contains("objects")) {
             root.key("objects").refuse("no such field; this is a scene: use --set scene=" +
                                        one_line(source.ends_with(".json") ? source : "FILE.json"));

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "state/params.h"
 #include "state/titles.h"
@@ -13,13 +15,16 @@
 
 namespace viewing {
 
+struct Flight;
+
 /// Reads a whole state; left-out fields have their defaults. `source` opens every message ("state.json").
 Result<Params> parse_state(std::string_view json, std::string_view source);
 
-/// The same with what the file says about itself.
+/// The same with what the file says about itself. A flight (flight.h) is its start.
 struct StateDocument {
     Params params;
     Titles titles;
+    std::shared_ptr<const Flight> flight = nullptr;
 };
 Result<StateDocument> parse_state_document(std::string_view json, std::string_view source);
 
@@ -32,6 +37,9 @@ std::string write_state(const Params& params, const Titles& titles = {});
 /// message.
 Result<Params> apply_settings(Params params, std::span<const std::string> settings,
                               const std::string& source = "--set ");
+
+/// PATH=VALUE of every field in which `after` differs: applied to `before` they give `after` exactly.
+std::vector<std::string> settings_to(Params before, Params after);
 
 /// The setting that gives a field its default: "depth.func" → "depth.func=less".
 std::string default_setting(std::string_view path);

@@ -9,6 +9,7 @@
 #include "platform/text_file.h"
 #include "state/document.h"
 #include "state/json.h"
+#include "state/link.h"
 #include "state/scene.h"
 #include "text/words.h"
 
@@ -76,8 +77,9 @@ Result<LoadedState> parsed(const Result<std::string>& text, const std::string& s
     if (!state) {
         return Error{state.error()};
     }
-    return LoadedState{std::move(state->params), base, source + ": scene", nullptr, std::move(state->titles),
-                       reach_of_folder(base)};
+    return LoadedState{
+        std::move(state->params), base, source + ": scene", nullptr, std::move(state->titles), std::move(state->flight),
+        reach_of_folder(base)};
 }
 
 Result<std::string> state_in_figure(const fs::path& path) {
@@ -85,6 +87,24 @@ Result<std::string> state_in_figure(const fs::path& path) {
     if (note && note->empty())
         return Error{one_line(path.string()) + ": this picture carries no state; those that this program wrote do"};
     return note;
+}
+
+/// A link has no folder: what its state names has to be asked about.
+Result<LoadedState> state_in_link(const std::string& text) {
+    const Result<Link> link = read_link(text);
+    if (!link) return Error{link.error()};
+    if (link->kind == Link::Kind::lesson)
+        return Error{"this is a lesson's link: viewing-sandbox lesson " + link->text +
+                     (link->step.empty() ? "" : " --step " + link->step)};
+    if (link->kind == Link::Kind::preset) {
+        const std::vector<NamedFile> known = presets();
+        if (std::none_of(known.begin(), known.end(), [&](const NamedFile& file) { return file.name == link->text; }))
+            return Error{"link: " + one_line(link->text) + ": no such preset" + names_hint(link->text, known)};
+        return load_state(link->text);
+    }
+    Result<LoadedState> state = parsed(link->text, "link", "");
+    if (state) state->reach = {false, {}};
+    return state;
 }
 
 Error unknown_state(const std::string& argument) {
@@ -129,6 +149,7 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (argument == "-") {
         return parsed(read_text(std::cin, "standard input"), "standard input", "");
     }
+    if (is_link(argument)) return state_in_link(argument);
     const fs::path path(argument);
     const bool is_name = !path.has_parent_path() && path.extension() != ".json";
     if (const fs::path assets = assets_directory(); is_name && !assets.empty()) {

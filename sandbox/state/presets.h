@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "state/file_reach.h"
+#include "state/flight.h"
 #include "state/params.h"
 #include "state/titles.h"
 #include "text/result.h"
@@ -46,12 +47,13 @@ struct LoadedState {
     std::filesystem::path base;          ///< what the scene's relative paths are relative to
     std::string scene_origin = "scene";  ///< how messages about the scene open: "room.json: scene", "--set scene"
     std::shared_ptr<const OpenPreset> preset = nullptr;  ///< none for a file of one's own
-    Titles titles = {};    ///< what its file says about itself; none for the opening state
+    Titles titles = {};                              ///< what its file says about itself; none for the opening state
+    std::shared_ptr<const Flight> flight = nullptr;  ///< where it is one: `params` are its start
     FileReach reach = {};  ///< what its scene may be read from; of one that was loaded, its own folder
 };
 
 /// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
-/// preset; a figure (.png, .svg, .pdf) that carries its state.
+/// preset; a figure (.png, .svg, .pdf) that carries its state; a flight; a link.
 Result<LoadedState> load_state(const std::string& argument);
 
 }  // namespace viewing

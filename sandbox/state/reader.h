@@ -10,6 +10,7 @@
 
 #include "state/document.h"
 #include "state/fields.h"
+#include "state/flight.h"
 #include "state/params.h"
 #include "state/titles.h"
 
@@ -36,6 +37,8 @@ void require_array(const Json& value, const Where& where, std::size_t max_count,
 
 /// Refuses a key that is none of `known`.
 void require_known_key(std::string_view key, const Where& where, std::span<const std::string> known);
+/// Refuses what is no object, and a key that is none of `known`.
+void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
 
 glm::dvec3 read_vec3(const Json& value, const Where& where, const Range& range, const std::string& must_be);
 
@@ -61,6 +64,17 @@ void check_together(const Params& params, const std::string& prefix);
 
 /// Checks what a file says about itself, which it need not, and takes it out of the tree.
 Titles take_titles(Json& document, const Where& where);
+
+// ---- settings (settings.cpp) -------------------------------------------------------------------------------------
+
+/// {"projection.near": 0.1, …} as PATH=VALUE, and back.
+std::vector<std::string> read_settings(const Json& object, const Where& where);
+Json settings_as_json(const std::vector<std::string>& settings);
+
+// ---- flights (flight.cpp) -----------------------------------------------------------------------------------------
+
+bool is_flight(const Json& document);
+Flight read_flight(const Json& document, const Where& where);
 
 // ---- scenes (scene_reader.cpp) ------------------------------------------------------------------------------------
 

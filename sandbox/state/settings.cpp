@@ -99,6 +99,36 @@ void apply(const std::string& setting, Params& params, const std::string& prefix
 
 }  // namespace
 
+std::vector<std::string> read_settings(const Json& object, const Where& where) {
+    require_object(object, where, "an object of paths and values");
+    std::vector<std::string> settings;
+    for (const auto& [path, value] : object.items()) {
+        if (path.find('=') != std::string::npos) where.key(path).refuse("no such field");
+        settings.push_back(path + "=" + value.dump());
+    }
+    return settings;
+}
+
+Json settings_as_json(const std::vector<std::string>& settings) {
+    Json object = Json::object();
+    for (const std::string& setting : settings) {
+        const std::size_t sign = setting.find('=');
+        object[setting.substr(0, sign)] = Json::parse(setting.substr(sign + 1), nullptr, false);
+    }
+    return object;
+}
+
+std::vector<std::string> settings_to(Params before, Params after) {
+    std::vector<std::string> settings;
+    for (const Field& field : fields()) {
+        const Json value = field_as_json(field, after);
+        if (value != field_as_json(field, before))
+            settings.push_back(std::string(field.path) + "=" +
+                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names of files are bytes
+    }
+    return settings;
+}
+
 std::string default_setting(std::string_view path) {
     Params defaults;
     const Json value = field_as_json(field(path), defaults);

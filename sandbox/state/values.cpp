@@ -128,6 +128,11 @@ void require_array(const Json& value, const Where& where, std::size_t max_count,
     }
 }
 
+void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known) {
+    require_object(object, where, "an object");
+    for (const auto& [key, value] : object.items()) require_known_key(key, where, known);
+}
+
 void require_known_key(std::string_view key, const Where& where, std::span<const std::string> known) {
     if (std::find(known.begin(), known.end(), key) != known.end()) {
         return;

@@ -32,17 +32,14 @@ std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
 // ---- what is drawn and checked -------------------------------------------------------------------------------------
 
 /// {"projection.near": 0.1, …} or ["projection.near=0.1", …].
-std::vector<std::string> read_settings(const Json& value, const Where& where) {
+std::vector<std::string> read_set(const Json& value, const Where& where) {
+    if (value.is_object()) return read_settings(value, where);
+    require_array(value, where, max_object_keys, "an object of fields and their values, or a list of PATH=VALUE");
     std::vector<std::string> settings;
-    if (value.is_array()) {
-        for (std::size_t i = 0; i < value.size(); ++i) {
-            settings.push_back(read_name(value[i], where.at(i)));
-            if (settings.back().find('=') == std::string::npos) where.at(i).refuse("must be PATH=VALUE");
-        }
-        return settings;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        settings.push_back(read_name(value[i], where.at(i)));
+        if (settings.back().find('=') == std::string::npos) where.at(i).refuse("must be PATH=VALUE");
     }
-    require_object(value, where, "an object of fields and their values, or a list of PATH=VALUE");
-    for (const auto& [path, setting] : value.items()) settings.push_back(path + "=" + setting.dump());
     return settings;
 }
 
@@ -107,7 +104,7 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
         if (has(object, key)) read(object[key], where.key(key));
     };
     with("set", [&](const Json& value, const Where& at) {
-        for (std::string& setting : read_settings(value, at)) entry.settings.push_back(std::move(setting));
+        for (std::string& setting : read_set(value, at)) entry.settings.push_back(std::move(setting));
     });
     with("view", [&](const Json& value, const Where& at) {
         entry.view = static_cast<PictureView>(read_choice(value, at, picture_view_names));

@@ -321,5 +321,41 @@ TEST_F(Matrices, HoldNoNegativeZero) {
     EXPECT_EQ(expect(0, {"matrices"}).out.find("-0,"), std::string::npos);
 }
 
+TEST_F(State, ALinkIsAStateWhereverOneIs) {
+    std::string link = expect(0, {"state", "room", "--set", "shadow.opacity=0.125", "--link"}).out;
+    ASSERT_TRUE(link.starts_with("viewing-sandbox.html#1")) << link;
+    ASSERT_TRUE(link.ends_with("\n"));
+    link.pop_back();
+    nlohmann::json whole = expect(0, {"state", "room", "--set", "shadow.opacity=0.125"}).json();
+    for (const char* title : {"title", "about", "group"}) whole.erase(title);
+    EXPECT_EQ(expect(0, {"state", link}).json(), whole);
+    const std::string bare = link.substr(link.find('#'));
+    expect(0, {"snapshot", bare, "--view", "camera", "--size", "64x36", "-o", "a.png"});
+    expect(0,
+           {"snapshot", "room", "--set", "shadow.opacity=0.125", "--view", "camera", "--size", "64x36", "-o", "b.png"});
+    EXPECT_EQ(read("a.png"), read("b.png"));
+    EXPECT_EQ(expect(0, {"state", "room", "--set", "shadow.opacity=0.125", "--link", "--base", "https://a.b/c"}).out,
+              "https://a.b/c" + bare + "\n");
+    Surroundings elsewhere;
+    elsewhere.environment["VIEWING_SANDBOX_LINK_BASE"] = "https://d.e/";
+    EXPECT_EQ(expect(0, {"state", bare, "--link"}, elsewhere).out, "https://d.e/" + bare + "\n");
+    refused({"state", "--base", "x"}, {"--base", "--link"});
+    refused({"state", "--link", "--base", "a#b"}, {"--base", "#"});
+    refused({"state", "--link", "--bundle", "folder"}, {"--bundle", "--link"});
+    refused({"snapshot", bare.substr(0, 40), "-o", "c.png"}, {"link", "cut off"});
+    refused({"matrices", "#lesson=depth-fighting&step=2"}, {"viewing-sandbox lesson depth-fighting --step 2"});
+}
+
+TEST_F(State, ALinkSaysThatItCarriesNoFiles) {
+    write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Ended ended = run({"state", "one.obj", "--link"});
+    EXPECT_EQ(ended.status, 0) << ended.told();
+    EXPECT_NE(ended.err.find("does not carry"), std::string::npos) << ended.err;
+    std::string link = ended.out;
+    link.pop_back();
+    refused({"snapshot", link, "-o", "a.png"}, {"--allow-outside"});
+    expect(0, {"snapshot", link, "--allow-outside", "--view", "camera", "--size", "64x36", "-o", "a.png"});
+}
+
 }  // namespace
 }  // namespace cli_tests

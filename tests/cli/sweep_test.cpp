@@ -121,5 +121,76 @@ TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
     refused({"sweep", "--vary", "camera.yaw=0:1:200", "-o", "a.png"}, {"sheet", "16384"});
 }
 
+// ---- flights -------------------------------------------------------------------------------------------------------
+
+constexpr const char* flight = R"({"version": 1, "kind": "flight", "seconds": 1.05, "state": {"camera": {"yaw": 20}},
+"frames": [
+{"t": 0.25, "set": {"camera.yaw": 25.000000000000004, "light.position": [1, 5, 2, 1]}},
+{"t": 0.5, "set": {"camera.position": [3.3, 2.1, 6.6], "projection.near": 0.7}},
+{"t": 0.5, "set": {"scene": "letters", "view.shows": "facing"}}
+]})";
+
+class SweepOfAFlight : public Sweep {
+protected:
+    SweepOfAFlight() { write("flight.json", flight); }
+};
+
+TEST_F(SweepOfAFlight, DrawsEachRecordedPictureAsSnapshotDrawsItsState) {
+    expect(0, small({"flight.json", "-o", "frames"}));
+    const char* const times[] = {"0", "0.25", "0.5"};
+    const char* const files[] = {"frames/0001.png", "frames/0002.png", "frames/0004.png"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        write("state.json", expect(0, {"state", "flight.json", "--at", times[i]}).out);
+        expect(0, {"snapshot", "state.json", "--size", "64x36", "--view", "camera", "-o", "one.png"});
+        EXPECT_EQ(read(files[i]), read("one.png")) << times[i];
+        expect(0, {"snapshot", "flight.json", "--at", times[i], "--size", "64x36", "--view", "camera", "-o", "at.png"});
+        EXPECT_EQ(read("at.png"), read("one.png")) << times[i];
+    }
+    EXPECT_TRUE(exists("frames/0003.png"));
+    EXPECT_FALSE(exists("frames/0005.png"));
+    EXPECT_EQ(expect(0, {"state", "flight.json"}).json()["camera"]["yaw"], 20) << "without --at it is the start";
+}
+
+TEST_F(SweepOfAFlight, ShowsAtEachTimeWhatWasOnTheScreen) {
+    const std::string table = expect(0, {"sweep", "flight.json", "--fps", "4", "--csv", "-", "--value", "camera.yaw",
+                                         "--value", "projection.near"})
+                                  .out;
+    EXPECT_EQ(lines_of(table), (std::vector<std::string>{"t,camera.yaw,projection.near", "0,20,0.5",
+                                                         "0.25,25.000000000000004,0.5", "0.5,25.000000000000004,0.7",
+                                                         "0.75,25.000000000000004,0.7", "1,25.000000000000004,0.7"}));
+    expect(0, small({"flight.json", "--fps", "4", "-o", "frames"}));
+    EXPECT_EQ(read("frames/0003.png"), read("frames/0005.png"));
+    EXPECT_NE(read("frames/0002.png"), read("frames/0003.png"));
+    EXPECT_FALSE(exists("frames/0006.png"));
+    expect(0, small({"flight.json", "-o", "sheet.png"}));
+    EXPECT_GT(read("sheet.png").size(), 500U);
+    const std::string dressed =
+        expect(0, {"sweep", "flight.json", "--set", "shadow.opacity=0.125", "--csv", "-", "--value", "shadow.opacity"})
+            .out;
+    EXPECT_EQ(lines_of(dressed),
+              (std::vector<std::string>{"t,shadow.opacity", "0,0.125", "0.25,0.125", "0.5,0.125", "0.5,0.125"}));
+}
+
+TEST_F(SweepOfAFlight, MistakesAreSaid) {
+    refused(small({"flight.json", "--vary", "camera.yaw=0:1:2", "-o", "a.png"}), {"--vary", "flight", "--at"});
+    refused(small({"flight.json", "--back", "-o", "a.png"}), {"--back"});
+    refused(small({"flight.json"}), {"-o"});
+    refused({"snapshot", "flight.json", "--at", "2", "-o", "a.png"}, {"--at", "from 0 to 1.05"});
+    refused({"snapshot", "--at", "2", "-o", "a.png"}, {"--at", "flight"});
+    std::string wrong = flight;
+    wrong.replace(wrong.find("camera.yaw"), 10, "camera.yav");
+    write("wrong.json", wrong);
+    refused(small({"wrong.json", "-o", "a.png"}),
+            {"wrong.json", "frames[0]", "camera.yav", "did you mean camera.yaw?"});
+    std::string back = flight;
+    back.replace(back.find("0.5,"), 4, "0.1,");
+    write("back.json", back);
+    refused(small({"back.json", "-o", "a.png"}), {"back.json", "frames[1]", "0.1"});
+    std::string late = flight;
+    late.replace(late.find("1.05"), 4, "9999");
+    write("late.json", late);
+    refused(small({"late.json", "-o", "a.gif"}), {"--fps", "10000"});
+}
+
 }  // namespace
 }  // namespace cli_tests

@@ -265,6 +265,8 @@ private:
         problems = find_problems(session.params, derived, session.scene(), frame_plan);
         workbench.views.pinned = pinned_pixel(session.params, derived, frame_plan, session.scene(), viewport.size_px);
         input.dt_s = ImGui::GetIO().DeltaTime;
+        workbench.recorder.pass(input.dt_s);
+        workbench.recorder.note(session.params);
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
         requests = workbench.draw(session, derived, before, frame_plan, problems, pictures,

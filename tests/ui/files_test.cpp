@@ -112,6 +112,29 @@ TEST_F(FilesTest, TheFileMenuCopiesAndPastesToo) {
     EXPECT_EQ(params, copied);
 }
 
+TEST_F(FilesTest, ALinkGoesThroughTheClipboard) {
+    desk.click("depth/Depth test");
+    desk.enter("camera/position/y", "9");
+    const Params copied = params;
+    desk.choose("top/File", "top/Copy link");
+    EXPECT_TRUE(desk.clipboard.starts_with("viewing-sandbox.html#1")) << desk.clipboard;
+    desk.undo();
+    params.ui.theme = Theme::light;
+    desk.settle();
+    desk.clipboard = "https://example.org/" + desk.clipboard + "\n";
+    desk.press_with(Key::ctrl, Key::v);
+    desk.settle();
+    EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
+    EXPECT_EQ(differing_fields(params, copied), Paths{"ui.theme"}) << "looks are the person's";
+    desk.clipboard = "#preset=walkthrough";
+    desk.press_with(Key::ctrl, Key::v);
+    desk.settle();
+    EXPECT_EQ(params.scene, SceneSource("walkthrough"));
+    desk.clipboard = "#1abc";
+    desk.press_with(Key::ctrl, Key::v);
+    EXPECT_TRUE(desk.session.message.is_error && desk.session.message.text.starts_with("link: "));
+}
+
 TEST_F(FilesTest, PastedJunkChangesNothingAndSaysWhy) {
     const Params before = params;
     for (const char* junk :

@@ -65,6 +65,7 @@ enum class Key {
     f3,
     f5,
     f6,
+    f9,
     f11,
     f12,
     escape,

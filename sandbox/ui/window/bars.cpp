@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "state/fields.h"
+#include "state/link.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/controls.h"
@@ -80,13 +81,23 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra) {
     return ImGui::Begin(name, nullptr, fixed_window | extra);
 }
 
+/// Not while something is covered; the message then says so.
+static bool may_tell_state(Session& session) {
+    if (!widgets::IsPartCovered("control")) return true;
+    session.message = {tr("the state is not copied: it tells what is covered until the answer is given"), false};
+    return false;
+}
+
 void copy(Session& session) {
-    if (widgets::IsPartCovered("control")) {
-        session.message = {tr("the state is not copied: it tells what is covered until the answer is given"), false};
-        return;
-    }
+    if (!may_tell_state(session)) return;
     ImGui::SetClipboardText(session.text().c_str());
     session.message = {tr("the whole state is in the clipboard"), false};
+}
+
+void copy_link(Session& session) {
+    if (!may_tell_state(session)) return;
+    ImGui::SetClipboardText((link_base() + link_fragment(session.portable(session.params))).c_str());
+    session.message = {tr("a link to this state is in the clipboard"), false};
 }
 
 void paste(Session& session) {
@@ -106,9 +117,12 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     save = item(marked("Save…"), "Ctrl+S");
     save_step = item(marked("Save as step…"), "");
     if (item(marked("Copy state"), "Ctrl+C")) copy(session);
+    if (item(marked("Copy link"), "")) copy_link(session);
     if (item(marked("Paste state"), "Ctrl+V")) paste(session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
+    if (item(recorder.is_recording() ? marked("End the recording") : marked("Record a flight"), "F9"))
+        toggle_recording(session);
     if (item(marked("Reset all"), "")) session.reset();
     ImGui::EndPopup();
     if (open) file_dialog_.show(FileDialog::Purpose::open);
@@ -250,8 +264,15 @@ void Workbench::draw_status_bar(const Session& session, const Layout& layout, co
     ImGui::PopStyleVar();
     ImGui::PushFont(widgets.fonts.small_number);
     ImGui::PushStyleColor(ImGuiCol_Text, widgets.palette.quiet);
+    const std::string recording = recording_sign();
+    const float room = recording.empty() ? 0.0F : ImGui::CalcTextSize(recording.c_str()).x + px(18.0F);
+    if (!recording.empty()) {
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(widgets.palette.trouble), "%s", recording.c_str());
+        widgets::Record(recording.c_str());
+        ImGui::SameLine(px(10.0F) + room);
+    }
     ImGui::TextUnformatted(status.frame_time.c_str());
-    ImGui::SameLine(px(84.0F));
+    ImGui::SameLine(px(84.0F) + room);
     ImGui::TextUnformatted(status.renderer.c_str());
     // What fits, the most wanted first; the hint keeps its place.
     const char* hint = tr("F1 keys");

@@ -178,7 +178,7 @@ void FileDialog::draw(Session& session) {
     bool is_done = ends_with_outcome(session);
 
     static constexpr const char* titles[] = {
-        marked("Open a state (.json, .png, .svg, .pdf) or a mesh (.obj)"), marked("Save the state"),
+        marked("Open a state (.json, .png, .svg, .pdf), a flight (.json) or a mesh (.obj)"), marked("Save the state"),
         marked("Save the state as the last step of a lesson"), marked("Open answers to exercises (.json)"),
         marked("Save the answers to be handed in")};
     title(titles[static_cast<std::size_t>(purpose_)]);
@@ -290,6 +290,7 @@ void draw_help(bool& open) {
         {"Ctrl+P", marked("the presets; type to search")},
         {marked("Page up  Page down"), marked("the preset before, the next one")},
         {"Ctrl+plus  Ctrl+minus  Ctrl+0", marked("larger, smaller, as at first")},
+        {"F9", marked("record a flight, end it; Esc ends one that plays")},
         {"F11", marked("full screen")},
         {"F12", marked("snapshot of the camera view")},
     };

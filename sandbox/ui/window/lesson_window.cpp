@@ -23,7 +23,7 @@ std::vector<CardPicture> Workbench::wanted_cards() {
 
 void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     guide.update(session, input.dt_s);
-    follow_exercises(session, input);
+    follow_exercises(session);
     presenter.update(input, guide, session);
     arrangement.presents = presenter.is_on();
     LessonRun* const run = guide.run();
@@ -143,9 +143,8 @@ void Workbench::go_to_exercise(const std::string& id, bool replays) {
     wants_replay_ = replays;
 }
 
-void Workbench::follow_exercises(Session& session, const FrameInput& input) {
+void Workbench::follow_exercises(Session& session) {
     session.report(exercises.update(ImGui::GetTime()));
-    replay.update(session, input.dt_s);
     if (!wanted_exercise_.empty() && exercises.is_ready()) {
         std::vector<std::size_t> all(exercises.entries().size());
         std::iota(all.begin(), all.end(), std::size_t{0});

@@ -125,6 +125,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
         if (key == Key::f1) help_open_ = !help_open_;
         if (key == Key::f2) fold(session.params, "panel", !is_folded(session.params, "panel"));
         if (key == Key::f3) fold(session.params, "matrices", !is_folded(session.params, "matrices"));
+        if (key == Key::f9) toggle_recording(session);
         if (key == Key::f11) requests.toggle_full_screen = true;
         if (key == Key::f12) requests.snapshot = true;
         // A text field or a dialog has the keyboard; with nothing typed there is nothing else to be undone.
@@ -150,7 +151,9 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
             if (const NamedFile* preset = preset_at(session, key == Key::page_down ? 1 : -1))
                 session.open(preset->name);
         if (key == Key::escape) {
-            if (session.params.view.layout.big != BigView::none)
+            if (replay.is_playing())
+                replay.stop();
+            else if (session.params.view.layout.big != BigView::none)
                 session.params.view.layout.big = BigView::none;
             else
                 session.params.follow.reset();
@@ -261,6 +264,7 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
                          const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
                          const FrameInput& input) {
+    follow_flights(session, input.dt_s);
     follow_lesson(session, input);
     remember_opened(session);
     set_stage();
@@ -279,6 +283,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_columns(session, derived, before, problems, pictures.hidden, now);
     draw_views(session, derived, plan, problems, pictures, now, input, motion);
     if (!now.status_bar.empty()) draw_status_bar(session, now, status);
+    draw_recording_sign(now);
     widgets::StopUnlessShown(views.call_player);
     widgets::StopUnlessShown(views.pass_player);
     end_hidden_frame(views.hidden);
@@ -296,7 +301,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
-    const bool rests = !ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views);
+    const bool rests = !ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views) && !replay.is_playing();
     if (rests && !guide.is_revealing()) session.rest();
     return requests;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame/problems.h"
+#include "session/flight_recorder.h"
 #include "session/replay.h"
 #include "state/presets.h"
 #include "ui/lesson/exercise_page.h"
@@ -56,7 +57,8 @@ public:
     StartPage start_page;
     ExerciseDesk exercises;  ///< of the student who sits here
     ExercisePage exercise_page;
-    Replay replay;                    ///< of a hand-in, while it plays
+    FlightRecorder recorder;          ///< of what is drawn: whoever draws notes each frame
+    Replay replay;                    ///< of a flight or a hand-in, while it plays
     bool is_checking = false;         ///< an answer is being judged beside the window
     LessonsProgress progress;         ///< of this person, in every lesson
     std::vector<std::string> recent;  ///< files that were opened, the latest first
@@ -91,7 +93,7 @@ private:
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);
     void draw_lesson_button(Session& session);
-    void follow_exercises(Session& session, const FrameInput& input);
+    void follow_exercises(Session& session);
     void draw_exercises(Session& session, const Pictures& pictures);
     void choose_answers(FileDialog::Purpose purpose, Session& session);
     /// Numbers in the clipboard as the answer to the question; false where they are not as many as it asks for.
@@ -106,6 +108,13 @@ private:
     void choose_scale(Session& session, double scale, Requests& requests);
     void draw_file_menu(Session& session, Requests& requests);
     void draw_look_menu(Session& session, Requests& requests);
+    /// Begins a recording, or ends it and writes its file beside the window.
+    void toggle_recording(Session& session);
+    void end_recording(Session& session);
+    /// Ends a recording that is full, plays what was opened.
+    void follow_flights(Session& session, double dt_s);
+    std::string recording_sign() const;
+    void draw_recording_sign(const Layout& layout) const;
     void draw_status_bar(const Session& session, const Layout& layout, const StatusLine& status);
     void draw_columns(Session& session, const Derived& derived, const Derived& before,
                       const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout);

@@ -1,0 +1,66 @@
+#include "session/flight_recorder.h"
+
+#include <cmath>
+#include <ctime>
+#include <utility>
+
+#include "state/json.h"
+
+namespace viewing {
+namespace {
+
+/// Whole microseconds are enough, and are shorter in the file.
+double in_microseconds(double seconds) {
+    return std::round(seconds * 1e6) / 1e6;
+}
+
+}  // namespace
+
+void FlightRecorder::begin() {
+    *this = {};
+    is_recording_ = true;
+}
+
+void FlightRecorder::pass(double dt_s) {
+    if (flight_ && !is_full_) seconds_ += dt_s;
+}
+
+void FlightRecorder::note(const Params& drawn) {
+    if (!is_recording_ || is_full_) return;
+    if (!flight_) {
+        flight_ = Flight{drawn, {}, 0.0};
+        size_.add(write_state(drawn));
+        last_ = drawn;
+        return;
+    }
+    if (drawn == last_) return;
+    FlightFrame frame{in_microseconds(seconds_), settings_to(last_, drawn)};
+    size_.add(FlightSize::of_each_frame);
+    for (const std::string& setting : frame.settings) size_.add(setting);
+    is_full_ = size_.is_too_much();
+    if (is_full_) return;
+    flight_->frames.push_back(std::move(frame));
+    last_ = drawn;
+    is_full_ = flight_->picture_count() == most_flight_pictures;
+}
+
+std::optional<Flight> FlightRecorder::end() {
+    if (flight_) flight_->seconds = in_microseconds(seconds_);
+    std::optional<Flight> recorded = std::move(flight_);
+    *this = {};
+    return recorded;
+}
+
+std::filesystem::path new_flight_file() {
+    const std::time_t now = std::time(nullptr);
+    char name[64];
+    std::strftime(name, sizeof name, "flight-%Y%m%d-%H%M%S", std::localtime(&now));
+    std::error_code ignored;
+    const std::filesystem::path folder = std::filesystem::absolute(".", ignored).lexically_normal();
+    std::filesystem::path file = folder / (std::string(name) + ".json");
+    for (int next = 2; std::filesystem::exists(file, ignored); ++next)
+        file = folder / (std::string(name) + "-" + std::to_string(next) + ".json");
+    return file;
+}
+
+}  // namespace viewing

@@ -1,0 +1,164 @@
+#include "state/link.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <vector>
+
+#include "platform/text_file.h"
+#include "state/reader.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr const char* broken = "link: it is cut off or damaged";
+
+std::string base64url(const std::vector<std::uint8_t>& bytes) {
+    std::string text;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const std::uint8_t byte : bytes) {
+        bits = bits << 8U | byte;
+        for (count += 8; count >= 6; count -= 6) text += digits[bits >> static_cast<unsigned>(count - 6) & 63U];
+    }
+    if (count > 0) text += digits[bits << static_cast<unsigned>(6 - count) & 63U];
+    return text;
+}
+
+/// None: no text that base64url() makes.
+std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char sign : text) {
+        const std::size_t digit = digits.find(sign);
+        if (digit == std::string_view::npos) return std::nullopt;
+        bits = bits << 6U | static_cast<std::uint32_t>(digit);
+        count += 6;
+        if (count < 8) continue;
+        count -= 8;
+        bytes.push_back(static_cast<std::uint8_t>(bits >> static_cast<unsigned>(count)));
+    }
+    const bool has_rest = (bits & ((1U << static_cast<unsigned>(count)) - 1U)) != 0;
+    if (count >= 6 || has_rest) return std::nullopt;
+    return bytes;
+}
+
+std::vector<std::uint8_t> deflated(const std::string& text) {
+    uLongf size = compressBound(text.size());
+    std::vector<std::uint8_t> bytes(size);
+    compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_BEST_COMPRESSION);
+    bytes.resize(size);
+    return bytes;
+}
+
+/// Ends inflate() however it is left.
+struct Inflating {
+    z_stream stream{};
+    bool has_begun = inflateInit(&stream) == Z_OK;
+    Inflating() = default;
+    Inflating(const Inflating&) = delete;
+    Inflating& operator=(const Inflating&) = delete;
+    ~Inflating() {
+        if (has_begun) inflateEnd(&stream);
+    }
+};
+
+Result<std::string> inflated(std::vector<std::uint8_t> bytes) {
+    Inflating inflating;
+    z_stream& stream = inflating.stream;
+    if (!inflating.has_begun) return Error{"link: no memory to unpack it"};
+    stream.next_in = bytes.data();
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    std::string text;
+    std::array<char, 65536> part{};
+    for (int state = Z_OK; state != Z_STREAM_END;) {
+        stream.next_out = reinterpret_cast<Bytef*>(part.data());
+        stream.avail_out = static_cast<uInt>(part.size());
+        state = inflate(&stream, Z_NO_FLUSH);
+        if (state != Z_OK && state != Z_STREAM_END) return Error{broken};
+        text.append(part.data(), part.size() - stream.avail_out);
+        if (text.size() > max_document_bytes) return Error{"link: its state is longer than 16 MiB"};
+    }
+    if (stream.avail_in > 0) return Error{"link: something follows the end of its state"};
+    return text;
+}
+
+/// The value of "name=" in "name=value&…"; none where there is no such name.
+std::optional<std::string> value_in(std::string_view text, std::string_view name) {
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find('&'));
+        text.remove_prefix(std::min(text.size(), part.size() + 1));
+        if (part.starts_with(name) && part.substr(name.size()).starts_with('='))
+            return std::string(part.substr(name.size() + 1));
+    }
+    return std::nullopt;
+}
+
+bool is_name(std::string_view text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char sign) {
+        return std::isalnum(static_cast<unsigned char>(sign)) != 0 || sign == '-' || sign == '_';
+    });
+}
+
+}  // namespace
+
+std::string link_base() {
+    const char* const chosen = std::getenv("VIEWING_SANDBOX_LINK_BASE");
+    return chosen && *chosen ? chosen : "viewing-sandbox.html";
+}
+
+std::string link_fragment(const Params& params) {
+    Params defaults, own = params;
+    Json document = Json::object();
+    for (const Field& field : fields()) {
+        Json value = field_as_json(field, own);
+        if (value == field_as_json(field, defaults)) continue;
+        std::string pointer = "/" + std::string(field.path);
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
+        document[Json::json_pointer(pointer)] = std::move(value);
+    }
+    return "#1" + base64url(deflated(document.dump(-1, ' ', false, Json::error_handler_t::replace)));
+}
+
+bool is_link(std::string_view text) {
+    for (const std::string_view start : {"#", "http://", "https://", "file://"})
+        if (text.starts_with(start)) return true;
+    return text.find(".html#") != std::string_view::npos;
+}
+
+Result<Link> read_link(std::string_view text) {
+    const std::size_t sign = text.find('#');
+    if (sign == std::string_view::npos) return Error{"link: no # with a state behind it"};
+    const std::string_view fragment = text.substr(sign + 1);
+    if (const auto preset = value_in(fragment, "preset")) {
+        if (!is_name(*preset)) return Error{"link: " + one_line(*preset) + " is no preset's name"};
+        return Link{Link::Kind::preset, *preset, ""};
+    }
+    if (const auto lesson = value_in(fragment, "lesson")) {
+        const std::string step = value_in(fragment, "step").value_or("");
+        const bool counts = step.size() < 4 && step.find_first_not_of("0123456789") == std::string::npos;
+        if (!is_name(*lesson) || !counts) return Error{"link: it names no lesson and step"};
+        return Link{Link::Kind::lesson, *lesson, step};
+    }
+    if (fragment.empty() || std::isdigit(static_cast<unsigned char>(fragment.front())) == 0)
+        return Error{"link: what follows # is neither a state nor preset=NAME nor lesson=ID"};
+    if (fragment.front() != '1')
+        return Error{"link: its form has version " + std::string(1, fragment.front()) +
+                     ", this program reads version 1"};
+    if (fragment.size() > max_document_bytes) return Error{"link: longer than 16 MiB"};
+    std::optional<std::vector<std::uint8_t>> bytes = bytes_of(fragment.substr(1));
+    if (!bytes) return Error{broken};
+    Result<std::string> json = inflated(*std::move(bytes));
+    if (!json) return Error{json.error()};
+    return Link{Link::Kind::state, *std::move(json), ""};
+}
+
+}  // namespace viewing

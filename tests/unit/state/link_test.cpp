@@ -1,0 +1,126 @@
+// Links: every state comes back from its own exactly, and what is no link, or a hostile one, is told in a sentence.
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include "random_params.h"
+#include "state/json.h"
+#include "state/link.h"
+#include "state/presets.h"
+
+namespace viewing {
+namespace {
+
+/// "#1" and any bytes, deflated.
+std::string link_of(const std::string& text) {
+    static constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+    uLongf size = compressBound(text.size());
+    std::string bytes(size, '\0');
+    EXPECT_EQ(compress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()),
+                       text.size()),
+              Z_OK);
+    bytes.resize(size);
+    std::string link = "#1";
+    for (std::size_t i = 0; i < size; i += 3) {
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8U | (i + k < size ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+        for (std::size_t k = 0; k < 4 && i + k <= size; ++k) link += digits[bits >> (18 - 6 * k) & 63U];
+    }
+    return link;
+}
+
+std::string trouble_with(const std::string& link) {
+    const Result<LoadedState> state = load_state(link);
+    return state ? "nothing" : state.error();
+}
+
+void expect_back(const Params& params) {
+    const std::string fragment = link_fragment(params);
+    const Result<LoadedState> back = load_state(link_base() + fragment);
+    ASSERT_TRUE(back) << back.error();
+    EXPECT_EQ(back->params, params);
+    EXPECT_EQ(write_state(back->params), write_state(params));
+    EXPECT_EQ(link_fragment(back->params), fragment);
+}
+
+TEST(Link, EveryPresetComesBack) {
+    ASSERT_GT(presets().size(), 50U);
+    for (const NamedFile& preset : presets()) {
+        SCOPED_TRACE(preset.name);
+        expect_back(load_state(preset.name)->params);
+        EXPECT_LT(link_fragment(load_state(preset.name)->params).size(), 1000U);
+    }
+    EXPECT_LT(link_fragment(Params{}).size(), 30U);
+}
+
+TEST(Link, AThousandRandomStatesComeBack) {
+    testing::RandomParams random(23);
+    for (int i = 0; i < 1000; ++i) {
+        SCOPED_TRACE(i);
+        expect_back(random.make());
+    }
+}
+
+TEST(Link, NamesAPresetOrAStepOfALesson) {
+    const Result<LoadedState> room = load_state("https://example.org/viewing-sandbox.html#preset=room");
+    ASSERT_TRUE(room) << room.error();
+    ASSERT_TRUE(room->preset);
+    EXPECT_EQ(room->preset->name, "room");
+    EXPECT_EQ(trouble_with("#lesson=depth-fighting&step=3"),
+              "this is a lesson's link: viewing-sandbox lesson depth-fighting --step 3");
+    EXPECT_EQ(trouble_with("#step=3&lesson=mine"), "this is a lesson's link: viewing-sandbox lesson mine --step 3");
+    EXPECT_EQ(trouble_with("#preset=roon").substr(0, 27), "link: roon: no such preset ");
+    for (const char* bad : {"#preset=", "#preset=-", "#preset=../room", "#preset=/etc/passwd", "#preset=a.json"})
+        EXPECT_TRUE(trouble_with(bad).starts_with("link: ")) << bad << trouble_with(bad);
+    for (const char* bad : {"#lesson=", "#lesson=a b", "#lesson=a&step=x", "#lesson=a&step=99999"})
+        EXPECT_EQ(trouble_with(bad), "link: it names no lesson and step") << bad;
+}
+
+TEST(Link, IsToldFromFilesAndPresets) {
+    for (const char* link :
+         {"#1abc", "http://a#1", "https://a/b.html", "file:///tmp/v.html#1", "viewing-sandbox.html#1"})
+        EXPECT_TRUE(is_link(link)) << link;
+    for (const char* other : {"room", "mine.json", "a#1.json", "folder/b#c.png", "-", ""})
+        EXPECT_FALSE(is_link(other)) << other;
+}
+
+TEST(Link, BrokenOnesAreRefusedWithASentence) {
+    const std::string whole = link_fragment(load_state("room")->params);
+    for (std::size_t length = 2; length < whole.size(); ++length)
+        EXPECT_EQ(trouble_with(whole.substr(0, length)), "link: it is cut off or damaged") << length;
+    for (std::size_t at = 2; at < whole.size(); ++at) {
+        std::string changed = whole;
+        changed[at] = changed[at] == 'A' ? 'B' : 'A';
+        const Result<LoadedState> state = load_state(changed);
+        if (state)  // bits that fill up a byte say nothing
+            EXPECT_EQ(state->params, load_state("room")->params) << at;
+        else
+            EXPECT_TRUE(state.error().starts_with("link: ")) << at << ": " << state.error();
+    }
+    EXPECT_EQ(trouble_with(whole + "AAAA"), "link: something follows the end of its state");
+    EXPECT_EQ(trouble_with(whole + "&x=1"), "link: it is cut off or damaged");
+    EXPECT_EQ(trouble_with("#2" + whole.substr(2)), "link: its form has version 2, this program reads version 1");
+    EXPECT_EQ(trouble_with("https://example.org/"), "link: no # with a state behind it");
+    EXPECT_EQ(trouble_with("#hello"), "link: what follows # is neither a state nor preset=NAME nor lesson=ID");
+    EXPECT_NE(trouble_with(link_of("{\"scene\": \"\xff\"}")).find("UTF-8"), std::string::npos);
+    EXPECT_EQ(trouble_with(link_of("{\"camera\": {\"yav\": 1}}")),
+              "link: camera.yav: no such field; did you mean camera.yaw?");
+    EXPECT_TRUE(trouble_with(link_of("{} {}")).starts_with("link: line 1"));
+}
+
+/// A few kilobytes that would unpack to a gigabyte: nothing beyond the limit is unpacked.
+TEST(Link, ABombIsLeftPacked) {
+    const std::string bomb = link_of(std::string(200U << 20U, ' '));
+    ASSERT_LT(bomb.size(), 400'000U);
+    EXPECT_EQ(trouble_with(bomb), "link: its state is longer than 16 MiB");
+}
+
+TEST(Link, ReachesNoFilesByItself) {
+    const Result<LoadedState> state = load_state(link_of("{\"scene\": \"/etc/room.json\"}"));
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_FALSE(state->reach.is_everywhere);
+    EXPECT_TRUE(state->base.empty());
+}
+
+}  // namespace
+}  // namespace viewing
