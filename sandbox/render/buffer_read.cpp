@@ -22,6 +22,7 @@ glm::ivec2 lowest_left(const View& view, const PixelRect& rect) {
 void read_pixels(const View& view, const PixelRect& rect, GLenum format, GLenum type, void* values) {
     const glm::ivec2 at = lowest_left(view, rect);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glFinish();  // as in gl::read_pixels
     glReadPixels(at.x, at.y, rect.size.x, rect.size.y, format, type, values);
 }
 
