@@ -298,7 +298,10 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
     const bool is_so = cure.params == session.params;
     ImGui::BeginGroup();
     const float left = ImGui::GetCursorPosX();
-    if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already."))) session.params = cure.params;
+    if (!widgets::OffersButton(cure.name.c_str()))
+        ImGui::TextUnformatted(tr(cure.name.c_str()));
+    else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already.")))
+        session.params = cure.params;
     widgets::Tooltip(cure.name.c_str(), cure.explanation.c_str());
     const auto number = [&](const std::string& text, ImU32 color) {
         ImGui::SetCursorPosX(left + std::floor(0.5F * (width - ImGui::CalcTextSize(text.c_str()).x)));
