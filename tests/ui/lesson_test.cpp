@@ -147,6 +147,17 @@ TEST_P(StageSlowTest, ARoomSeesNoSwitchAndAllThatAStepShows) {
     }
 }
 
+/// There is no button that leads from one to the other.
+TEST(OnStage, BothLowerViewsAreSeenOnSquareProjectors) {
+    for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
+        Desk desk(size);
+        begin(desk, lesson_of("who-hides-whom"), 2, true);
+        EXPECT_FALSE(desk.layout().panel.empty());
+        EXPECT_FALSE(desk.layout().lower_left.empty() || desk.layout().lower_right.empty()) << size.x;
+        EXPECT_EQ(unreadable(desk), std::vector<std::string>{}) << size.x;
+    }
+}
+
 TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     for (const Room& room : rooms) {
         Desk desk(room.size);
