@@ -122,7 +122,7 @@ void DrawReadout(ImDrawList* draw, const inner::Box& area, ImVec2 at, const Tick
 
 int CodeTicks(const char* id, std::span<const double> eye_distances, double near, double far,
               const CodeTicksStyle& style) {
-    const ImVec2 size = inner::AreaSize(style.size, ImVec2(200, 120));
+    const ImVec2 size = inner::AreaSize(style.size, ImVec2(180, 120));
     const Group group(id);
     ImGui::InvisibleButton("ticks", size);
     Record("ticks");

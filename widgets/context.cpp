@@ -111,6 +111,11 @@ void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text
     context.recorded.push_back(std::move(item));
 }
 
+void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text) {
+    RecordRect(label, min, max, text);
+    if (CurrentContext().record) CurrentContext().recorded.back().is_switch = true;
+}
+
 bool FollowLinks(Links links) {
     Context& context = CurrentContext();
     const bool under_pointer = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive();

@@ -66,7 +66,7 @@ bool Toggle(const char* label, bool& value, bool default_value) {
         const ImU32 ink = CurrentContext().palette.text;
         if (!shown.empty()) DrawTextIn(draw, ImVec2(min.x + side + gap, min.y), height, ink, shown);
     }
-    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value ? "on" : "off");
+    inner::RecordSwitch(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), value ? "on" : "off");
     return changed;
 }
 
@@ -121,7 +121,7 @@ bool BeginChoice(const char* label, const char* preview, float width) {
     if (width <= 0.0F) width = ImGui::CalcItemWidth();
     const ImVec2 min = ImGui::GetCursorScreenPos();
     const ImVec2 max(min.x + width, min.y + ImGui::GetFrameHeight());
-    inner::RecordRect(label, min, max, preview);
+    inner::RecordSwitch(label, min, max, preview);
     const float text_room = width - ImGui::GetStyle().FramePadding.x * 2.0F - inner::Px(arrow_room);
     const bool is_long = inner::FaceOf(nullptr).Measure(preview).x > text_room + 1.0F;
     ImGui::PushID(label);
@@ -158,7 +158,7 @@ bool ClosedList(const char* label, const char* preview, float width) {
         DrawTextIn(draw, ImVec2(min.x + padding, min.y), max.y - min.y, CurrentContext().palette.text, preview);
     inner::DrawTriangle(draw, ImVec2(max.x - inner::Px(13), (min.y + max.y) * 0.5F), inner::Px(4), true,
                         inner::Shown(CurrentContext().palette.quiet));
-    inner::RecordRect(label, min, max, preview);
+    inner::RecordSwitch(label, min, max, preview);
     return clicked;
 }
 
@@ -209,7 +209,7 @@ bool DrawSegment(const Segment& segment, ImVec2 size, bool selected, ImDrawFlags
     const float text_width = FaceOf(nullptr).Measure(segment.name).x;
     const ImVec2 text_at(std::floor(min.x + (size.x - text_width) * 0.5F), min.y);
     DrawTextIn(draw, text_at, size.y, selected ? palette.text : Mix(palette.quiet, palette.text, 0.35F), segment.name);
-    RecordRect(segment.recorded_name, min, max, selected ? "on" : "off");
+    RecordSwitch(segment.recorded_name, min, max, selected ? "on" : "off");
     ImGui::EndDisabled();
     Tooltip(*segment.tip ? segment.name : "", segment.tip);
     if (!segment.enabled) Tooltip("", segment.why_disabled);
@@ -307,7 +307,7 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
     }
     if (ResetClicked()) edited = default_value;
     DrawColorBox(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), rgb, hex.c_str());
-    inner::RecordRect(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex.c_str());
+    inner::RecordSwitch(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), hex.c_str());
     if (ImGui::BeginPopup("picker")) {
         ClosePopupOnEscape();
         // The finer copy keeps hue and saturation where 8 bits would lose them.
@@ -332,7 +332,8 @@ namespace {
 
 /// "button:show C" of a button "Show C".
 std::string TargetOfButton(const char* label) {
-    if (CurrentContext().targets.empty()) return {};
+    const Targets& targets = CurrentContext().targets;
+    if (targets.empty() && !targets.offered) return {};
     std::string name = "button:" + std::string(inner::RecordedPart(label));
     constexpr std::size_t first = std::string_view("button:").size();
     if (name.size() > first && name[first] >= 'A' && name[first] <= 'Z') name[first] += 'a' - 'A';
@@ -350,13 +351,13 @@ bool Button(const char* label, bool enabled, const char* why_disabled) {
         MarkTarget(target);
         return false;
     }
-    if (CurrentContext().printed) {
+    if (!Offers(target)) {
         ImGui::Dummy(ImVec2(0.0F, ImGui::CalcTextSize(text.c_str()).y + 2.0F * ImGui::GetStyle().FramePadding.y));
         return false;
     }
     ImGui::BeginDisabled(!enabled);
     const bool clicked = ImGui::Button(text.c_str());
-    Record(label);
+    inner::RecordSwitch(label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
     MarkTarget(target);
     ImGui::EndDisabled();
     if (!enabled) Tooltip("", why_disabled);
@@ -371,6 +372,10 @@ constexpr float small_padding = 8.0F;  ///< design pixels beside a small button'
 
 float SmallButtonWidth(const char* label) {
     return inner::FaceOf(nullptr).Measure(inner::ShownPart(label)).x + 2.0F * inner::Px(small_padding);
+}
+
+bool OffersButton(const char* label) {
+    return Offers(TargetOfButton(label));
 }
 
 bool SmallButton(const char* label, bool enabled, const char* why_disabled) {

@@ -67,6 +67,8 @@ std::string_view ShownPart(const char* label);
 /// The part that the recorder uses: what follows "###", else what is shown, else what follows "##".
 std::string_view RecordedPart(const char* label);
 void RecordRect(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
+/// The same of what sets a value or is pressed.
+void RecordSwitch(const char* label, ImVec2 min, ImVec2 max, std::string_view text = {});
 
 /// A new frame of what is covered and pointed out.
 void BeginTargets(Targets& targets);

@@ -317,7 +317,7 @@ bool NumberBox(const char* id_text, double& value, const NumberStyle& style, flo
 
     const bool changed = edited && !(*edited == value);
     if (changed) value = *edited;
-    if (context.record) RecordRect(id_text, min, max, TextInBox(value, drags, size.x, look).view());
+    if (context.record) RecordSwitch(id_text, min, max, TextInBox(value, drags, size.x, look).view());
     return changed;
 }
 

@@ -302,8 +302,9 @@ bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt
     const float room = ImGui::GetContentRegionAvail().x, gap = Px(8);
     const float buttons = 5.0F * (ButtonWidth() + Px(2));
     const StepText text(count, room - buttons - gap);
-    const float speed = Px(92) * CurrentContext().palette.type_scale, least_track = Px(150);
-    const bool in_one_row = buttons + text.Width() + speed + least_track + 3.0F * gap <= room;
+    const bool has_speed = Offers("speed");
+    const float speed = has_speed ? gap + Px(92) * CurrentContext().palette.type_scale : 0.0F, least_track = Px(150);
+    const bool in_one_row = buttons + text.Width() + speed + least_track + 2.0F * gap <= room;
 
     const bool was_playing = player.playing;
     next = UseButtons(next, count, player.playing);
@@ -315,19 +316,17 @@ bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt
         if (next != before) player.playing = false;
     };
     if (in_one_row) {
-        track(room - buttons - text.Width() - speed - 3.0F * gap);
+        track(room - buttons - text.Width() - speed - 2.0F * gap);
         ImGui::SameLine(0.0F, gap);
     }
     const int typed = text.Show(next, count);
     if (typed != next) player.playing = false;
     next = typed;
-    if (in_one_row) {
+    if (!in_one_row) track(room - speed);
+    if (has_speed) {
         ImGui::SameLine(0.0F, gap);
-    } else {
-        track(room - speed - gap);
-        ImGui::SameLine(0.0F, gap);
+        Speed(player.steps_per_s, speed - gap);
     }
-    Speed(player.steps_per_s, speed);
     if (type) CurrentContext().editing.type_next = StepText::BoxId();
     ImGui::EndDisabled();
     ImGui::EndGroup();

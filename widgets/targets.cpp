@@ -103,6 +103,15 @@ bool IsListing() {
     return !Current().listed.empty();
 }
 
+bool Offers(std::string_view name) {
+    const Context& context = CurrentContext();
+    return !context.printed && (!context.targets.offered || IsIn(*context.targets.offered, name));
+}
+
+bool HasPlainTitles() {
+    return Current().offered.has_value();
+}
+
 void OpenNextSection() {
     Current().opens_next = true;
 }

@@ -6,6 +6,7 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,9 @@ struct Targets {
     std::vector<std::string> covered;      ///< nothing of these is drawn, told or copied
     std::vector<std::string> listed;       ///< where there are any, a panel shows controls of these names alone
     std::vector<std::string> highlighted;  ///< these are marked, brought into view and framed
+    /// Where there are any, even none: the only switches, beside numbers and the steps of what goes step by step. A
+    /// kind by itself ("button") stands for all of it.
+    std::optional<std::vector<std::string>> offered;
 
     /// Where something highlighted is seen in this frame: of all its parts in one window together.
     struct Found {
@@ -53,6 +57,11 @@ void OpenNextSection();
 bool IsListed(std::string_view name);
 /// Whether only what is listed is shown: no headlines, nothing that has no name.
 bool IsListing();
+
+/// Whether a switch of this name is drawn: "control:view.shows", "button:show C", "speed".
+bool Offers(std::string_view name);
+/// Whether some are left out: what shows something has a title in large type in the place of its switches.
+bool HasPlainTitles();
 
 /// The last item, or a rectangle of the current window, bears this name.
 void MarkTarget(std::string_view name);

@@ -233,13 +233,17 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
     // Asked before the view around it, the button comes first.
     const float side = ImGui::GetFrameHeight();
     const ImVec2 button_min(max.x - side - Px(5), min.y + Px(5));
-    ImGui::SetCursorScreenPos(button_min);
-    if (ImGui::InvisibleButton("fit", ImVec2(side, side))) state.fit_whole_next = true;
-    Record("fit");
-    const bool button_hovered = ImGui::IsItemHovered();
-    Tooltip("Fit",
-            "The whole tree, as small as it takes; a double-click on the ground does the same. Drag to move, turn "
-            "the wheel to zoom, double-click a node to fold what is below it.");
+    const bool has_button = Offers("button:fit");
+    bool button_hovered = false;
+    if (has_button) {
+        ImGui::SetCursorScreenPos(button_min);
+        if (ImGui::InvisibleButton("fit", ImVec2(side, side))) state.fit_whole_next = true;
+        Record("fit");
+        button_hovered = ImGui::IsItemHovered();
+        Tooltip("Fit",
+                "The whole tree, as small as it takes; a double-click on the ground does the same. Drag to move, turn "
+                "the wheel to zoom, double-click a node to fold what is below it.");
+    }
 
     ImGui::SetCursorScreenPos(min);
     ImGui::InvisibleButton("view", size);
@@ -253,7 +257,7 @@ bool TreeDiagram(const char* id, std::span<const TreeNode> nodes, std::uint64_t 
         inner::DrawTree(draw, camera, nodes, state, selected, style);
         if (!button_hovered) NodeTooltip(camera, nodes, state);
     }
-    if (!CurrentContext().printed) DrawFitButton(draw, button_min, side, button_hovered);
+    if (has_button) DrawFitButton(draw, button_min, side, button_hovered);
     return changed;
 }
 

@@ -57,7 +57,8 @@ struct RecordedItem {
     std::string label;  ///< the full path of labels: "camera/position/x"
     ImVec2 min, max;
     bool enabled = true;
-    std::string text;  ///< what it shows: a number, the chosen name, "on" or "off"; else empty
+    std::string text;        ///< what it shows: a number, the chosen name, "on" or "off"; else empty
+    bool is_switch = false;  ///< a control to be set, or a button
 };
 
 /// A set of named quantities, one bit each: which parameters an entry depends on.
@@ -242,6 +243,7 @@ bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< in one line, pixels
+bool OffersButton(const char* label);       ///< whether one of either kind is drawn at all
 
 /// A header that folds what follows; the open state is kept by ImGui. Returns whether it is open.
 /// `note` stands quiet at its right end. `trouble`: what is wrong inside; a sign there that tells it on hover, so that

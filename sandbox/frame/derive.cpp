@@ -7,6 +7,7 @@
 
 #include "frame/depth/decals.h"
 #include "frame/matrix_facts.h"
+#include "frame/planes/lecture_code.h"
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 
@@ -71,8 +72,8 @@ CastShadow cast_shadow(const glm::dvec4& unit_plane, const glm::dvec4& light, Sh
 
 /// R as the slips and the lecture's array have it.
 glm::dmat4 mirror_with_slips(const glm::dvec4& equation, const SlipParams& slips, bool printed_by_rows) {
-    glm::dmat4 mirror = mirror_matrix(slips.normal_not_unit ? equation : unit_plane(equation));
-    if (slips.plus_2ab) mirror[0][1] = -mirror[0][1];
+    const glm::dmat4 mirror =
+        mirror_matrix_as_typed(slips.normal_not_unit ? equation : unit_plane(equation), slips.plus_2ab);
     // The lecture's array is filled by rows; GL reads columns.
     return printed_by_rows ? glm::transpose(mirror) : mirror;
 }

@@ -100,6 +100,64 @@ TEST_P(StageSlowTest, DISABLED_EveryStepCanBeRead) {
 
 INSTANTIATE_TEST_SUITE_P(Rooms, StageSlowTest, ::testing::ValuesIn(rooms));
 
+/// Views and matrices have no switch but for what the step names and the number of a bar that goes through steps.
+std::vector<std::string> switches(const Desk& desk) {
+    const Stage& stage = desk.workbench.stage;
+    const auto is_named = [&](const std::string& label) {
+        if (label == "matrices/Show C") return std::ranges::count(stage.highlight, "button:show C") > 0;
+        const bool is_offered = label.ends_with("/Measure") && !desk.workbench.widgets.offered.empty();
+        return is_offered || label.ends_with("/step") || label.ends_with("/triangle") || label.ends_with("/call");
+    };
+    std::vector<std::string> found;
+    for (const RecordedItem& item : desk.recorded()) {
+        const bool shows_something = item.window.starts_with("views") || item.window == "matrices";
+        if (item.is_switch && shows_something && !is_named(item.label)) found.push_back(item.label);
+    }
+    return found;
+}
+
+/// Whether all of what a step shows is seen. The rest of a list that is gone through line by line is scrolled to, and
+/// the line at hand is in view: GL's calls, the lines of a derivation or of code, an order of polygons with its tests.
+bool is_all_seen(const Desk& desk) {
+    const auto is_list = [&](Topic topic) { return is_shown(desk.session.params, topic); };
+    const bool has_list = std::ranges::any_of(std::array{Topic::passes, Topic::lecture_code, Topic::shadow_derivation,
+                                                         Topic::mirror_derivation, Topic::order},
+                                              is_list);
+    return has_list || desk.workbench.widgets.seen_share == 1.0F;
+}
+
+/// Over the whole lecture, before and after each answer.
+TEST_P(StageSlowTest, ARoomSeesNoSwitchAndAllThatAStepShows) {
+    Desk desk(GetParam().size);
+    desk.params().ui.theme = GetParam().theme;
+    desk.params().ui.language = GetParam().language;
+    desk.apply_looks();
+    for (const LessonFile& file : lessons()) {
+        const Lesson lesson = lesson_of(file.path.string());
+        for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+            begin(desk, lesson, step, true);
+            for (const bool is_answered : {false, true}) {
+                if (is_answered) show_answer(desk);
+                const std::string name =
+                    lesson.id + ", step " + std::to_string(step + 1) + (is_answered ? ", answered" : "");
+                for (const std::string& text : switches(desk)) ADD_FAILURE() << name << ": " << text;
+                EXPECT_TRUE(is_all_seen(desk)) << name << ": " << desk.workbench.widgets.seen_share;
+            }
+        }
+    }
+}
+
+/// There is no button that leads from one to the other.
+TEST(OnStage, BothLowerViewsAreSeenOnSquareProjectors) {
+    for (const ImVec2 size : {ImVec2(1280, 1024), ImVec2(1400, 1050)}) {
+        Desk desk(size);
+        begin(desk, lesson_of("who-hides-whom"), 2, true);
+        EXPECT_FALSE(desk.layout().panel.empty());
+        EXPECT_FALSE(desk.layout().lower_left.empty() || desk.layout().lower_right.empty()) << size.x;
+        EXPECT_EQ(unreadable(desk), std::vector<std::string>{}) << size.x;
+    }
+}
+
 TEST(OnStage, TypeIsLargeEnoughForTheBackRow) {
     for (const Room& room : rooms) {
         Desk desk(room.size);

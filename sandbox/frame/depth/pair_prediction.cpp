@@ -45,7 +45,7 @@ std::vector<Polygon> seen_part(const FlatPair& pair, const Derived& derived, con
 class SeenPlane {
 public:
     SeenPlane(const glm::dvec4& plane_world, const Derived& derived, const Lens& lens)
-        : plane_(plane_world * derived.world_from_view), clip_from_view_(derived.clip_from_view), lens_(lens) {}
+        : plane_(plane_world * effective_camera(derived)), clip_from_view_(derived.clip_from_view), lens_(lens) {}
 
     /// Eye distance along the line of sight through a point in normalized device coordinates.
     double distance(const glm::dvec2& ndc) const {

@@ -29,9 +29,14 @@ CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light) {
     return lines;
 }
 
-CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab) {
+glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab) {
     glm::dmat4 mirror = mirror_matrix(plane);
     if (plus_2ab) mirror[0][1] = -mirror[0][1];
+    return mirror;
+}
+
+CodeLines mirror_code(const glm::dvec4& plane, bool printed_by_rows, bool plus_2ab) {
+    const glm::dmat4 mirror = mirror_matrix_as_typed(plane, plus_2ab);
     CodeLines lines;
     for (int index = 0; index < 16; ++index) {
         const int row = index % 4, column = index / 4;

@@ -24,6 +24,9 @@ using CodeLines = std::array<CodeLine, 16>;
 /// ShadowMatrix for a plane, of unit normal to give the S on show, and a light: it is filled by columns.
 CodeLines shadow_code(const glm::dvec4& plane, const glm::dvec4& light);
 
+/// R of a plane, of unit normal to be right; with the slide's +2ab in its second line, if so.
+glm::dmat4 mirror_matrix_as_typed(const glm::dvec4& plane, bool plus_2ab);
+
 /// ReflectionMatrix for a plane, of unit normal to be right. `printed_by_rows`: as on the slide, where the array is
 /// filled by rows, so that GL gets the transpose; else by columns, which is right. `plus_2ab`: with the slip of that
 /// name.

@@ -32,7 +32,9 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
     const float below = note_height(told.c_str()) + ImGui::GetStyle().ItemSpacing.y;
 
     const bool is_reversed = coding.mapping == DepthMapping::reversed;
-    const float height = std::max(room.y - below, px(120.0F));
+    // In front of a room nobody scrolls: the sentence is left out rather than cut.
+    const bool has_note = room.y - below >= px(120.0F) || !widgets::HasPlainTitles();
+    const float height = has_note ? std::max(room.y - below, px(120.0F)) : room.y;
     widgets::CodeTicks("codes", codes.eye_distances, coding.lens.near, coding.lens.far,
                        {.depth_title = coding.precision.is_float ? marked("floats: equal numbers of them")
                                                                  : marked("codes: equal steps"),
@@ -40,7 +42,7 @@ void draw_codes_view(Session& session, const Derived& derived, const Rect& rect)
                         .last_depth = is_reversed ? marked("depth 0") : marked("depth 1"),
                         .codes = codes.codes,
                         .size = {room.x, height}});
-    recorded_note(told);
+    if (has_note) recorded_note(told);
 }
 
 }  // namespace viewing

@@ -67,6 +67,7 @@ std::string depth_title(DepthFormat format, DepthMapping mapping) {
 }
 
 void depth_choices(Params& params, float right) {
+    if (!widgets::Offers("control:view.depth_scale")) return;
     static constexpr const char* scales[] = {marked("window"), marked("linear")};
     static constexpr const char* scale_explanations[] = {
         marked("Window depth, 0 to 1, as it is stored."),

@@ -305,7 +305,7 @@ void draw_cure(Session& session, const FightingReport::Cured& cured, float width
         ImGui::PopStyleColor();
         widgets::Record((cure.name + ": " + text).c_str());
     };
-    if (widgets::CurrentContext().printed)
+    if (!widgets::OffersButton(cure.name.c_str()))
         number(cure.name, palette().text);
     else if (widgets::SmallButton(cure.name.c_str(), !is_so, tr("It is so already.")))
         session.params = cure.params;

@@ -113,7 +113,7 @@ void draw_chart(Session& session, const Derived& derived, const std::vector<Seen
 class AdviceLine {
 public:
     explicit AdviceLine(const NearAdvice& advice) : advice_(advice), room_(ImGui::GetContentRegionAvail().x) {
-        if (!advice.near) return;
+        if (!has_button()) return;
         const float width = ImGui::CalcTextSize(tr(button())).x + px(24.0F);
         if (room_ - width >= px(240.0F))
             button_width_ = width;
@@ -129,7 +129,7 @@ public:
         ImGui::PopFont();
         ImGui::EndChild();
         widgets::MarkTarget("advice");
-        if (!advice_.near) return;
+        if (!has_button()) return;
         if (button_width_ > 0.0F) ImGui::SameLine();
         if (!widgets::SmallButton(button())) return;
         params.projection.near = *advice_.near;
@@ -137,6 +137,7 @@ public:
     }
 
 private:
+    bool has_button() const { return advice_.near && widgets::OffersButton(button()); }
     const char* button() const { return advice_.cuts ? marked("Lower near") : marked("Raise near"); }
     float sentence_height() const {
         ImGui::PushFont(widgets::CurrentContext().fonts.note);
@@ -160,10 +161,12 @@ void draw_precision_view(Session& session, const Derived& derived, const Rect& r
     if (!advice || widgets::IsCovered("advice"))
         return draw_chart(session, derived, seen, std::max(room, px(120.0F)), cursor_z);
     const AdviceLine line(*advice);
-    // Where there is no room for both, the chart fills the view and the sentence is scrolled to.
-    const float height = room - line.height() >= px(120.0F) ? room - line.height() : std::max(room, px(120.0F));
+    // Where there is no room for both, the chart fills the view and the sentence is scrolled to, but in front of a
+    // room.
+    const bool has_room = room - line.height() >= px(120.0F);
+    const float height = has_room ? room - line.height() : std::max(room, px(120.0F));
     draw_chart(session, derived, seen, height, cursor_z);
-    line.draw(session.params);
+    if (has_room || !widgets::HasPlainTitles()) line.draw(session.params);
 }
 
 }  // namespace viewing

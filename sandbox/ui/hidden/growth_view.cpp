@@ -223,6 +223,7 @@ void take_growth_rows(GrowthViewState& state, Session& session) {
 }
 
 void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect) {
+    const bool has_switches = widgets::OffersButton("Measure");
     if (state.of_version != session.scene_version() && !state.measuring.is_running()) {
         state.rows[own_scene].clear();  // it was another scene
         state.of_version = session.scene_version();
@@ -231,21 +232,27 @@ void draw_growth_view(GrowthViewState& state, Session& session, const Rect& rect
     bool wants_picture = false;
     const float left = rect.max.x - saving_width();
     const bool fits_above = left >= ImGui::GetCursorScreenPos().x;
-    if (fits_above) {
+    if (fits_above && has_switches) {
         ImGui::SetCursorScreenPos({left, rect.min.y - px(23.0F)});
         Flow above(saving_width());
         wants_picture = progress_or_saving(state, session, above);
     }
     const ViewWindow view("growth view", rect);
-    Flow flow(ImGui::GetContentRegionAvail().x);
-    measuring(state, session, flow);
-    quantity_words(state, flow);
-    if (!fits_above) wants_picture = progress_or_saving(state, session, flow);
+    if (has_switches) {
+        Flow flow(ImGui::GetContentRegionAvail().x);
+        measuring(state, session, flow);
+        quantity_words(state, flow);
+        if (!fits_above) wants_picture = progress_or_saving(state, session, flow);
+    }
     if (shown_rows(state).empty()) {
-        offer(state.measuring.is_running()
-                  ? marked("The first method is being measured.")
-                  : marked("Every method is measured on more and more polygons, up to 100,000, while the window stays "
-                           "live."));
+        const bool is_running = state.measuring.is_running();
+        if (offer(is_running
+                      ? marked("The first method is being measured.")
+                      : marked(
+                            "Every method is measured on more and more polygons, up to 100,000, while the window stays "
+                            "live."),
+                  has_switches || is_running ? nullptr : marked("Measure")))
+            start(state, session.scene());
         return;
     }
     draw_results(state, session, wants_picture);

@@ -67,8 +67,10 @@ void draw_followed_point(Session& session, const Derived& derived) {
         ImGui::Dummy({0.0F, 0.0F});
         return;
     }
-    ImGui::SameLine(place_at_right("Clear"));
-    if (widgets::SmallButton("Clear")) session.params.follow.reset();
+    if (widgets::OffersButton("Clear")) {
+        ImGui::SameLine(place_at_right("Clear"));
+        if (widgets::SmallButton("Clear")) session.params.follow.reset();
+    }
     if (!has_note) widgets::Note(note.c_str());
     const FollowedPoint& followed = *derived.followed;
     vector_line("follow:p", "p   ", followed.point_world, Role::point);

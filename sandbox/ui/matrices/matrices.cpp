@@ -24,6 +24,13 @@ struct Column {
     Session& session;
     const Derived& derived;
     const Derived& before;
+    bool has_symbols = true;  ///< below the numbers
+
+    MatrixCells shown(MatrixCells cells) const {
+        for (widgets::MatrixCell& cell : cells)
+            if (!has_symbols) cell.symbol = "";
+        return cells;
+    }
 };
 
 /// How far points of the plane are moved: "points of the plane stay ± 0", "points of the plane move by 0.25".
@@ -103,7 +110,7 @@ void show_shadow(const Column& column) {
          marked("S = (Π·L) I − L Πᵀ with the plane Π scaled to a unit normal: it flattens every point along the "
                 "ray from the light, so its determinant is 0. What is uploaded is sign(Π·L) · S, the factor in front: "
                 "the same map, but with w > 0, which the clipper keeps."),
-         Role::light, shadow, cast_before->shadowed_world_from_world, shadow_cells(), shadow_roles(),
+         Role::light, shadow, cast_before->shadowed_world_from_world, column.shown(shadow_cells()), shadow_roles(),
          shadow_matrix(plane.unit_plane, cast.light_world), told_sign(cast), moved_text(shadow, plane.patch),
          shadow_facts},
         shadow_note(shadow, cast), column.session.params.overrides[plane_index].shadowed_world_from_world[light_index]);
@@ -126,19 +133,19 @@ void show_mirror(const Column& column) {
          marked("R p = p − 2 (n·p + d) n: every point to its mirror image. R is its own inverse and turns the "
                 "winding around."),
          Role::mirror, mirror, pair.plane_before->mirrored_world_from_world,
-         mirror_cells(by_rows, column.session.params.slips.plus_2ab), mirror_roles(), mirror_matrix(plane.unit_plane),
-         is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
+         column.shown(mirror_cells(by_rows, column.session.params.slips.plus_2ab)), mirror_roles(),
+         mirror_matrix(plane.unit_plane), is_transposed ? "Rᵀ" : "R", moved_text(mirror, plane.patch), mirror_facts},
         fact + " · " + identity_text("R² = I", mirror_residual(mirror)), by_hand);
 }
 
 /// With a button for what else may stand here; says whether it was pressed.
 bool show_camera(const Column& column, std::span<const char* const> buttons) {
     const bool swapped = column.session.params.slips.swapped_order;
-    return show_matrix(
-        {marked("Camera"), "C", "world_from_view",
-         marked("Where the camera is: its columns are right, up, back and the eye."), Role::camera,
-         column.derived.world_from_view, column.before.world_from_view, camera_cells(swapped), camera_roles()},
-        swapped ? tr("C = R_y R_x R_z T, a slip") : "C = T R_y R_x R_z", buttons);
+    return show_matrix({marked("Camera"), "C", "world_from_view",
+                        marked("Where the camera is: its columns are right, up, back and the eye."), Role::camera,
+                        column.derived.world_from_view, column.before.world_from_view,
+                        column.shown(camera_cells(swapped)), camera_roles()},
+                       swapped ? tr("C = R_y R_x R_z T, a slip") : "C = T R_y R_x R_z", buttons);
 }
 
 bool show_view(const Column& column, std::span<const char* const> buttons) {
@@ -148,7 +155,8 @@ bool show_view(const Column& column, std::span<const char* const> buttons) {
         {marked("View"), "V", "view_from_world",
          marked("V = C⁻¹: the world as the camera sees it. Its rows are right, up and back."), Role::camera,
          column.derived.view_from_world, column.before.view_from_world,
-         slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order), camera_roles()},
+         column.shown(slips.camera_as_view ? camera_cells(slips.swapped_order) : view_cells(slips.swapped_order)),
+         camera_roles()},
         slips.camera_as_view ? tr("= C, a slip") : "= C⁻¹ · " + inverse, buttons);
 }
 
@@ -172,7 +180,8 @@ void show_projection(const Column& column) {
             "near"_a = divided_z(params.projection.near), "far"_a = divided_z(params.projection.far));
     const std::string aspect = number_text(derived.aspect, 3);
     show_matrix({marked("Projection"), "P", "clip_from_view", becomes.c_str(), Role::camera, derived.clip_from_view,
-                 column.before.clip_from_view, projection_cells(params, derived.clip_zero_to_one), camera_roles()},
+                 column.before.clip_from_view, column.shown(projection_cells(params, derived.clip_zero_to_one)),
+                 camera_roles()},
                 !perspective ? say("aspect {aspect}", "aspect"_a = aspect)
                 : params.slips.degrees_as_radians
                     ? say("c = cot(½ · {fovy} radians), a slip · aspect {aspect}",
@@ -225,7 +234,6 @@ void draw_matrices(Session& session, const Derived& derived, const Derived& befo
 
 void draw_listed_matrices(Session& session, const Derived& derived, const Derived& before, MatrixChoice& choice) {
     const widgets::Group group("matrices");
-    const Column shown{session, derived, before};
     const std::vector<std::string>& listed = session.params.view.layout.matrices;
     const auto has = [&listed](const char* name) {
         return std::find(listed.begin(), listed.end(), name) != listed.end();
@@ -237,7 +245,12 @@ void draw_listed_matrices(Session& session, const Derived& derived, const Derive
     const float room = ImGui::GetContentRegionAvail().x;
     const int columns = listed.size() > 1 && room >= 2.0F * px(360.0F) ? 2 : 1;
     const float width = std::min(room, static_cast<float>(columns) * px(600.0F));
-    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {columns > 1 ? px(8.0F) : 0.0F, px(4.0F)});
+    // Rather all numbers at once than symbols below them.
+    const auto rows =
+        static_cast<float>((listed.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns));
+    const Column shown{session, derived, before, ImGui::GetContentRegionAvail().y >= rows * px(205.0F)};
+    ImGui::PushStyleVar(ImGuiStyleVar_CellPadding,
+                        {columns > 1 ? px(8.0F) : 0.0F, shown.has_symbols ? px(4.0F) : 0.0F});
     if (ImGui::BeginTable("listed", columns, ImGuiTableFlags_SizingStretchSame, {width, 0.0F})) {
         for (const std::string& name : listed) {
             ImGui::TableNextColumn();

@@ -25,6 +25,7 @@ std::string identity_text(const char* identity, double residual) {
 }
 
 float place_at_right(const char* button) {
+    if (!widgets::OffersButton(button)) return ImGui::GetContentRegionMax().x;
     return ImGui::GetContentRegionMax().x - std::max(px(52.0F), widgets::SmallButtonWidth(button));
 }
 
@@ -66,6 +67,7 @@ void copy_menu(const char* id, const char* name, const glm::dmat4& matrix, bool 
                                         {"MATLAB", MatrixFormat::matlab},
                                         {"LaTeX", MatrixFormat::latex},
                                         {marked("plain text"), MatrixFormat::text}};
+    if (!widgets::OffersButton("Copy")) return;
     ImGui::PushID(id);
     ImGui::SameLine(place_at_right("Copy"));
     if (widgets::SmallButton("Copy", !is_covered, covered_text)) ImGui::OpenPopup("copy");
@@ -112,7 +114,9 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     }
     ImGui::PushID(shown.name);
     mark_changed(shown.cells, shown.now, shown.before);
-    const auto room_of = [](const char* button) { return widgets::SmallButtonWidth(button) + px(4.0F); };
+    const auto room_of = [](const char* button) {
+        return widgets::OffersButton(button) ? widgets::SmallButtonWidth(button) + px(4.0F) : 0.0F;
+    };
     float end = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) end -= room_of(button);
     const bool has_note = matrix_heading(shown.title, shown.heading.empty() ? shown.letter : shown.heading.c_str(),
@@ -121,6 +125,7 @@ const char* show_matrix(ShownMatrix shown, const std::string& fact, std::span<co
     if (tells_difference) widgets::Tooltip(shown.name, explains.c_str());
     float right = place_at_right("Copy") - px(4.0F);
     for (const char* button : buttons) {
+        if (!widgets::OffersButton(button)) continue;
         right -= room_of(button);
         ImGui::SameLine(right);
         if (widgets::SmallButton(button)) pressed = button;

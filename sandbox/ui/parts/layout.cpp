@@ -71,7 +71,8 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const bool has_bars = !bare && !arrangement.presents;
     const float bar = has_bars ? px(40.0F) : 0.0F, status = has_bars ? px(26.0F) : 0.0F, gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
-    const float least_view = px(420.0F), least_lower = px(240.0F);
+    // A room sees both lower views: there is no button that leads from one to the other.
+    const float least_view = px(420.0F), least_lower = px(arrangement.presents ? 160.0F : 240.0F);
 
     Layout layout;
     layout.header_height = bare ? 0.0F : px(26.0F);

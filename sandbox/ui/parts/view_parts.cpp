@@ -23,10 +23,11 @@ void picture_item(const char* name, const Rect& rect, ImTextureID picture) {
 
 void view_header(const Rect& rect, const char* title) {
     const widgets::Context& context = widgets::CurrentContext();
+    const bool is_plain = widgets::HasPlainTitles();
     ImGui::SetCursorScreenPos({rect.min.x, rect.min.y - px(25.0F)});
     if (*title == '\0') return;
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(context.fonts.heading);
+    if (!is_plain) ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(is_plain ? context.fonts.caption : context.fonts.heading);
     ImGui::TextUnformatted(tr(title));
     ImGui::PopFont();
     ImGui::SameLine(0.0F, px(12.0F));

@@ -13,7 +13,8 @@ void draw_picture(const Rect& rect, ImTextureID picture);
 /// The picture fills its rectangle exactly, with an invisible button over it for the mouse.
 void picture_item(const char* name, const Rect& rect, ImTextureID picture);
 
-/// The headline above a view; further items go on its line. An empty title only places the cursor.
+/// The headline above a view, in large type where a room sees it; further items go on its line. An empty title only
+/// places the cursor.
 void view_header(const Rect& rect, const char* title);
 
 /// Words in a row of which one is chosen, quiet until it is; as a list where the row would go beyond `right`. Each

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "text/catalogue.h"
 #include "ui/parts/look.h"
@@ -59,7 +60,11 @@ bool offer(const char* english, const char* button) {
     if (!button) return false;
     const float button_width = ImGui::CalcTextSize(tr(button)).x + 2.0F * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorScreenPos({centred(button_width), top + size.y + px(8.0F)});
-    return widgets::Button(button);
+    // It stands in the place of all that the view shows: a room needs it, too.
+    auto offered = std::exchange(widgets::CurrentContext().targets.offered, std::nullopt);
+    const bool pressed = widgets::Button(button);
+    widgets::CurrentContext().targets.offered = std::move(offered);
+    return pressed;
 }
 
 }  // namespace viewing

@@ -65,6 +65,7 @@ private:
 /// "light: parallel [      ] point": l_w from 0 to 1, where x, y and z stay. In a narrow place the first words stand
 /// above.
 void light_slider(Params& params) {
+    if (widgets::HasPlainTitles()) return;  // the panel has it, where it is named
     constexpr double smallest = 1e-6;
     glm::dvec4& light = params.lights[params.chosen().light].position;
     const bool has_direction = glm::length(glm::dvec3(light)) >= smallest;

@@ -186,7 +186,8 @@ void shadow_function(const Derived& derived) {
 
 /// The switch that fills R as the slide does, and what GL makes of either, in one sentence.
 void order_switch(Params& params, double d) {
-    control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});
+    if (widgets::Offers("control:reflection.printed_by_rows"))
+        control(params, "reflection.printed_by_rows", {.label = marked("R as printed on the slide")});
     if (!params.reflection.printed_by_rows)
         widgets::Note(
             "OpenGL reads an array column by column. ReflectionMatrix on the slide fills rows; here it is put right.");

@@ -17,11 +17,11 @@
 namespace viewing {
 namespace {
 
+constexpr const char* shows[] = {marked("colour"),   marked("depth"),      marked("stencil"),  marked("facing"),
+                                 marked("overdraw"), marked("difference"), marked("fighting"), marked("w of S")};
+
 /// What the picture shows, and what belongs to that.
 void view_choices(Params& params, const Rect& rect) {
-    static constexpr const char* shows[] = {marked("colour"),   marked("depth"),    marked("stencil"),
-                                            marked("facing"),   marked("overdraw"), marked("difference"),
-                                            marked("fighting"), marked("w of S")};
     static constexpr const char* show_explanations[] = {
         marked("The picture as it is meant to be seen."),
         marked("The depth buffer: black is near, white is far, tinted was never written."),
@@ -37,13 +37,16 @@ void view_choices(Params& params, const Rect& rect) {
     int index = static_cast<int>(params.view.shows);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float second = px(130.0F);  // room for the choice that follows
-    if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
-        params.view.shows = static_cast<Shows>(index);
-    widgets::MarkTarget("control:view.shows", from, ImGui::GetItemRectMax());
+    if (widgets::Offers("control:view.shows")) {
+        if (words("##shows", index, shows, show_explanations, 0, rect.max.x - second))
+            params.view.shows = static_cast<Shows>(index);
+        widgets::MarkTarget("control:view.shows", from, ImGui::GetItemRectMax());
+    }
     if (params.view.shows == Shows::depth) {
         ImGui::SameLine(0.0F, px(16.0F));
         depth_choices(params, rect.max.x);
-    } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F)) {  // else it is in the Look menu alone
+    } else if (params.view.shows != Shows::stencil && rect.width() > px(480.0F) &&
+               widgets::Offers("control:view.samples")) {  // else it is in the Look menu alone
         static constexpr const char* samples[] = {marked("MSAA off"), marked("MSAA 4×")};
         static constexpr const char* explanations[] = {marked("One sample for each pixel: edges show their steps."),
                                                        marked("Four samples for each pixel: smooth edges.")};
@@ -123,7 +126,7 @@ float tell_why(Session& session, const Problem& problem, const Rect& rect, float
     const widgets::Context& context = widgets::CurrentContext();
     const ImFont* font = context.fonts.text ? context.fonts.text : ImGui::GetFont();
     const float margin = px(10.0F), width = std::min(px(560.0F), rect.width() - 4.0F * margin);
-    const bool has_button = !problem.mended_by.empty();
+    const bool has_button = !problem.mended_by.empty() && widgets::OffersButton("Mend");
     const float button = has_button ? ImGui::CalcTextSize(tr("Mend")).x + px(24.0F) : 0.0F;
     const char* sentence = problem.sentence.c_str();
     const ImVec2 text = font->CalcTextSizeA(font->FontSize, 1e9F, width - button, sentence);
@@ -214,8 +217,11 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
                       const Rect& rect, const Pictures& pictures, const FrameInput& input, MotionInput& motion) {
     if (rect.empty()) return;
     const widgets::Group group("view");
-    view_header(rect, rect.width() < px(300.0F) ? "" : marked("Camera view"));
     Params& params = session.params;
+    if (widgets::HasPlainTitles() && params.view.shows != Shows::color)
+        view_header(rect, tr(shows[static_cast<std::size_t>(params.view.shows)]));
+    else
+        view_header(rect, rect.width() < px(300.0F) ? "" : marked("Camera view"));
     view_choices(params, rect);
     widgets::MarkTarget("view:camera", rect.min, rect.max);
     if (widgets::IsCovered("view:camera")) {

@@ -25,11 +25,13 @@ Slot other_than(Slot slot) {
     return slot == Slot::left ? Slot::right : Slot::left;
 }
 
-/// The headline: which topic it is, as a list of all of them.
+/// The headline: which topic it is, as a list of all of them; as its name alone where a room sees it.
 void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect, bool is_alone) {
-    view_header(rect, "");
     const Topic shown = topic_of(params, slot);
     int topic = static_cast<int>(shown);
+    if (!widgets::Offers("control:view.lower"))
+        return view_header(rect, topic_names()[static_cast<std::size_t>(topic)]);
+    view_header(rect, "");
     const char* other = topic_names()[static_cast<std::size_t>(topic_of(params, other_than(slot)))];
     const float room = rect.width() - (is_alone ? widgets::SmallButtonWidth(other) + px(12.0F) : 0.0F);
     const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), room);
@@ -138,7 +140,8 @@ void draw_lower_view(Slot slot, ViewState& state, Session& session, const Derive
         case Topic::pixel:
             return draw_pixel_view(session, derived, pictures.depth, state.pinned, rect);
         case Topic::cells:
-            if (const float width = px(84.0F); ImGui::GetCursorScreenPos().x + width <= rect.max.x)
+            if (const float width = px(84.0F);
+                widgets::Offers("control:view.cells") && ImGui::GetCursorScreenPos().x + width <= rect.max.x)
                 choose_cells(session.params.view.cells, width);
             state.cells = cell_block_size(rect, session.params.view.cells);
             return draw_cell_view(session, pictures.depth, plan, rect, state.call_player);

@@ -92,6 +92,13 @@ void Workbench::set_stage() {
     views.target = stage.target;
 }
 
+std::optional<std::vector<std::string>> Workbench::offered(const Params& params, std::vector<std::string> kinds) const {
+    if (!presenter.is_on()) return std::nullopt;
+    for (const std::string& path : params.view.layout.controls) kinds.push_back("control:" + path);
+    kinds.insert(kinds.end(), stage.highlight.begin(), stage.highlight.end());
+    return kinds;
+}
+
 void Workbench::choose_scale(Session& session, double scale, Requests& requests) {
     session.params.ui.scale = std::clamp(std::round(scale * 10.0) / 10.0, 0.5, 3.0);
     requests.chosen_scale = session.params.ui.scale;
@@ -166,14 +173,17 @@ void Workbench::draw_columns(Session& session, const Derived& derived, const Der
                              const std::vector<Problem>& problems, const HiddenStatus& hidden, const Layout& layout) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(8.0F), px(2.0F)});
     if (!layout.panel.empty()) {
+        widgets.targets.offered = offered(session.params, {"control", "button"});
         begin_area("panel", layout.panel, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::none;
         if (session.params.view.layout.controls.empty())
             draw_panel(session, derived, problems, views.hidden.panel, hidden);
         else
             draw_listed_controls(session, derived, problems, views.hidden.panel, hidden);
+        widgets::CountScrolled();
         ImGui::End();
     }
+    widgets.targets.offered = offered(session.params, {});
     if (!layout.matrices.empty()) {
         begin_area("matrices", layout.matrices, 0);
         if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows)) views.hovered = ViewName::matrices;
@@ -206,6 +216,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
     if (arranged_now.maximised == ViewName::none) draw_splitters(layout, between);
     ImGui::End();
+    widgets.targets.offered.reset();
 }
 
 void Workbench::draw_splitters(const Layout& layout, const Rect& between) {

@@ -89,6 +89,8 @@ public:
 
 private:
     void set_stage();
+    /// What a room sees has the switches alone that the step names, and `kinds` beside them.
+    std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
     bool take_lesson_key(const KeyPress& press, Session& session);
     void draw_lesson(Session& session, const Layout& layout, const Pictures& pictures, Requests& requests);

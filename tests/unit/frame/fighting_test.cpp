@@ -73,6 +73,27 @@ TEST(FightingPairs, KnowWhatLiesOnWhat) {
     EXPECT_FALSE(pair_of(square(0.0), decal).first_lies_on_top());
 }
 
+/// Of C sent as V the picture is that of a camera at the opposite place, and so is what fights in it.
+TEST(PairPredictions, GoByTheMatrixThatIsUploaded) {
+    const Scene scene = scene_of({turned(square(0.0), {0.0, 90.0, 0.0}), turned(square(0.006), {0.0, 90.0, 0.0})});
+    const std::vector<FlatPair> pairs = near_coplanar_pairs(scene);
+    ASSERT_EQ(pairs.size(), 1U);
+    const auto prediction = [&](const std::vector<std::string>& camera) {
+        std::vector<std::string> settings = {"camera.yaw=0",     "camera.pitch=0",      "camera.roll=0",
+                                             "depth.format=d16", "projection.near=0.5", "projection.far=100"};
+        settings.insert(settings.end(), camera.begin(), camera.end());
+        const Params params = params_with(settings);
+        return predict_pair(pairs[0], params, derive(params, scene, {{640, 360}, true}), {640, 360});
+    };
+    const PairPrediction right = prediction({"camera.position=[0.5,0.25,20]"});
+    const PairPrediction slip = prediction({"camera.position=[-0.5,-0.25,-20]", "slips.camera_as_view=true"});
+    ASSERT_TRUE(right.wrong_share);
+    ASSERT_TRUE(slip.wrong_share);
+    EXPECT_EQ(slip.distance, right.distance);
+    EXPECT_NEAR(slip.wrong_share->least, right.wrong_share->least, 1e-9);
+    EXPECT_NEAR(slip.wrong_share->most, right.wrong_share->most, 1e-9);
+}
+
 TEST(FightingOnset, IsAboutAStepWhereCodesAreWide) {
     // The table of the facts: near, far, z and the step of 16 bits.
     const double rows[][4] = {{20, 100, 60, 2.197e-3},
