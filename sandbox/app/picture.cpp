@@ -47,10 +47,7 @@ Result<Image> draw_growth_chart(Renderer& renderer, const Session& session, cons
     state.params.view.lower_left = Topic::growth;
     const OtherContext apart;
     Studio studio(renderer, Session(state, session.scene()));
-    studio.workbench.arrangement.maximised = ViewName::lower_left;
-    studio.workbench.arrangement.bare = true;
-    studio.workbench.widgets.printed = true;
-    ImGui::GetIO().MousePos = {-1e6F, -1e6F};  // nowhere
+    show(studio, ViewName::lower_left);
     GrowthViewState& growth = studio.workbench.views.hidden.growth;
     growth.rows = shown.rows;
     growth.scene = shown.scene;

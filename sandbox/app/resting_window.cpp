@@ -49,6 +49,14 @@ std::string size_text(glm::ivec2 size_px) {
 
 }  // namespace
 
+void show(Studio& studio, ViewName maximised) {
+    const bool is_alone = maximised != ViewName::none;
+    studio.workbench.arrangement.maximised = maximised;
+    studio.workbench.arrangement.bare = is_alone;
+    studio.workbench.widgets.printed = is_alone;
+    ImGui::GetIO().MousePos = {-1e6F, -1e6F};
+}
+
 RestingWindow::RestingWindow(Renderer& renderer, const LoadedState& state, const Scene& scene,
                              std::optional<Color> ground)
     : studio_(renderer, Session(state, scene)) {
@@ -69,10 +77,7 @@ Status RestingWindow::settle() {
 
 Status RestingWindow::rest(const PictureRequest& request) {
     Workbench& workbench = studio_.workbench;
-    workbench.arrangement.maximised = maximised(request.view);
-    workbench.arrangement.bare = workbench.arrangement.maximised != ViewName::none;
-    workbench.widgets.printed = workbench.arrangement.bare;
-    ImGui::GetIO().MousePos = {-1e6F, -1e6F};  // the pointer is nowhere
+    show(studio_, maximised(request.view));
     if (request.lesson) lead(studio_, *request.lesson);
 
     surroundings_ = {.size_px = request.size_px, .device_scale = request.dpi / usual_dpi, .input = {}};
@@ -119,13 +124,15 @@ Status RestingWindow::fit() {
 std::string RestingWindow::too_small(glm::ivec2 size_px) {
     const std::string told =
         "not all of the view can be seen in " + size_text(size_px) + " pixels, however small it is drawn; ";
-    while (studio_.workbench.widgets.seen_share < 1.0F && surroundings_.size_px.y < largest_image_side) {
-        const float wanted = static_cast<float>(surroundings_.size_px.y) / studio_.workbench.widgets.seen_share;
-        surroundings_.size_px.y = std::min(largest_image_side, static_cast<int>(std::ceil(wanted / 10.0F)) * 10);
+    constexpr int highest_px = 8192;
+    while (!fits() && surroundings_.size_px.y < highest_px) {
+        // What is cut, and does not scroll, says nothing of how much is missing.
+        const double seen = std::min(static_cast<double>(studio_.workbench.widgets.seen_share), 0.8);
+        surroundings_.size_px.y =
+            std::min(highest_px, static_cast<int>(std::ceil(surroundings_.size_px.y / seen / 10.0)) * 10);
         if (!settle()) break;
     }
-    return studio_.workbench.widgets.seen_share < 1.0F ? told + "nor in any picture of that width"
-                                                       : told + size_text(surroundings_.size_px) + " has room for it";
+    return fits() ? told + size_text(surroundings_.size_px) + " has room for it" : told + "it wants to be wider";
 }
 
 Drawing RestingWindow::record() {

@@ -8,6 +8,9 @@
 
 namespace viewing {
 
+/// One view alone, with nothing that can only be pressed, or the whole window; the pointer is nowhere.
+void show(Studio& studio, ViewName maximised);
+
 class RestingWindow {
 public:
     /// Needs a current context. `ground`: see Studio::set_ground.

@@ -53,7 +53,7 @@ public:
             first.pos.x - (first.uv.x - glyph.U0) / (glyph.U1 - glyph.U0) * (glyph.X1 - glyph.X0) * scale;
         const float top = first.pos.y - (first.uv.y - glyph.V0) / (glyph.V1 - glyph.V0) * (glyph.Y1 - glyph.Y0) * scale;
         DrawnGlyph drawn;
-        drawn.face = face_of(*place->font, static_cast<ImWchar>(glyph.Codepoint));
+        drawn.face = place->face_once();
         drawn.character = glyph.Codepoint;
         drawn.scale = scale;
         drawn.origin = {left - glyph.X0 * scale, top + (std::round(place->font->Ascent) - glyph.Y0) * scale};
@@ -66,6 +66,12 @@ private:
     struct Place {
         const ImFont* font;
         const ImFontGlyph* glyph;
+        mutable std::optional<GlyphFace> face = {};  ///< once it was looked for
+
+        const GlyphFace& face_once() const {
+            if (!face) face = face_of(*font, static_cast<ImWchar>(glyph->Codepoint));
+            return *face;
+        }
     };
 
     const Place* find(ImVec2 uv) const {
