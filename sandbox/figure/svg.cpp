@@ -168,13 +168,9 @@ private:
         return id;
     }
 
-    std::size_t face_number(const std::string& face) const {
-        std::size_t number = 0;
-        for (const auto& [name, characters] : faces_) {
-            if (name == face) break;
-            ++number;
-        }
-        return number;
+    /// Its place among the faces of the drawing, as style() counts them.
+    std::ptrdiff_t face_number(const std::string& face) const {
+        return std::distance(faces_.begin(), faces_.find(face));
     }
 
     const Drawing& drawing_;

@@ -19,8 +19,8 @@ constexpr std::string_view hex = "0123456789abcdef";
 
 /// What escaped() has made of a text, back again.
 std::string unescaped(std::string_view text) {
-    static constexpr std::array<std::pair<std::string_view, char>, 5> entities = {
-        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}, {"&#39;", '\''}}};
+    static constexpr std::array<std::pair<std::string_view, char>, 4> entities = {
+        {{"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&quot;", '"'}}};
     std::string plain;
     while (!text.empty()) {
         bool is_entity = false;

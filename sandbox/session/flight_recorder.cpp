@@ -4,6 +4,7 @@
 #include <ctime>
 #include <utility>
 
+#include "platform/free_file.h"
 #include "state/json.h"
 
 namespace viewing {
@@ -55,12 +56,7 @@ std::filesystem::path new_flight_file() {
     const std::time_t now = std::time(nullptr);
     char name[64];
     std::strftime(name, sizeof name, "flight-%Y%m%d-%H%M%S", std::localtime(&now));
-    std::error_code ignored;
-    const std::filesystem::path folder = std::filesystem::absolute(".", ignored).lexically_normal();
-    std::filesystem::path file = folder / (std::string(name) + ".json");
-    for (int next = 2; std::filesystem::exists(file, ignored); ++next)
-        file = folder / (std::string(name) + "-" + std::to_string(next) + ".json");
-    return file;
+    return free_file(name, ".json");
 }
 
 }  // namespace viewing

@@ -12,6 +12,7 @@
 
 #include "platform/text_file.h"
 #include "state/reader.h"
+#include "text/html.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -20,15 +21,12 @@ namespace {
 constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr const char* broken = "link: it is cut off or damaged";
 
+/// Without the three signs of base64 that addresses know otherwise.
 std::string base64url(const std::vector<std::uint8_t>& bytes) {
-    std::string text;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const std::uint8_t byte : bytes) {
-        bits = bits << 8U | byte;
-        for (count += 8; count >= 6; count -= 6) text += digits[bits >> static_cast<unsigned>(count - 6) & 63U];
-    }
-    if (count > 0) text += digits[bits << static_cast<unsigned>(6 - count) & 63U];
+    std::string text = base64(bytes);
+    text.erase(text.find_last_not_of('=') + 1);
+    std::replace(text.begin(), text.end(), '+', '-');
+    std::replace(text.begin(), text.end(), '/', '_');
     return text;
 }
 

@@ -9,6 +9,7 @@
 #include "frame/hidden/hidden_budget.h"
 #include "frame/hidden/scene_surface.h"
 #include "platform/file.h"
+#include "platform/free_file.h"
 #include "text/catalogue.h"
 #include "ui/hidden/hidden_status.h"
 #include "ui/parts/look.h"
@@ -67,19 +68,8 @@ void start(GrowthViewState& state, const Scene& scene) {
     });
 }
 
-/// A name in the working directory that no file has: viewing-growth.csv, viewing-growth-2.csv, …
-std::filesystem::path free_file(const std::string& extension) {
-    std::error_code ignored;
-    const std::filesystem::path folder = std::filesystem::current_path(ignored);
-    for (int number = 1;; ++number) {
-        const std::string suffix = number == 1 ? "" : "-" + std::to_string(number);
-        std::filesystem::path file = folder / ("viewing-growth" + suffix + extension);
-        if (!std::filesystem::exists(file, ignored)) return file;
-    }
-}
-
 void save_csv(const GrowthViewState& state, Session& session) {
-    const std::filesystem::path file = free_file(".csv");
+    const std::filesystem::path file = free_file("viewing-growth", ".csv");
     session.write([file, text = growth_csv(shown_rows(state))] { return write_file(file, text); },
                   say("costs written to {file}", "file"_a = file.string()));
 }
@@ -205,7 +195,8 @@ void draw_results(GrowthViewState& state, const Session& session, bool wants_pic
     const float height = room.y - below >= px(180.0F) ? room.y - below : std::max(room.y, px(120.0F));
     const Rect chart = draw_chart(state, session.scene(), height);
     // Scrolled back first: the picture is taken of what the window shows in the next frame.
-    if (std::exchange(state.wants_picture, wants_picture)) state.wanted_picture = {chart, free_file(".png")};
+    if (std::exchange(state.wants_picture, wants_picture))
+        state.wanted_picture = {chart, free_file("viewing-growth", ".png")};
     if (wants_picture) ImGui::SetScrollY(0.0F);
     for (const std::string& sentence : told) recorded_note(sentence);
 }
