@@ -1,8 +1,8 @@
 # Puts files into the program, so that it needs neither the source tree nor installed fonts when it runs.
 # The assembler's .incbin copies them as they are: no generated source of millions of numbers, and a changed
-# file costs one assembler run. Where there is no assembler for ELF (a browser's compiler) they become C++ arrays.
+# file costs one assembler run. Where there is no assembler for ELF or WebAssembly they become C++ arrays.
 set(default_embed array)
-if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF" AND NOT EMSCRIPTEN)
+if(CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF" OR EMSCRIPTEN)
     set(default_embed incbin)
 endif()
 set(VIEWING_EMBED ${default_embed} CACHE STRING "How files are put into the program: incbin or array")
@@ -32,7 +32,7 @@ function(embed_files target header accessor)
         set(view_header "<cstddef>\n#include <span>\n#include <string_view>")
     endif()
 
-    set(assembly "    .section .rodata\n")
+    set(assembly "")
     set(symbols "")
     set(branches "")
     set(index 0)
@@ -40,9 +40,17 @@ function(embed_files target header accessor)
         cmake_path(GET file FILENAME name)
         set(symbol "${accessor}_${index}")
         if(EMBED_WAY STREQUAL "incbin")
-            string(APPEND assembly
-                "    .balign 16\n    .global ${symbol}\n${symbol}:\n    .incbin \"${file}\"\n${symbol}_end:\n"
-                "    .byte 0\n    .balign 8\n    .global ${symbol}_size\n${symbol}_size:\n    .8byte ${symbol}_end - ${symbol}\n")
+            if(EMSCRIPTEN)  # where each object has a section and a size of its own
+                string(APPEND assembly
+                    "    .section .rodata.${symbol},\"\",@\n    .global ${symbol}\n    .p2align 4\n${symbol}:\n    .incbin \"${file}\"\n"
+                    ".L${symbol}_end:\n    .byte 0\n.L${symbol}_after:\n    .size ${symbol}, .L${symbol}_after - ${symbol}\n"
+                    "    .section .rodata.${symbol}_size,\"\",@\n    .global ${symbol}_size\n    .p2align 3\n${symbol}_size:\n"
+                    "    .int64 .L${symbol}_end - ${symbol}\n    .size ${symbol}_size, 8\n")
+            else()
+                string(APPEND assembly
+                    "    .section .rodata\n    .balign 16\n    .global ${symbol}\n${symbol}:\n    .incbin \"${file}\"\n${symbol}_end:\n"
+                    "    .byte 0\n    .balign 8\n    .global ${symbol}_size\n${symbol}_size:\n    .8byte ${symbol}_end - ${symbol}\n")
+            endif()
             string(APPEND symbols
                 "extern const unsigned char ${symbol}[];\nextern const std::uint64_t ${symbol}_size;\n")
         else()
@@ -58,7 +66,9 @@ function(embed_files target header accessor)
             "    if (file_name == \"${name}\")\n        return {reinterpret_cast<const ${element}*>(${symbol}), static_cast<std::size_t>(${symbol}_size)};\n")
         math(EXPR index "${index} + 1")
     endforeach()
-    string(APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
+    if(NOT EMSCRIPTEN)
+        string(APPEND assembly "    .section .note.GNU-stack,\"\",%progbits\n")
+    endif()
 
     set(folder ${PROJECT_BINARY_DIR}/generated)
     file(CONFIGURE OUTPUT ${folder}/${header} @ONLY CONTENT
@@ -100,7 +110,7 @@ endfunction()
 
 # find_font(RESULT FILE FOLDER PACKAGE): the path of a font as Debian's PACKAGE installs it, else an error that names it.
 function(find_font result file folder package)
-    find_file(VIEWING_FONT_${file} ${file} PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES ${folder})
+    find_file(VIEWING_FONT_${file} ${file} PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES ${folder} NO_CMAKE_FIND_ROOT_PATH)
     mark_as_advanced(VIEWING_FONT_${file})
     if(NOT VIEWING_FONT_${file})
         message(FATAL_ERROR "The font ${file} is missing: install Debian's package ${package} (apt-get install ${package}), "
@@ -122,8 +132,11 @@ function(embed_fonts)
     find_font(signs DejaVuSans.ttf truetype/dejavu fonts-dejavu-core)
     find_font(korean NanumBarunGothic.ttf truetype/nanum fonts-nanum)
     find_font(korean_bold NanumBarunGothicBold.ttf truetype/nanum fonts-nanum)
-    embed_files(embedded_fonts embedded/fonts.h embedded_font
-                ${regular} ${semibold} ${mono} ${signs} ${korean} ${korean_bold})
+    set(fonts ${regular} ${semibold} ${mono} ${signs} ${korean} ${korean_bold})
+    if(EMSCRIPTEN)
+        smaller_fonts(fonts ${fonts})
+    endif()
+    embed_files(embedded_fonts embedded/fonts.h embedded_font ${fonts})
 endfunction()
 
 function(embed_pages)

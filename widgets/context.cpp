@@ -56,9 +56,15 @@ float RedrawIn(const Context& context) {
     const Editing& editing = context.editing;
     if (context.hovered != context.hovered_next || context.entry_hovered != context.entry_hovered_next) return 0.0F;
     if (editing.type_next || (editing.typing && !editing.focused) || context.targets.frames_of_search > 0) return 0.0F;
+    if (MayBeTakenBack(context)) return ImGui::GetIO().MouseDoubleClickTime;
     constexpr float caret_blink_s = 0.2F;
     if (editing.typing && (editing.redraw_in_s < 0.0F || editing.redraw_in_s > caret_blink_s)) return caret_blink_s;
     return editing.redraw_in_s;
+}
+
+bool MayBeTakenBack(const Context& context) {
+    const double jumped_at_s = context.editing.jumped_at_s;
+    return jumped_at_s >= 0.0 && ImGui::GetTime() - jumped_at_s <= ImGui::GetIO().MouseDoubleClickTime;
 }
 
 Group::Group(const char* name) {

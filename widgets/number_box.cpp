@@ -157,6 +157,7 @@ std::optional<double> SlideInBox(double value, const NumberStyle& style, const T
         editing.value_before = value;
         editing.drag_value = FractionOf(value, style);
         const bool on_knob = std::abs(io.MousePos.x - track.At(editing.drag_value)) <= track.knob_width;
+        editing.jumped_at_s = on_knob ? -1.0 : ImGui::GetTime();
         if (on_knob) return std::nullopt;
         editing.drag_value = std::clamp((io.MousePos.x - track.begin) / pixels_of_track, 0.0, 1.0);
         return AtFraction(editing.drag_value, false, style);
@@ -251,6 +252,7 @@ std::optional<double> PointAtBox(ImGuiID id, double value, const NumberStyle& st
             const bool moved = doubled && kind == BoxKind::slider;
             const double typed_from = moved ? editing.value_before : value;
             StartTyping(editing, id, typed_from);
+            editing.jumped_at_s = -1.0;
             return moved ? std::optional(typed_from) : std::nullopt;
         }
     }

@@ -79,7 +79,8 @@ struct Editing {
 
     double drag_value = 0.0;     ///< where a drag has led, before rounding
     float drag_distance = 0.0F;  ///< pixels since the press
-    double value_before = 0.0;   ///< before a slider's knob jumped to the pointer
+    double value_before = 0.0;   ///< before a slider's knob jumped to the pointer,
+    double jumped_at_s = -1.0;   ///< which it did then, by ImGui's clock; negative: it did not
     glm::vec3 color{0.0F};       ///< what the open colour picker shows, finer than 8 bits
 
     ImVec4 tooltip_of{-1.0F, -1.0F, -1.0F, -1.0F};  ///< rectangle of the item that the pointer rests on
@@ -120,6 +121,10 @@ Context& CurrentContext();
 /// Ask after the last widget of a frame: in how many seconds another frame is wanted though no input comes (a tooltip
 /// is due, highlights have to follow the pointer, the caret blinks); 0 at once, negative never.
 float RedrawIn(const Context& context);
+
+/// Whether a click has just moved a slider's knob that a second one would put back, to begin to type: what it did is
+/// not done yet.
+bool MayBeTakenBack(const Context& context);
 
 /// Colours and metrics of ImGui itself, set from the palette (call when theme or scale changes).
 void ApplyStyle(const Context& context);

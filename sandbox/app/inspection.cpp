@@ -4,7 +4,7 @@
 
 namespace viewing {
 
-Status Inspection::read(const ShownFrame& shown, const Session& session, const ViewState& views) {
+Status Inspection::read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once) {
     const Params& params = shown.params;
     DepthWishes wishes;
     const bool tells_pixel = is_shown(params, Topic::pixel), tells_cells = is_shown(params, Topic::cells);
@@ -21,8 +21,10 @@ Status Inspection::read(const ShownFrame& shown, const Session& session, const V
     wishes.calls = tells_cells;
     if (tells_cells && wishes.pixel) wishes.cells = views.cells;
     wishes.counts = is_shown(params, Topic::histogram);
-    return inspector_.update(renderer_, shown.inspected, session.scene(), session.scene_version(), shown.derived,
-                             shown.camera_px, wishes);
+    Status done = inspector_.update(renderer_, shown.inspected, session.scene(), session.scene_version(), shown.derived,
+                                    shown.camera_px, wishes, at_once);
+    reads_ = inspector_.is_following();
+    return done;
 }
 
 DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held) {
@@ -35,10 +37,16 @@ DepthData Inspection::data(const ShownFrame& shown, const Session& session, bool
 }
 
 std::optional<PixelReport> Inspection::at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px,
-                                          glm::ivec2 pixel) {
+                                          glm::ivec2 pixel, bool at_once) {
+    follows_ = false;
     if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size_px.x || pixel.y >= size_px.y) return std::nullopt;
-    const auto report = inspector_.at(renderer_, shown.inspected, session.scene(), shown.derived, size_px, pixel);
-    return report ? std::optional(*report) : std::nullopt;
+    if (at_once) {
+        const auto report = inspector_.at(renderer_, shown.inspected, session.scene(), shown.derived, size_px, pixel);
+        return report ? std::optional(*report) : std::nullopt;
+    }
+    const auto told = inspector_.follow(renderer_, shown.inspected, session.scene(), shown.derived, size_px, pixel);
+    follows_ = inspector_.is_following();
+    return told ? *told : std::nullopt;
 }
 
 }  // namespace viewing

@@ -16,25 +16,29 @@ public:
     /// The pictures have changed: everything is read again when it is wanted.
     void forget() { inspector_.forget(); }
 
-    /// Reads what the views want of this frame.
-    Status read(const ShownFrame& shown, const Session& session, const ViewState& views);
+    /// Reads what the views want of this frame. `at_once`: waits for all of it.
+    Status read(const ShownFrame& shown, const Session& session, const ViewState& views, bool at_once);
 
     /// What was read, and of a state at rest, also while something moves by itself, how surfaces fight where that is
     /// shown. `at_once`: waits for the counts; `is_held`: something is being dragged.
     DepthData data(const ShownFrame& shown, const Session& session, bool at_once, bool is_held);
 
-    /// One more pixel of the camera's picture, for the status bar.
-    std::optional<PixelReport> at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px,
-                                  glm::ivec2 pixel);
+    /// One more pixel of the camera's picture, for the status bar. `at_once`: waits for it; else it may be told some
+    /// frames later, and until then the one before.
+    std::optional<PixelReport> at(const ShownFrame& shown, const Session& session, glm::ivec2 size_px, glm::ivec2 pixel,
+                                  bool at_once);
+    /// In a frame that tells none.
+    void leave_pixel() { follows_ = false; }
 
-    /// Whether counting goes on in further frames.
-    bool wants_frames() const { return tells_fighting_ && fighting_.wants_frames(); }
+    /// Whether counting or reading goes on in further frames.
+    bool wants_frames() const { return (tells_fighting_ && fighting_.wants_frames()) || reads_ || follows_; }
 
 private:
     Renderer& renderer_;
     DepthInspector inspector_;
     FightingCounter fighting_;
     bool tells_fighting_ = false;
+    bool reads_ = false, follows_ = false;  ///< a pixel is on its way, for the views or the status bar
 };
 
 }  // namespace viewing

@@ -4,6 +4,7 @@
 
 #include "state/language.h"
 #include "text/catalogue.h"
+#include "ui/window/font_files.h"
 #include "ui/window/fonts.h"
 #include "ui/window/theme.h"
 
@@ -29,13 +30,14 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
         language_ = ui.language;
         korean.want(spoken_texts());
     }
-    const bool wants_fonts = scale != scale_ || korean.has_new();
+    const bool wants_fonts = scale != scale_ || korean.has_new() || arrived_font_files() != font_files_;
     if (!wants_fonts && !speaks_anew && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;
     if (wants_fonts) context.fonts = upload_fonts(scale, korean);
     widgets::ApplyStyle(context);
     scale_ = scale;
+    font_files_ = arrived_font_files();
     theme_ = ui.theme;
     return true;
 }

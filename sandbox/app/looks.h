@@ -26,6 +26,7 @@ public:
 private:
     Theme theme_ = Theme::dark;
     float scale_ = 0.0F;
+    int font_files_ = 0;                ///< that had arrived
     std::optional<Language> language_;  ///< that was asked for
     std::string trouble_;
 };

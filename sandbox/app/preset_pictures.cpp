@@ -5,15 +5,15 @@
 #include "measure/hidden_answers.h"
 
 namespace viewing {
-Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load, glm::ivec2 size_px,
-                                                         bool clip_control) {
+Result<PresetPictures::Prepared> PresetPictures::prepare(const std::string& name, const Load& load,
+                                                         const Viewport& viewport) {
     const Result<LoadedState> state = load();
     if (!state) return Error{state.error()};
     Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
     if (!scene) return Error{scene.error()};
-    Prepared prepared{name, size_px, state->params, *std::move(scene), {}, nullptr};
-    prepared.derived = derive(prepared.params, prepared.scene, {size_px, clip_control});
-    if (const auto question = hidden_question(prepared.params, prepared.derived, size_px)) {
+    Prepared prepared{name, viewport.size_px, state->params, *std::move(scene), {}, nullptr};
+    prepared.derived = derive(prepared.params, prepared.scene, viewport);
+    if (const auto question = hidden_question(prepared.params, prepared.derived, viewport.size_px)) {
         HiddenSurfaceSolver solver(prepared.scene);
         prepared.answer = std::make_shared<HiddenAnswer>(answer_hidden_question(solver, *question));
     }
@@ -54,9 +54,9 @@ PresetPicture PresetPictures::of(const std::string& name, const Load& load, glm:
         return {name, reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(kept->second.texture()))};
     if (!preparing_.is_running()) {
         wanted_ = name;
-        const bool clip_control = renderer_.capabilities().clip_control;
-        preparing_.start(
-            [name, load, size_px, clip_control](WorkProgress&) { return prepare(name, load, size_px, clip_control); });
+        preparing_.start([name, load, viewport = renderer_.viewport(size_px)](WorkProgress&) {
+            return prepare(name, load, viewport);
+        });
     }
     return {name, nullptr};
 }

@@ -41,7 +41,7 @@ private:
         Derived derived;
         std::shared_ptr<HiddenAnswer> answer;  ///< null where GL's depth buffer draws
     };
-    static Result<Prepared> prepare(const std::string& name, const Load& load, glm::ivec2 size_px, bool clip_control);
+    static Result<Prepared> prepare(const std::string& name, const Load& load, const Viewport& viewport);
     Status draw(Prepared& prepared);
 
     Renderer& renderer_;

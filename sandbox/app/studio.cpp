@@ -9,6 +9,7 @@
 
 #include "gl/dialect.h"
 #include "report/state_numbers.h"
+#include "state/json.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
 #include "ui/window/recording.h"
@@ -23,18 +24,12 @@ double sooner(double a_s, double b_s) {
     return a_s < 0.0 || b_s < 0.0 ? std::max(a_s, b_s) : std::min(a_s, b_s);
 }
 
-std::string renderer_name() {
-    std::string name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
-    name = name.substr(0, name.find(" ("));
-    return "OpenGL 3.3 core · " + name;
-}
-
 }  // namespace
 
 Studio::Studio(Renderer& renderer, Session opened)
     : session(std::move(opened)),
       renderer_(renderer),
-      renderer_name_(renderer_name()),
+      renderer_name_(gl::driver_name()),
       pictures_(renderer),
       inspection_(renderer),
       preset_pictures_(renderer),
@@ -60,13 +55,31 @@ void Studio::set_ground(Color color) {
 Status Studio::draw_views(const Layout& layout, const Scene& scene, bool is_interactive) {
     // With a scene that is slow to draw, only the view that is being moved follows; the others catch up at rest.
     views_are_behind_ = is_interactive && frame_ms_ > slow_ms && is_held();
+    camera_is_behind_ = layout.camera.empty() || &scene != &session.scene();
     if (!views_are_behind_) return pictures_.draw(shown_, scene, layout);
     for (const Slot slot : {Slot::left, Slot::right}) {
         const ViewName name = slot == Slot::left ? ViewName::lower_left : ViewName::lower_right;
         const bool is_moved = workbench.views.hovered == name && topic_of(shown_.params, slot) == Topic::observer;
-        if (is_moved) return pictures_.draw_lower(slot, shown_, scene, layout);
+        if (!is_moved) continue;
+        camera_is_behind_ = true;
+        return pictures_.draw_lower(slot, shown_, scene, layout);
     }
     return pictures_.draw_camera(shown_, scene, layout);
+}
+
+const View& Studio::camera_view() {
+    if (std::exchange(camera_is_behind_, false)) session.report(pictures_.draw_unseen_camera(shown_, session.scene()));
+    return pictures_.camera();
+}
+
+Params Studio::shown_params() const {
+    Params shown = session.portable(shown_.params);
+    shown.animation.jiggle = shown.animation.light_orbit = false;  // they have moved what they move
+    return shown;
+}
+
+std::string Studio::shown_state() const {
+    return write_state(shown_params());
 }
 
 bool Studio::is_held() const {
@@ -75,8 +88,11 @@ bool Studio::is_held() const {
 
 void Studio::update(const Layout& layout, const Surroundings& surroundings) {
     if (!layout.camera.empty()) shown_.camera_px = layout.camera.size_px();  // else another view has the whole window
-    const Viewport viewport{shown_.camera_px, renderer_.capabilities().clip_control};
     const bool is_interactive = surroundings.shows_time;
+    // A person does not wait for it before the first picture.
+    const bool knows_driver = is_interactive && drawn_.scene_version >= 0;
+    const Viewport viewport = knows_driver ? renderer_.viewport(shown_.camera_px, shown_.params.depth.format)
+                                           : renderer_.viewport(shown_.camera_px, shown_.params, session.scene());
     Drawn wanted{session.params,
                  session.scene_version(),
                  shown_.params,
@@ -85,7 +101,8 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
                  layout.lower_left.size_px(),
                  layout.lower_right.size_px(),
                  drawn_.hidden,
-                 drawn_.is_coarse};
+                 drawn_.is_coarse,
+                 knows_driver};
     if (wanted != drawn_) shown_.derived = derive(shown_.params, session.scene(), viewport);
     if (wanted != drawn_ || answer_.is_behind())
         session.report(
@@ -113,9 +130,13 @@ void Studio::update(const Layout& layout, const Surroundings& surroundings) {
 StatusLine Studio::status(bool shows_time) {
     StatusLine status{renderer_name_, shows_time ? fmt::format("{:5.1f} ms", frame_ms_) : "–", {}};
     if (drawn_.is_coarse) status.told = {stand_ins_.sentence()};
-    if (const auto& pixel = workbench.views.hovered_pixel; pixel && !is_held())
-        if (const auto report = inspection_.at(shown_, session, pictures_.camera().size_px(), *pixel))
-            status.told = pixel_words(*report);
+    const auto& pixel = workbench.views.hovered_pixel;
+    if (!pixel || is_held()) {
+        inspection_.leave_pixel();
+        return status;
+    }
+    if (const auto report = inspection_.at(shown_, session, pictures_.camera().size_px(), *pixel, !shows_time))
+        status.told = pixel_words(*report);
     return status;
 }
 
@@ -164,9 +185,7 @@ void Studio::record(double dt_s) {
     FlightRecorder& recorder = workbench.recorder;
     recorder.pass(dt_s);
     if (!recorder.is_recording() || session.awaits_scene()) return;
-    Params drawn = session.portable(shown_.params);
-    drawn.animation.jiggle = drawn.animation.light_orbit = false;  // they have moved what they move
-    recorder.note(drawn);
+    recorder.note(shown_params());
 }
 
 double Studio::next_redraw_in_s() const {
@@ -211,7 +230,8 @@ Requests Studio::frame(const Surroundings& surroundings) {
     shown_.params = animated(session.params, moment_);
 
     update(workbench.layout(io.DisplaySize, session), surroundings);
-    if (!views_are_behind_ && !drawn_.is_coarse) session.report(inspection_.read(shown_, session, workbench.views));
+    if (!views_are_behind_ && !drawn_.is_coarse)
+        session.report(inspection_.read(shown_, session, workbench.views, !surroundings.shows_time));
     record(surroundings.input.dt_s);
     const Requests requests = draw_interface(surroundings);
 

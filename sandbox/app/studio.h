@@ -48,8 +48,13 @@ public:
     Image read() const;
     /// The latest frame as shapes, text and pictures, where its lines were drawn without textures.
     Drawing record() const;
-    /// The camera's picture alone.
-    const View& camera_view() const { return pictures_.camera(); }
+    /// The camera's picture alone, of shown_state(): drawn now where another view has the window, or where it is behind
+    /// what is moved by hand.
+    const View& camera_view();
+    /// The state that the latest frame showed, as text: what moves by itself is where it was then.
+    std::string shown_state() const;
+    /// The latest frame's parameters and what follows from them.
+    const ShownFrame& shown() const { return shown_; }
 
     /// In how many seconds another frame is wanted though no input comes: 0 at once, negative never.
     double redraw_in_s() const { return redraw_in_s_; }
@@ -58,6 +63,7 @@ private:
     /// Makes and draws again what the latest frame's parameters, sizes and answers have changed.
     void update(const Layout& layout, const Surroundings& surroundings);
     Status draw_views(const Layout& layout, const Scene& scene, bool is_interactive);
+    Params shown_params() const;
     StatusLine status(bool shows_time);
     Requests draw_interface(const Surroundings& surroundings);
     /// Of the student's sheet one exercise a frame is made, since its numbers may be measured in pictures.
@@ -86,11 +92,13 @@ private:
         Params animated;  ///< the same, as they are at the time
         glm::ivec2 camera_px{0}, beside_px{0}, lower_left_px{0}, lower_right_px{0};
         std::shared_ptr<const HiddenAnswer> hidden;
-        bool is_coarse = false;  ///< stand-ins were drawn
+        bool is_coarse = false;     ///< stand-ins were drawn
+        bool knows_driver = false;  ///< what the driver stores as depth was measured
         bool operator==(const Drawn&) const = default;
     };
     Drawn drawn_;
     bool views_are_behind_ = false;  ///< some view shows an earlier frame, until nothing is held
+    bool camera_is_behind_ = true;   ///< the camera's does, or a coarse one
 
     Moment moment_;           ///< of what moves by itself
     bool moves_ = false;      ///< something does

@@ -41,6 +41,10 @@ Status ViewPictures::draw_camera(const ShownFrame& shown, const Scene& scene, co
     return render(shown.plan, scene, layout.camera.size_px(), camera_);
 }
 
+Status ViewPictures::draw_unseen_camera(const ShownFrame& shown, const Scene& scene) {
+    return render(shown.plan, scene, shown.camera_px, camera_);
+}
+
 Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, const Layout& layout) {
     const BesideParams& beside = shown.params.view.beside;
     const glm::ivec2 size = layout.camera.size_px();
@@ -49,7 +53,7 @@ Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, co
     Params other = shown.params;
     other.depth.format = beside.format;
     other.depth.mapping = beside.mapping;
-    const Viewport viewport{size, has_clip_control()};
+    const Viewport viewport = renderer_.viewport(size);
     const FramePlan frame = plan(other, derive(other, scene, viewport), pictures_by_gl(shown));
     return render(frame, scene, size, beside_);
 }
@@ -57,7 +61,7 @@ Status ViewPictures::draw_beside(const ShownFrame& shown, const Scene& scene, co
 Status ViewPictures::draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view) {
     Params params = shown.params;
     params.view.shows = Shows::depth;
-    const Derived derived = derive(params, scene, {size_px, has_clip_control()});
+    const Derived derived = derive(params, scene, renderer_.viewport(size_px));
     FramePlan frame = plan(params, derived, pictures_by_gl(shown));
     frame.shown_range = contrast_range(params, derived, scene);
     return render(frame, scene, size_px, view);

@@ -22,6 +22,8 @@ public:
     Status draw(const ShownFrame& shown, const Scene& scene, const Layout& layout);
     /// The camera's view alone, or one of those below it: what can be done where the scene is slow to draw.
     Status draw_camera(const ShownFrame& shown, const Scene& scene, const Layout& layout);
+    /// The same though nothing on screen shows it, at the size that it had there last.
+    Status draw_unseen_camera(const ShownFrame& shown, const Scene& scene);
     Status draw_lower(Slot slot, const ShownFrame& shown, const Scene& scene, const Layout& layout);
 
     const View& camera() const { return camera_; }
@@ -36,7 +38,6 @@ private:
     Status draw_depth(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px, View& view);
     Status draw_after_pass(const ShownFrame& shown, const Scene& scene, glm::ivec2 size_px);
     Status draw_mirror_ways(const ShownFrame& shown, const Scene& scene);
-    bool has_clip_control() const { return renderer_.capabilities().clip_control; }
 
     Renderer& renderer_;
     std::optional<Color> background_;

@@ -16,10 +16,12 @@
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "gl/facts.h"
+#include "render/driver_depth.h"
 #include "render/renderer.h"
 #include "report/as_json.h"
 #include "state/presets.h"
 #include "state/scene.h"
+#include "text/numbers.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -37,6 +39,7 @@ struct Step {
 struct Examination {
     std::vector<Step> steps;
     ExitStatus status = ExitStatus::done;
+    Json depth;  ///< by format; null where there is no context
 };
 
 constexpr const char* install_drivers = "install Debian's packages libegl1, libegl-mesa0 and libgl1-mesa-dri";
@@ -83,6 +86,46 @@ void examine_capabilities(Examination& examination) {
     add("debug output", facts.debug_output, "errors are asked for with glGetError after each picture");
 }
 
+std::string stored_as_text(const DepthPrecision& precision) {
+    return precision.is_float ? "a 32-bit float" : std::to_string(precision.bits) + "-bit integers";
+}
+
+/// What the driver makes of a depth format, and whether it is what its name says.
+void add_depth(Examination& examination, const char* name, DepthFormat format, const StoredDepth& stored) {
+    const DepthPrecision wanted = precision_of(format);
+    const bool is_as_named = stored.precision == wanted;
+    const std::string unit = shortest_number(*stored.unit_codes);
+    const std::string codes = stored.precision.is_float ? " steps of the float" : " codes";
+    examination.steps.push_back(
+        {name, is_as_named ? Health::fine : Health::remark,
+         "stored as " + stored_as_text(stored.precision) + "; a unit of glPolygonOffset is " +
+             (stored.unit_codes == 1.0 ? (stored.precision.is_float ? "one step of the float" : "one code")
+                                       : unit + codes),
+         is_as_named ? "" : "predictions go by what is stored, lists of codes by " + stored_as_text(wanted)});
+}
+
+Json as_json(const StoredDepth& stored) {
+    return {{"bits", stored.precision.bits},
+            {"float", stored.precision.is_float},
+            {"offset_unit_codes", *stored.unit_codes}};
+}
+
+void examine_depth(Examination& examination, const gl::Capabilities& capabilities) {
+    struct Asked {
+        const char *name, *key;
+        DepthFormat format;
+        gl::DepthKind kind;
+    };
+    for (const auto& [name, key, format, kind] :
+         {Asked{"16-bit depth", "d16", DepthFormat::d16, gl::DepthKind::d16},
+          Asked{"24-bit depth", "d24", DepthFormat::d24, gl::DepthKind::d24_s8},
+          Asked{"float depth", "d32f", DepthFormat::d32f, gl::DepthKind::d32f_s8}}) {
+        const StoredDepth stored = value_or_end(measure_stored_depth(capabilities, kind), ExitStatus::gl_error);
+        add_depth(examination, name, format, stored);
+        examination.depth[key] = as_json(stored);
+    }
+}
+
 /// The names of the variables that are set and that a driver or the library before it listens to.
 std::string variables_of_drivers() {
     constexpr std::array<std::string_view, 6> beginnings{"MESA_", "LIBGL_", "GALLIUM_", "__EGL_", "EGL_", "LP_"};
@@ -120,6 +163,7 @@ void examine_context(Examination& examination) {
     const Result<Renderer> renderer = Renderer::make();
     if (renderer && log.errors().empty()) {
         examination.steps.push_back({"shaders", Health::fine, "compiled and linked", ""});
+        examine_depth(examination, renderer->capabilities());
         return;
     }
     examination.steps.push_back({"shaders", Health::missing, renderer ? log.errors().front() : renderer.error(),
@@ -200,7 +244,9 @@ Json as_json(const Examination& examination) {
     Json devices = Json::array();
     for (const gl::DeviceInfo& device : gl::egl_devices())
         devices.push_back({{"index", device.index}, {"software", device.software}, {"name", device.name}});
-    return {{"fine", examination.status == ExitStatus::done}, {"steps", steps}, {"devices", devices}};
+    Json json{{"fine", examination.status == ExitStatus::done}, {"steps", steps}, {"devices", devices}};
+    if (!examination.depth.is_null()) json["depth"] = examination.depth;
+    return json;
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {

@@ -45,6 +45,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     LoadedState state = state_arguments.load();
     memory.dress(state.params);
     WindowStart start;
+    if (std::optional<LinkedStep> linked = state_arguments.linked_step()) {
+        if (!state_arguments.say_only_looks())
+            options.refuse("a lesson's step has its own state, so no --mesh, and --set of ui.… alone");
+        start.lesson = LessonPicture{std::move(linked->lesson), linked->step, false, false, true};
+    }
     start.shows_lessons = memory.is_first_time() && !state_arguments.are_given();
     // What is wrong with the scene is said before there is a window, unless it takes long to find out.
     constexpr double patience_s = 0.5;

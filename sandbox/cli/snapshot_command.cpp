@@ -110,7 +110,8 @@ std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& st
     return inputs;
 }
 
-Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds) {
+Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds,
+             const StateArguments& state_arguments) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
     if (thresholds.given() && !typed.compare)
         options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
@@ -130,7 +131,8 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");
     if (typed.dpi) wish.picture.dpi = number_option(options, "--dpi", *typed.dpi, 24.0, 1200.0);
     wish.picture.samples = samples_option(options, typed.samples);
-    if (!typed.lesson && (typed.step || typed.revealed || typed.presents))
+    const bool wants_lesson = typed.step || typed.revealed || typed.presents;
+    if (wants_lesson && !typed.lesson && !state_arguments.linked_step())
         options.refuse("--step, --revealed and --present need --lesson");
     if (typed.repeat) wish.repeat = whole_option(options, "--repeat", *typed.repeat, 1, 1000);
     if (typed.compare == "") options.refuse("--compare: must be the name of a PNG file, got an empty text");
@@ -142,13 +144,12 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     return wish;
 }
 
-/// The state of the step, and for a picture of the window the lesson itself.
-LoadedState take_step(const Options& options, const Typed& typed, Wish& wish) {
-    LessonPicture picture{value_or_end(load_lesson(*typed.lesson)), 0, typed.revealed, typed.presents, true};
-    const int count = static_cast<int>(picture.lesson.steps.size());
-    const int number = typed.step ? whole_option(options, "--step", *typed.step, 1, count) : 1;
-    picture.step = static_cast<std::size_t>(number - 1);
-    return show_step(std::move(picture), wish.picture);
+/// The step that the options name, or STATE's link.
+std::optional<LinkedStep> step_of(const Options& options, const Typed& typed, const StateArguments& state_arguments) {
+    std::optional<LinkedStep> linked = typed.exercise ? std::nullopt : state_arguments.linked_step();
+    if (linked && (typed.lesson || typed.step)) options.refuse("STATE links to a lesson's step already");
+    if (!typed.lesson) return linked;
+    return lesson_step(options, *typed.lesson, typed.step);
 }
 
 /// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
@@ -248,11 +249,11 @@ LoadedState state_of(const Options& options, const Typed& typed, const StateArgu
         options.refuse("--student and --course need --exercise");
     else
         state = state_arguments.load();
-    if (typed.lesson) {
+    if (std::optional<LinkedStep> step = step_of(options, typed, state_arguments)) {
         if (!state_arguments.say_only_looks())
             options.refuse("--lesson: a step has its own state, so no STATE, no --mesh, and --set of ui.… alone");
         const UiParams looks = state.params.ui;
-        state = take_step(options, typed, wish);
+        state = show_step({std::move(step->lesson), step->step, typed.revealed, typed.presents, true}, wish.picture);
         state.params.ui = looks;
     }
     return state;
@@ -262,7 +263,7 @@ LoadedState state_of(const Options& options, const Typed& typed, const StateArgu
 ExitStatus take(const Options& options, const Typed& typed, const StateArguments& state_arguments,
                 const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
     report.begin();
-    Wish wish = checked(options, typed, thresholds);
+    Wish wish = checked(options, typed, thresholds, state_arguments);
     std::optional<Reference> reference;
     if (typed.compare) reference.emplace(*typed.compare, thresholds, wish.picture.size_px);
     const LoadedState state = state_of(options, typed, state_arguments, wish);

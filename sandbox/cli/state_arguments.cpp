@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "cli/values.h"
+#include "platform/text_file.h"
 #include "state/fields.h"
 #include "state/json.h"
 #include "text/words.h"
@@ -17,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* scene_file = "a file of the scene";
+constexpr const char* piped_name = "standard input";
 
 /// The files that a scene names, its own among them.
 std::set<std::string> files_named_by(const SceneSource& source) {
@@ -46,11 +49,12 @@ void rebase_to_working_directory(LoadedState& loaded) {
 
 StateArguments::StateArguments(Options& options) : options_(options) {
     options.group("State");
-    options.positional("STATE", state_,
-                       "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
-                       "at, a link that state --link printed, or - for standard input; left out: the opening preset. A "
-                       "flight that the window recorded "
-                       "is its start");
+    options.positional(
+        "STATE", state_,
+        "A path to a .json file, the name of a preset (viewing-sandbox presets), an .obj file to look "
+        "at, a link that state --link printed, or - for either on standard input; left out: the opening preset. A "
+        "flight that the window recorded "
+        "is its start");
     options.text("--at", "SECONDS", at_, "STATE is a flight: the picture that it shows then");
     options.texts("--set", "PATH=VALUE", settings_,
                   "Sets one field, a group or an element after STATE was read, as often as wanted, in order: "
@@ -61,13 +65,31 @@ StateArguments::StateArguments(Options& options) : options_(options) {
                  "the command line needs no leave");
 }
 
+const std::string& StateArguments::text() const {
+    if (state_ != "-") return state_;
+    if (!piped_) piped_ = value_or_end(read_text(std::cin, piped_name));
+    return *piped_;
+}
+
+std::optional<LinkedStep> StateArguments::linked_step() const {
+    const std::optional<Link> link = lesson_link(text());
+    if (!link) return std::nullopt;
+    return value_or_end(load_linked_step(*link));
+}
+
+LoadedState StateArguments::loaded() const {
+    if (const std::optional<LinkedStep> linked = linked_step()) return linked->lesson.steps[linked->step].start;
+    if (state_ == "-") return value_or_end(state_in_text(text(), piped_name));
+    return value_or_end(load_state(is_obj_file(state_) ? "" : state_));
+}
+
 LoadedState StateArguments::load() const {
     const bool state_is_mesh = is_obj_file(state_);
     if (mesh_ && state_is_mesh) options_.refuse("--mesh: STATE is a mesh already");
     if (mesh_ && !is_obj_file(*mesh_))
         options_.refuse("--mesh: " + one_line(*mesh_) + " must be a Wavefront .obj file");
 
-    LoadedState loaded = value_or_end(load_state(state_is_mesh ? "" : state_));
+    LoadedState loaded = this->loaded();
     if (at_) take_picture_at(loaded);
     if (mesh_ || state_is_mesh) {
         loaded.params.scene = mesh_.value_or(state_);
@@ -114,7 +136,7 @@ bool StateArguments::set_only_looks() const {
 }
 
 bool StateArguments::say_only_looks() const {
-    return state_.empty() && set_only_looks();
+    return (state_.empty() || lesson_link(text())) && set_only_looks();
 }
 
 UiParams StateArguments::looks() const {
@@ -133,6 +155,13 @@ std::vector<FileArgument> files_of(const Scene& scene) {
     std::vector<FileArgument> files;
     for (const fs::path& file : scene.read) files.push_back({scene_file, file.string()});
     return files;
+}
+
+LinkedStep lesson_step(const Options& options, const std::string& lesson, const std::optional<std::string>& number) {
+    LinkedStep step{value_or_end(load_lesson(lesson)), 0};
+    const int count = static_cast<int>(step.lesson.steps.size());
+    if (number) step.step = static_cast<std::size_t>(whole_option(options, "--step", *number, 1, count) - 1);
+    return step;
 }
 
 Scene scene_of(const LoadedState& state) {

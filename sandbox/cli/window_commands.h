@@ -1,7 +1,7 @@
 // What the commands that open a window share.
 #pragma once
 
-#include "app/window.h"
+#include "app/desktop/window.h"
 #include "cli/exit_status.h"
 
 namespace viewing {

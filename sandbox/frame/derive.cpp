@@ -14,6 +14,14 @@
 namespace viewing {
 namespace {
 
+StoredDepth stored_depth_of(const DepthParams& depth, const Viewport& viewport) {
+    const DepthPrecision asked = precision_of(depth.format);
+    StoredDepth stored = viewport.stored_depth.value_or(StoredDepth{asked, std::nullopt});
+    if (stores_fewer_bits(depth.format)) stored.precision = asked;
+    if (writes_depth_by_shader(depth.format, depth.mapping, depth.logarithm_per_vertex)) stored.unit_codes = 1.0;
+    return stored;
+}
+
 void derive_camera(Derived& derived, const Params& params, const Viewport& viewport) {
     const CameraParams& camera = params.camera;
     const glm::dmat4 rotation = rotation_from_angles(camera.angles());
@@ -38,6 +46,7 @@ void derive_camera(Derived& derived, const Params& params, const Viewport& viewp
     derived.view_aspect = viewport.aspect();
     derived.aspect = params.projection.aspect > 0.0 ? params.projection.aspect : derived.view_aspect;
     derived.clip_zero_to_one = reversed && viewport.clip_control && params.depth.reversed_zero_to_one;
+    derived.stored_depth = stored_depth_of(params.depth, viewport);
     derived.clip_from_view = clip_from_view(lens, derived.aspect);
     if (reversed) {
         derived.clip_from_view = clip_from_view_reversed(lens, derived.aspect);
@@ -141,6 +150,22 @@ DepthPrecision precision_of(DepthFormat format) {
         default:
             return {4 + static_cast<int>(format), false};  // d4 … d12 stand first in the enumeration
     }
+}
+
+bool stores_fewer_bits(DepthFormat format) {
+    return precision_of(format).bits < 16;
+}
+
+bool writes_depth_by_shader(DepthFormat format, DepthMapping mapping, bool logarithm_per_vertex) {
+    return stores_fewer_bits(format) || (mapping == DepthMapping::logarithmic && !logarithm_per_vertex);
+}
+
+bool depends_on_stored_depth(const Params& params, const Scene& scene) {
+    const DepthParams& depth = params.depth;
+    if (stores_fewer_bits(depth.format)) return false;
+    const bool moves_decals = depth.decals == DecalMethod::offset && depth.offset.units != 0.0 && has_decals(scene);
+    // With the standard mapping nearly all depths lie above 1/2, where a float has 2²⁴ places as well.
+    return moves_decals || (depth.format == DepthFormat::d24 && depth.mapping != DepthMapping::standard);
 }
 
 double depth_step(const Params& params, double z) {

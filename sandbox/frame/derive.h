@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "frame/depth/driver_depth.h"
 #include "frame/depth/heat_map.h"
 #include "geometry/plane.h"
 #include "state/params.h"
@@ -15,6 +16,8 @@ namespace viewing {
 struct Viewport {
     glm::ivec2 size_px{1280, 720};
     bool clip_control = true;  ///< the driver has glClipControl, which reversed depth wants
+    /// What the driver makes of the depth format, where it was measured (render/driver_depth.h).
+    std::optional<StoredDepth> stored_depth{};
 
     double aspect() const { return size_px.y > 0 ? static_cast<double>(size_px.x) / size_px.y : 1.0; }
 };
@@ -70,6 +73,7 @@ struct Derived {
     glm::dmat4 clip_from_view{1.0};            ///< P, as uploaded
     glm::dmat4 clip_from_world{1.0};           ///< P V
     bool clip_zero_to_one = false;             ///< glClipControl(…, GL_ZERO_TO_ONE)
+    StoredDepth stored_depth{};                ///< as measured, or else as asked for
     glm::dvec4 eye_world{0.0, 0.0, 0.0, 1.0};  ///< orthographic: w = 0 and the direction towards the eye, as of a light
 
     std::vector<DerivedPlane> planes;      ///< as many as in Params, so at least one
@@ -107,6 +111,16 @@ ObserverView derive_moving_world(const ObserverParams& observer, const Derived& 
 
 /// The precision of a depth format.
 DepthPrecision precision_of(DepthFormat format);
+
+/// A format that GL does not have: the sandbox's shader rounds to its codes, which are kept exactly inside 24 bits.
+bool stores_fewer_bits(DepthFormat format);
+
+/// Then it is the shader that writes depths and moves them by an offset, each unit one code, not glPolygonOffset.
+bool writes_depth_by_shader(DepthFormat format, DepthMapping mapping, bool logarithm_per_vertex);
+
+/// Whether what is told of this state's depths depends on what GL leaves to the driver: the unit of an offset that
+/// moves decals, or how 24 bits are stored where that shows.
+bool depends_on_stored_depth(const Params& params, const Scene& scene);
 
 /// The width in eye z of one stored code at the eye distance z, for this state's projection, mapping and format.
 /// Positive and finite; what is nearer than near counts as at near.

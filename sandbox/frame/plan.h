@@ -96,6 +96,7 @@ struct FramePlan {
     bool mask_on_while_clearing = true;  ///< off: the clear is called and clears no depth
     double clear_depth_value = 1.0;
     DepthFormat depth_format = DepthFormat::d24;
+    StoredDepth stored_depth;  ///< of that format
     DepthMapping depth_mapping = DepthMapping::standard;
     bool logarithm_per_vertex = false;
     Lens lens;  ///< for logarithmic depth and for showing depth in eye units

@@ -38,6 +38,7 @@ struct DepthPrecision {
 
     /// 2^bits − 1, which a window depth of 1 is stored as; of integer formats.
     double greatest_code() const { return std::exp2(bits) - 1.0; }
+    bool operator==(const DepthPrecision&) const = default;
 };
 
 /// The step from a stored window depth to the next code, as window depth.

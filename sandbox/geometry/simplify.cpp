@@ -60,7 +60,7 @@ struct HashOfTriangle {
     std::size_t operator()(const Triangle& triangle) const {
         std::uint64_t hash = 0;
         for (const std::uint32_t corner : triangle) hash = (hash ^ corner) * 0x9E3779B97F4A7C15U;
-        return hash ^ (hash >> 29U);
+        return static_cast<std::size_t>(hash ^ (hash >> 29U));
     }
 };
 

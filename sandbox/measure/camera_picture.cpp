@@ -6,7 +6,7 @@ namespace viewing {
 
 Result<Image> camera_picture(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
                              std::optional<Color> background) {
-    const Viewport viewport{size_px, renderer.capabilities().clip_control};
+    const Viewport viewport = renderer.viewport(size_px);
     Result<FramePlan> frame = plan_at_once(renderer, params, derive(params, scene, viewport), scene, size_px);
     if (!frame) return Error{frame.error()};
     if (background) frame->background = *background;

@@ -1,6 +1,7 @@
 #include "measure/depth_inspector.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "frame/depth/reconcile.h"
 
@@ -70,9 +71,33 @@ Result<PixelReport> DepthInspector::at(Renderer& renderer, const FramePlan& fram
     return now_.at(pixel, scene);
 }
 
+Result<std::optional<PixelReport>> DepthInspector::follow(Renderer& renderer, const FramePlan& frame,
+                                                          const Scene& scene, const Derived& derived,
+                                                          glm::ivec2 size_px, glm::ivec2 pixel) {
+    is_following_ = true;
+    if (!std::exchange(rests_, true)) return std::optional<PixelReport>{};
+    if (Status done = prepare(renderer, frame, scene, derived, size_px, {}); !done) {
+        is_following_ = false;
+        return Error{done.error()};
+    }
+    is_told(scene, pixel);
+    return told_;
+}
+
+bool DepthInspector::is_told(const Scene& scene, glm::ivec2 pixel) {
+    // One at a time: while the pointer moves on, the latest place is asked for when the one before has come.
+    if (std::optional<PixelReport> come = now_.take(scene)) told_ = std::move(come);
+    is_following_ = !told_ || told_->pixel != pixel;
+    if (is_following_ && !now_.is_asked()) now_.ask(pixel);
+    return !is_following_;
+}
+
 Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
-                              const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes) {
+                              const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes, bool at_once) {
+    is_following_ = false;
     if (fresh_.told == wishes) return std::monostate{};
+    const bool may_come_later = !at_once && fresh_.now && fresh_.told && wishes.pixel && wishes.cells.x == 0;
+    if (may_come_later && !is_told(scene, *wishes.pixel)) return std::monostate{};
     data_ = {};
     if (wishes.calls) data_.calls = draw_calls(frame, scene);
     if (wishes.pixel || wishes.counts)
@@ -80,7 +105,7 @@ Status DepthInspector::update(Renderer& renderer, const FramePlan& frame, const 
     if (wishes.pixel) {
         if (!finder_ || finder_version_ != scene_version) finder_ = std::make_unique<FragmentFinder>(scene);
         finder_version_ = scene_version;
-        data_.pixel = now_.at(*wishes.pixel, scene);
+        data_.pixel = may_come_later ? *told_ : now_.at(*wishes.pixel, scene);
         if (wishes.fragments) {
             data_.fragments = finder_->at(frame, *wishes.pixel, size_px);
             reconcile(data_.fragments, *data_.pixel, frame.clears_depth());

@@ -21,11 +21,17 @@ struct DepthWishes {
 class DepthInspector {
 public:
     /// The picture has changed: everything is read again when it is wanted.
-    void forget() { fresh_ = {}; }
+    void forget() {
+        fresh_ = {};
+        told_.reset();
+        rests_ = false;
+    }
 
     /// Reads what is wanted and not known yet. `frame`: of the camera's view, not of its overdraw or difference.
+    /// `at_once`: waits for GL. Else another pixel of a picture that is read already may come some calls later, unless
+    /// its block of cells is wanted; until then the data stay as they are.
     Status update(Renderer& renderer, const FramePlan& frame, const Scene& scene, int scene_version,
-                  const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes);
+                  const Derived& derived, glm::ivec2 size_px, const DepthWishes& wishes, bool at_once = true);
 
     const DepthData& data() const { return data_; }
 
@@ -33,9 +39,18 @@ public:
     Result<PixelReport> at(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                            glm::ivec2 size_px, glm::ivec2 pixel);
 
+    /// The same without waiting, to be called once a frame: the newest of these pixels that is known of this picture.
+    /// Where the picture changes from frame to frame there is none.
+    Result<std::optional<PixelReport>> follow(Renderer& renderer, const FramePlan& frame, const Scene& scene,
+                                              const Derived& derived, glm::ivec2 size_px, glm::ivec2 pixel);
+    /// Whether a further frame would tell more.
+    bool is_following() const { return is_following_; }
+
 private:
     Status prepare(Renderer& renderer, const FramePlan& frame, const Scene& scene, const Derived& derived,
                    glm::ivec2 size_px, const DepthWishes& wishes);
+    /// Asks for the pixel of the prepared picture, or takes the one that has come; whether that is this one.
+    bool is_told(const Scene& scene, glm::ivec2 pixel);
     void find_touches(FramePlan frame, const Scene& scene, glm::ivec2 pixel, glm::ivec2 size_px);
     void read_cells(const FramePlan& frame, glm::ivec2 size_px, const DepthWishes& wishes);
 
@@ -47,6 +62,9 @@ private:
     };
     Fresh fresh_;
     DepthData data_;
+    std::optional<PixelReport> told_;  ///< by follow()
+    bool rests_ = false;               ///< the picture is that of the frame before
+    bool is_following_ = false;
     PixelProbe now_, before_;  ///< at the step that is shown, and one step earlier
     std::unique_ptr<FragmentFinder> finder_;
     int finder_version_ = -1;

@@ -18,7 +18,7 @@ auto counting(IdImage drawn, const Params& params, const Scene& scene) {
 void FightingCounter::start(Renderer& renderer, const Scene& scene, const Question& question, bool may_wait) {
     asked_ = question;
     task_.drop();  // what was counted for the question before would be taken for this one's
-    derived_ = derive(question.params, scene, {question.size_px, renderer.capabilities().clip_control});
+    derived_ = derive(question.params, scene, renderer.viewport(question.size_px, question.params.depth.format));
     search_.emplace(renderer, question.params, derived_.facts.target_distance);
     picture_ = -1;
     const Result<IdImage> drawn = objects_by_gl(renderer, question.params, scene, question.size_px);

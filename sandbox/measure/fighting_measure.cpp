@@ -91,7 +91,7 @@ Params counted_params(const Params& state) {
 
 Result<IdImage> objects_by_gl(Renderer& renderer, const Params& state, const Scene& scene, glm::ivec2 size_px) {
     const Params params = counted_params(state);
-    FramePlan frame = plan(params, derive(params, scene, {size_px, renderer.capabilities().clip_control}));
+    FramePlan frame = plan(params, derive(params, scene, renderer.viewport(size_px)));
     std::erase_if(frame.passes, [](const Pass& pass) { return pass.subject != Subject::objects; });
     View view;
     if (Status drawn = renderer.draw_identities(frame, scene, size_px, view); !drawn) return Error{drawn.error()};

@@ -58,7 +58,7 @@ struct MinimumGapSearch::Implementation {
     Implementation(const Renderer& renderer, const Params& state, double distance)
         : params(plain(state)), lens(params.lens()) {
         const DepthCoding coding =
-            depth_coding(params, derive(params, Scene{}, {size_px, renderer.capabilities().clip_control}));
+            depth_coding(params, derive(params, Scene{}, renderer.viewport(size_px, params.depth.format)));
         found.distance = far_end_of_a_code(coding, std::clamp(distance, lens.near, lens.far));
         room = (found.distance - lens.near) * share_of_room;
         if (!(room > 0.0)) {

@@ -81,7 +81,7 @@ Result<MirrorWays> compare_mirror_ways(Renderer& renderer, const Params& state, 
                                        std::array<View, mirror_way_count>* pictures) {
     Result<BufferReader> reader = BufferReader::make(renderer.capabilities());
     if (!reader) return Error{reader.error()};
-    const Viewport viewport{size_px, renderer.capabilities().clip_control};
+    const Viewport viewport = renderer.viewport(size_px);
     MirrorWays ways{.size_px = size_px, .reports = {}};
     Image reference;
     for (std::size_t index = 0; index < mirror_way_count; ++index) {

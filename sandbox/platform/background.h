@@ -1,6 +1,6 @@
 // Work beside the window: started, watched, cancelled; its result is taken when it is there, or one sentence about why
-// there is none. The one place that makes threads: where there are none (a browser), background.cpp alone is another
-// file, which does the work in start().
+// there is none. The one place that makes threads: where there are none (a browser), another file stands in the place
+// of desktop/background.cpp.
 #pragma once
 
 #include <functional>
@@ -38,7 +38,7 @@ public:
 
 private:
     struct State;
-    std::unique_ptr<State> state_;
+    std::shared_ptr<State> state_;
 };
 
 /// A computation of a T. All of it is used from one thread; only `Work` runs in another. Its end waits for all work

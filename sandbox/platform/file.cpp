@@ -15,6 +15,8 @@
 #include <string>
 #include <system_error>
 
+#include "platform/person_files.h"
+
 namespace viewing {
 
 namespace {
@@ -145,6 +147,7 @@ Status write_files(std::span<const FileBytes> files, const std::function<void()>
     if (before_names) before_names();
     for (Prepared& file : prepared)
         if (const int failure = file.take_name(); failure != 0) return cannot_write(file.target(), failure);
+    for (const FileBytes& file : files) hand_over(file.path);
     return std::monostate{};
 }
 

@@ -21,6 +21,13 @@ struct WorkProgress {
     Clock::time_point deadline = Clock::time_point::max();  ///< from then on as if it were cancelled
 };
 
+#ifdef __EMSCRIPTEN__
+/// A page has one thread: long work lets it have its turn wherever it asks whether it is cancelled.
+void give_way();
+#else
+inline void give_way() {}
+#endif
+
 /// Whether the time that it had has run out.
 inline bool is_late(const WorkProgress& progress) {
     return progress.deadline != WorkProgress::Clock::time_point::max() &&
@@ -28,6 +35,7 @@ inline bool is_late(const WorkProgress& progress) {
 }
 
 inline bool is_cancelled(const WorkProgress* progress) {
+    if (progress != nullptr) give_way();
     return progress != nullptr &&
            (progress->cancelled.load(std::memory_order_relaxed) || is_late(*progress) || is_cancelled(progress->whole));
 }

@@ -104,7 +104,7 @@ void restore_defaults(const gl::Capabilities& capabilities) {
     glBlendFunc(GL_ONE, GL_ZERO);
     glClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     gl::set_clear_depth(1.0);
-    if (capabilities.clip_control) glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (capabilities.clip_control) gl::set_clip_depths_from_zero(false);
     glBindVertexArray(0);
     glUseProgram(0);
 }

@@ -15,6 +15,8 @@ Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scen
         if (!made) return Error{made.error()};
         reader_ = *std::move(made);
     }
+    reader_->drop();  // what was asked of the picture before
+    asked_.reset();
     plan_ = std::move(plan);
     world_from_view_ = glm::inverse(derived.view_from_world);
     aspect_ = derived.aspect;
@@ -23,21 +25,40 @@ Status PixelProbe::prepare(Renderer& renderer, FramePlan plan, const Scene& scen
 }
 
 PixelReport PixelProbe::at(glm::ivec2 pixel, const Scene& scene) const {
+    const PixelRect only{pixel, {1, 1}};
+    return report(pixel,
+                  {.color = reader_->colors(colors_, only).front(),
+                   .identity = reader_->colors(identities_, only).front(),
+                   .stored = reader_->stored(colors_, plan_.depth_format, only).front()},
+                  scene);
+}
+
+void PixelProbe::ask(glm::ivec2 pixel) {
+    reader_->ask(colors_, pixel);
+    asked_ = pixel;
+}
+
+std::optional<PixelReport> PixelProbe::take(const Scene& scene) {
+    if (!asked_) return std::nullopt;
+    const std::optional<ReadPixel> read = reader_->take(colors_, identities_, plan_.depth_format);
+    if (!read) return std::nullopt;
+    return report(*std::exchange(asked_, std::nullopt), *read, scene);
+}
+
+PixelReport PixelProbe::report(glm::ivec2 pixel, const ReadPixel& read, const Scene& scene) const {
     const glm::ivec2 size_px = colors_.size_px();
     const glm::ivec2 at(pixel.x, size_px.y - 1 - pixel.y);  // GL counts rows from the bottom
     PixelReport report;
     report.pixel = pixel;
     report.precision = precision_of(plan_.depth_format);
 
-    const PixelRect only{pixel, {1, 1}};
-    report.color = reader_->colors(colors_, only).front();
-    const StoredPixel stored = reader_->stored(colors_, plan_.depth_format, only).front();
-    report.window_depth = stored.window_depth;
-    report.stored = stored.code;
-    report.stencil = stored.stencil;
+    report.color = read.color;
+    report.window_depth = read.stored.window_depth;
+    report.stored = read.stored.code;
+    report.stencil = read.stored.stencil;
     report.ndc_z = plan_.clip_zero_to_one ? report.window_depth : report.window_depth * 2.0 - 1.0;
 
-    const Color bytes = reader_->colors(identities_, only).front();
+    const Color& bytes = read.identity;
     const int identity = bytes.r + 256 * bytes.g;
     report.written = identity != 0;
     report.front_facing = bytes.b != 0;

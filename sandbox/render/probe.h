@@ -16,6 +16,11 @@ public:
     /// The pixel must lie inside the prepared size; `scene` is the one that was prepared.
     PixelReport at(glm::ivec2 pixel, const Scene& scene) const;
 
+    /// The same without waiting: what was asked for last, once, when it has come.
+    void ask(glm::ivec2 pixel);
+    bool is_asked() const { return asked_.has_value(); }
+    std::optional<PixelReport> take(const Scene& scene);
+
     /// What lies inside the prepared size; where nothing does the block is empty.
     CellBlock block(glm::ivec2 first_pixel, glm::ivec2 size) const;
 
@@ -23,11 +28,14 @@ public:
     DepthCounts count_depths() const;
 
 private:
+    PixelReport report(glm::ivec2 pixel, const ReadPixel& read, const Scene& scene) const;
+
     FramePlan plan_;
     glm::dmat4 world_from_view_{1.0};
     double aspect_ = 1.0;
     View colors_, identities_;
     mutable std::optional<BufferReader> reader_;  ///< once prepared
+    std::optional<glm::ivec2> asked_;
 };
 
 }  // namespace viewing

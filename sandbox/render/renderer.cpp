@@ -1,10 +1,13 @@
 // Plan in, pixels out: each pass as draw calls. Read pass_state.h and programs.h for what they are drawn with.
 #include "render/renderer.h"
 
+#include <map>
+
 #include "frame/draw_calls.h"
 #include "frame/ground.h"
 #include "geometry/shapes.h"
 #include "gl/dialect.h"
+#include "render/driver_depth.h"
 #include "render/gpu_drawing.h"
 #include "render/gpu_mesh.h"
 #include "render/masks.h"
@@ -35,6 +38,7 @@ struct Renderer::Implementation {
     GpuDrawings drawings;
     GpuMesh quad = upload(quad_mesh());
     Presenter presenter{capabilities, programs};
+    std::map<gl::DepthKind, std::optional<StoredDepth>> stored_depths;
 
     Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
                       std::optional<Shading> identify = {});
@@ -65,7 +69,7 @@ void Renderer::Implementation::begin_frame(const FrameState& frame, const gl::Ta
     const bool asks_to_clear = clear_depth || frame.plan.clear_depth;
     glClear(GL_COLOR_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | (asks_to_clear ? GL_DEPTH_BUFFER_BIT : 0U));
     if (target.mask()) target.mask().clear();
-    if (capabilities.clip_control && frame.plan.clip_zero_to_one) glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    if (capabilities.clip_control && frame.plan.clip_zero_to_one) gl::set_clip_depths_from_zero(true);
 }
 
 void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pass, const SurfaceProgram& program,
@@ -186,8 +190,7 @@ void Renderer::Implementation::draw_objects(const FrameState& frame, const Pass&
 
 Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target,
                                              bool clear_depth, std::optional<Shading> identify) {
-    const bool writes_depth = stores_fewer_bits(plan.depth_format) ||
-                              (plan.depth_mapping == DepthMapping::logarithmic && !plan.has_logarithm_per_vertex());
+    const bool writes_depth = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const FrameState frame{plan, scene, target, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
     int next_call = 0, next_pass = 0;
@@ -224,6 +227,25 @@ Result<Renderer> Renderer::make(const gl::Capabilities& capabilities) {
 
 const gl::Capabilities& Renderer::capabilities() const {
     return implementation_->capabilities;
+}
+
+Viewport Renderer::viewport(glm::ivec2 size_px) const {
+    return {size_px, capabilities().clip_control};
+}
+
+Viewport Renderer::viewport(glm::ivec2 size_px, DepthFormat measured) const {
+    Viewport made = viewport(size_px);
+    if (stores_fewer_bits(measured)) return made;
+    const auto [kept, is_new] = implementation_->stored_depths.try_emplace(kind_of(measured));
+    if (is_new)
+        if (const Result<StoredDepth> stored = measure_stored_depth(capabilities(), kept->first))
+            kept->second = *stored;
+    made.stored_depth = kept->second;
+    return made;
+}
+
+Viewport Renderer::viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const {
+    return depends_on_stored_depth(params, scene) ? viewport(size_px, params.depth.format) : viewport(size_px);
 }
 
 Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,

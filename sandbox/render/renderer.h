@@ -37,6 +37,13 @@ public:
 
     const gl::Capabilities& capabilities() const;
 
+    /// For derive(). The second one has what the driver makes of the format, which is measured once for each: 20 ms or
+    /// so, then GL is in its default state. Nothing is measured of a format that GL does not have.
+    Viewport viewport(glm::ivec2 size_px) const;
+    Viewport viewport(glm::ivec2 size_px, DepthFormat measured) const;
+    /// Measured where something depends on it (depends_on_stored_depth).
+    Viewport viewport(glm::ivec2 size_px, const Params& params, const Scene& scene) const;
+
     /// Draws the plan into the view, which takes the given size.
     Status draw(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view);
 

@@ -61,10 +61,6 @@ glm::dvec3 relative_origin(const Pass& pass) {
     return glm::inverse(turned) * -glm::dvec3(pass.view_from_world[3]);
 }
 
-bool stores_fewer_bits(DepthFormat format) {
-    return precision_of(format).bits < 16;
-}
-
 void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const Pass& pass) {
     const FramePlan& plan = frame.plan;
     set_lights(program, pass);

@@ -22,9 +22,6 @@ struct FrameState {
 /// what is seen would do; the origin for a view without an inverse.
 glm::dvec3 relative_origin(const Pass& pass);
 
-/// Formats that GL does not have are kept exactly inside 24 bits.
-bool stores_fewer_bits(DepthFormat format);
-
 /// Light, colours and depth: what all objects of a pass share.
 void set_uniforms(const SurfaceProgram& program, const FrameState& frame, const Pass& pass);
 

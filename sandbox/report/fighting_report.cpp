@@ -73,7 +73,7 @@ Json search_as_json(const MinimumGap& found) {
 Result<Json> fighting_as_json(Renderer& renderer, const Params& params, const Scene& scene, glm::ivec2 size_px,
                               bool counts_alone) {
     return guarded([&] {
-        const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
+        const Derived derived = derive(params, scene, renderer.viewport(size_px, params.depth.format));
         FightingReport report =
             fighting_report(or_refuse(count_fighting(renderer, params, scene, near_coplanar_pairs(scene), size_px)),
                             params, derived, scene, size_px);

@@ -36,7 +36,7 @@ LessonNumbers::LessonNumbers(const Params& now, const Params& start, const Scene
       start_(start),
       scene_(scene),
       renderer_(renderer),
-      derived_(derive(now, scene, Viewport{size_px, !renderer || renderer->capabilities().clip_control})) {}
+      derived_(derive(now, scene, renderer ? renderer->viewport(size_px, now, scene) : Viewport{size_px})) {}
 
 Surroundings LessonNumbers::surroundings() {
     return {[this](const std::string& name, std::span<const double> arguments) { return look_up(name, arguments); },

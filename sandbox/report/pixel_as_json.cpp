@@ -79,7 +79,7 @@ Result<Json> pixels_as_json(Renderer& renderer, const Params& state, const Scene
     const Result<std::optional<Image>> picture = picture_of_its_own(renderer, state, scene, size_px);
     if (!picture) return Error{picture.error()};
     const Params params = probed(state);
-    const Derived derived = derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control});
+    const Derived derived = derive(params, scene, renderer.viewport(size_px, params.depth.format));
     const Result<FramePlan> frame = plan_at_once(renderer, params, derived, scene, size_px);
     if (!frame) return Error{frame.error()};
     PixelProbe probe;

@@ -78,7 +78,7 @@ public:
         : renderer_(renderer),
           params_(params),
           scene_(scene),
-          derived_(derive(params, scene, Viewport{size_px, renderer.capabilities().clip_control})),
+          derived_(derive(params, scene, renderer.viewport(size_px))),
           request_(hidden_request(params, derived_, size_px)),
           solver_(scene),
           objects_(solver_.surface()->object_of_source()) {

@@ -9,8 +9,15 @@
 namespace viewing {
 
 void Guide::open(const std::string& argument, std::size_t step) {
-    wanted_step_ = step;
-    reading_.start([argument](WorkProgress&) { return load_lesson(argument); });
+    reading_.start([argument, step](WorkProgress&) -> Result<LinkedStep> {
+        Result<Lesson> lesson = load_lesson(argument);
+        if (!lesson) return Error{lesson.error()};
+        return LinkedStep{*std::move(lesson), step};
+    });
+}
+
+void Guide::open(const Link& link) {
+    reading_.start([link](WorkProgress&) { return load_linked_step(link); });
 }
 
 void Guide::begin(Lesson lesson, std::size_t step, Session& session) {
@@ -34,9 +41,9 @@ void Guide::arrive(Session& session) {
 }
 
 void Guide::update(Session& session, double dt_s) {
-    if (std::optional<Result<Lesson>> read = reading_.take()) {
+    if (std::optional<Result<LinkedStep>> read = reading_.take()) {
         if (*read)
-            begin(**std::move(read), wanted_step_, session);
+            begin(std::move((*read)->lesson), (*read)->step, session);
         else
             session.message = {read->error(), true};
     }
@@ -116,7 +123,7 @@ void Guide::reveal(Session& session) {
     const Params to = has_reached && changed ? *changed : step.revealed;
     held_.reset();
     if (!has_reached && has_improvised) put(from, session);
-    reveal_ = Revealing{from, to, step.reveal.over_s, 0.0};
+    reveal_ = Revealing{from, to, moves ? step.reveal.over_s : 0.0, 0.0};
 }
 
 void Guide::return_to_step(Session& session) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "lesson/linked_step.h"
 #include "lesson/run.h"
 #include "platform/background.h"
 #include "session/session.h"
@@ -13,8 +14,13 @@ namespace viewing {
 
 class Guide {
 public:
+    /// Whether what is revealed moves there; else it is there at once, as people wish who are disturbed by motion.
+    bool moves = true;
+
     /// A lesson's name or a file, read beside the window; `step` counts from 0 on.
     void open(const std::string& argument, std::size_t step = 0);
+    /// The step that a lesson's link names.
+    void open(const Link& link);
     /// One that is read already, whose step begins in the session at once.
     void begin(Lesson lesson, std::size_t step, Session& session);
     /// The same with what was done before.
@@ -74,8 +80,7 @@ private:
     std::size_t before_jump_ = 0;
     std::optional<Revealing> reveal_;
     std::optional<Params> held_;  ///< what comes back when the state before is let go
-    BackgroundTask<Lesson> reading_;
-    std::size_t wanted_step_ = 0;
+    BackgroundTask<LinkedStep> reading_;
 };
 
 }  // namespace viewing

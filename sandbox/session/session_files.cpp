@@ -228,7 +228,7 @@ const std::string& Session::opening() const {
 Status Session::paste(const std::string& text) {
     const std::string told = tr("state pasted from the clipboard");
     if (is_link(text)) {
-        Result<LoadedState> linked = load_state(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
+        Result<LoadedState> linked = load_state(text);
         if (!linked) return Error{linked.error()};
         // What it does not say is the default, but for looks and layout, which are the person's.
         if (linked->params.ui == UiParams{}) linked->params.ui = params.ui;

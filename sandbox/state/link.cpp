@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -89,15 +91,54 @@ Result<std::string> inflated(std::vector<std::uint8_t> bytes) {
     return text;
 }
 
-/// The value of "name=" in "name=value&…"; none where there is no such name.
-std::optional<std::string> value_in(std::string_view text, std::string_view name) {
-    while (!text.empty()) {
-        const std::string_view part = text.substr(0, text.find('&'));
-        text.remove_prefix(std::min(text.size(), part.size() + 1));
-        if (part.starts_with(name) && part.substr(name.size()).starts_with('='))
-            return std::string(part.substr(name.size() + 1));
+/// What follows #, in its parts.
+struct Parts {
+    std::string_view state;  ///< with its version; empty: there is none
+    std::map<std::string_view, std::string_view> values;
+    bool has(std::string_view key) const { return values.contains(key); }
+};
+
+constexpr std::array<std::string_view, 3> keys{"preset", "lesson", "step"};
+constexpr const char* known_parts = "a state, preset=NAME, or lesson=ID and step=N";
+
+bool is_digit(char sign) {
+    return sign >= '0' && sign <= '9';
+}
+
+Result<Parts> parts_of(std::string_view fragment) {
+    Parts parts;
+    for (std::string_view rest = fragment; !rest.empty();) {
+        const std::string_view part = rest.substr(0, rest.find('&'));
+        rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+        const std::size_t sign = part.find('=');
+        const std::string_view key = part.substr(0, sign);
+        bool is_first = true;
+        if (sign == std::string_view::npos && !part.empty() && is_digit(part.front())) {
+            is_first = parts.state.empty();
+            parts.state = part;
+        } else if (sign == std::string_view::npos) {
+            return Error{"link: " + one_line(part) + " behind its # is neither a state nor KEY=VALUE; known are " +
+                         known_parts};
+        } else if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+            return Error{"link: " + one_line(key) + "=… means nothing here; known are " + known_parts};
+        } else {
+            is_first = parts.values.emplace(key, part.substr(sign + 1)).second;
+        }
+        if (!is_first) return Error{"link: two of one kind behind its #; " + std::string(known_parts) + ", each once"};
     }
-    return std::nullopt;
+    if (!parts.state.empty() + parts.has("preset") + parts.has("lesson") != 1)
+        return Error{"link: behind its # stands one of these: " + std::string(known_parts)};
+    if (parts.has("step") && !parts.has("lesson")) return Error{"link: step=N needs lesson=ID"};
+    return parts;
+}
+
+Result<std::string> state_in(std::string_view text) {
+    if (text.front() != '1')
+        return Error{"link: its form has version " + std::string(1, text.front()) + ", this program reads version 1"};
+    if (text.size() > max_document_bytes) return Error{"link: longer than 16 MiB"};
+    std::optional<std::vector<std::uint8_t>> bytes = bytes_of(text.substr(1));
+    if (!bytes) return Error{broken};
+    return inflated(*std::move(bytes));
 }
 
 bool is_name(std::string_view text) {
@@ -126,37 +167,40 @@ std::string link_fragment(const Params& params) {
     return "#1" + base64url(deflated(document.dump(-1, ' ', false, Json::error_handler_t::replace)));
 }
 
+std::string lesson_fragment(std::string_view id, std::size_t step) {
+    return "#lesson=" + std::string(id) + "&step=" + std::to_string(step);
+}
+
 bool is_link(std::string_view text) {
     for (const std::string_view start : {"#", "http://", "https://", "file://"})
         if (text.starts_with(start)) return true;
-    return text.find(".html#") != std::string_view::npos;
+    const std::string_view page = text.substr(0, text.find('#'));
+    return page.size() < text.size() && page.ends_with(".html") && page.find_first_of("{\"\r\n") == std::string::npos;
 }
 
 Result<Link> read_link(std::string_view text) {
+    text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
     const std::size_t sign = text.find('#');
     if (sign == std::string_view::npos) return Error{"link: no # with a state behind it"};
-    const std::string_view fragment = text.substr(sign + 1);
-    if (const auto preset = value_in(fragment, "preset")) {
-        if (!is_name(*preset)) return Error{"link: " + one_line(*preset) + " is no preset's name"};
-        return Link{Link::Kind::preset, *preset, ""};
+    const Result<Parts> parts = parts_of(text.substr(sign + 1));
+    if (!parts) return Error{parts.error()};
+    if (parts->has("preset")) {
+        const std::string_view preset = parts->values.at("preset");
+        if (!is_name(preset)) return Error{"link: " + one_line(preset) + " is no preset's name"};
+        return Link{Link::Kind::preset, std::string(preset)};
     }
-    if (const auto lesson = value_in(fragment, "lesson")) {
-        const std::string step = value_in(fragment, "step").value_or("");
-        const bool counts = step.size() < 4 && step.find_first_not_of("0123456789") == std::string::npos;
-        if (!is_name(*lesson) || !counts) return Error{"link: it names no lesson and step"};
-        return Link{Link::Kind::lesson, *lesson, step};
+    if (parts->has("lesson")) {
+        const std::string_view lesson = parts->values.at("lesson");
+        const std::string_view step = parts->has("step") ? parts->values.at("step") : "1";
+        std::size_t number = 0;
+        const bool counts = step.size() < 4 && std::all_of(step.begin(), step.end(), is_digit);
+        if (counts) std::from_chars(step.data(), step.data() + step.size(), number);
+        if (!is_name(lesson) || number == 0) return Error{"link: it names no lesson and step"};
+        return Link{Link::Kind::lesson, std::string(lesson), number};
     }
-    if (fragment.empty() || std::isdigit(static_cast<unsigned char>(fragment.front())) == 0)
-        return Error{"link: what follows # is neither a state nor preset=NAME nor lesson=ID"};
-    if (fragment.front() != '1')
-        return Error{"link: its form has version " + std::string(1, fragment.front()) +
-                     ", this program reads version 1"};
-    if (fragment.size() > max_document_bytes) return Error{"link: longer than 16 MiB"};
-    std::optional<std::vector<std::uint8_t>> bytes = bytes_of(fragment.substr(1));
-    if (!bytes) return Error{broken};
-    Result<std::string> json = inflated(*std::move(bytes));
+    Result<std::string> json = state_in(parts->state);
     if (!json) return Error{json.error()};
-    return Link{Link::Kind::state, *std::move(json), ""};
+    return Link{Link::Kind::state, *std::move(json)};
 }
 
 }  // namespace viewing

@@ -38,7 +38,7 @@ constexpr const char* was_cancelled = "loading was cancelled";
 /// The triangles; an error where it was cancelled or would take too long.
 Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
     Mesh mesh;
-    mesh.indices.reserve(3 * content.triangle_count);
+    mesh.indices.reserve(static_cast<std::size_t>(3 * content.triangle_count));
     ObjVertices vertices(content, every_corner_has_a_normal(content), mesh);
     PolygonCutter cutter;
     std::vector<glm::vec3> corners;

@@ -15,7 +15,7 @@ std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
     key += 0x9e3779b97f4a7c15ULL;
     key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;
     key = (key ^ (key >> 27U)) * 0x94d049bb133111ebULL;
-    return key ^ (key >> 31U);
+    return static_cast<std::size_t>(key ^ (key >> 31U));
 }
 
 ObjVertices::ObjVertices(const ObjContent& content, bool with_normals, Mesh& mesh)

@@ -2,7 +2,6 @@
 #include "state/presets.h"
 
 #include <algorithm>
-#include <iostream>
 
 #include "image/figure_note.h"
 #include "platform/file.h"
@@ -94,8 +93,8 @@ Result<LoadedState> state_in_link(const std::string& text) {
     const Result<Link> link = read_link(text);
     if (!link) return Error{link.error()};
     if (link->kind == Link::Kind::lesson)
-        return Error{"this is a lesson's link: viewing-sandbox lesson " + link->text +
-                     (link->step.empty() ? "" : " --step " + link->step)};
+        return Error{"this is a lesson's link: viewing-sandbox lesson " + link->text + " --step " +
+                     std::to_string(link->step)};
     if (link->kind == Link::Kind::preset) {
         const std::vector<NamedFile> known = presets();
         if (std::none_of(known.begin(), known.end(), [&](const NamedFile& file) { return file.name == link->text; }))
@@ -146,9 +145,6 @@ Result<LoadedState> load_state(const std::string& argument) {
     if (argument.empty()) {
         return preset_state(opening, Params{}, assets_directory() / "presets");
     }
-    if (argument == "-") {
-        return parsed(read_text(std::cin, "standard input"), "standard input", "");
-    }
     if (is_link(argument)) return state_in_link(argument);
     const fs::path path(argument);
     const bool is_name = !path.has_parent_path() && path.extension() != ".json";
@@ -167,6 +163,10 @@ Result<LoadedState> load_state(const std::string& argument) {
     }
     if (is_figure_name(path)) return parsed(state_in_figure(path), argument, path.parent_path());
     return parsed(read_text_file(path), argument, path.parent_path());
+}
+
+Result<LoadedState> state_in_text(const std::string& text, const std::string& source) {
+    return is_link(text) ? state_in_link(text) : parsed(text, source, "");
 }
 
 }  // namespace viewing

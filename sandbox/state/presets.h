@@ -52,8 +52,11 @@ struct LoadedState {
     FileReach reach = {};  ///< what its scene may be read from; of one that was loaded, its own folder
 };
 
-/// STATE of the command line: a path to a .json file, a preset's name, "-" for standard input, "" for the opening
-/// preset; a figure (.png, .svg, .pdf) that carries its state; a flight; a link.
+/// STATE of the command line: a path to a .json file, a preset's name, "" for the opening preset; a figure (.png, .svg,
+/// .pdf) that carries its state; a flight; a link to a state or a preset (of a lesson's: lesson/linked_step.h).
 Result<LoadedState> load_state(const std::string& argument);
+
+/// The same from a text, a state or a link; `source` opens every message.
+Result<LoadedState> state_in_text(const std::string& text, const std::string& source);
 
 }  // namespace viewing

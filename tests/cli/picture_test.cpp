@@ -449,6 +449,9 @@ TEST_F(Doctor, GoesStepByStep) {
     const Json json = expect(0, {"doctor", "--json"}).json();
     EXPECT_EQ(json.at("fine"), true);
     EXPECT_GT(json.at("steps").size(), 5U);
+    EXPECT_NE(text.find("24-bit depth"), std::string::npos) << text;
+    EXPECT_EQ(json.at("depth").at("d32f").at("float"), true);
+    EXPECT_GT(json.at("depth").at("d24").at("offset_unit_codes").get<double>(), 0.0);
 }
 
 TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {

@@ -343,7 +343,44 @@ TEST_F(State, ALinkIsAStateWhereverOneIs) {
     refused({"state", "--link", "--base", "a#b"}, {"--base", "#"});
     refused({"state", "--link", "--bundle", "folder"}, {"--bundle", "--link"});
     refused({"snapshot", bare.substr(0, 40), "-o", "c.png"}, {"link", "cut off"});
-    refused({"matrices", "#lesson=depth-fighting&step=2"}, {"viewing-sandbox lesson depth-fighting --step 2"});
+}
+
+TEST_F(State, ALinkMayComeThroughStandardInput) {
+    Surroundings piped;
+    piped.input = "viewing-sandbox.html#preset=room\n";
+    nlohmann::json room = expect(0, {"state", "room"}).json(), read_back = expect(0, {"state", "-"}, piped).json();
+    EXPECT_EQ(read_back, room);
+    piped.input = "#lesson=depth-fighting&step=2\n";
+    EXPECT_EQ(expect(0, {"state", "-"}, piped).out,
+              expect(0, {"state", "--lesson", "depth-fighting", "--step", "2"}).out);
+    piped.input = "#preset=roon";
+    EXPECT_NE(run({"state", "-"}, piped).err.find("no such preset"), std::string::npos);
+}
+
+TEST_F(State, ALessonsLinkIsItsStepWhereverAStateIs) {
+    const std::string link = "https://a.b/c#lesson=depth-fighting&step=2";
+    EXPECT_EQ(
+        expect(0, {"state", "--lesson", "depth-fighting", "--step", "2", "--link", "--base", "https://a.b/c"}).out,
+        link + "\n");
+    for (const auto& how : {std::vector<std::string>{}, {"--present"}, {"--revealed", "--set", "ui.theme=light"}}) {
+        std::vector<std::string> linked{"snapshot", link, "--size", "640x360", "-o", "a.png"},
+            named{"snapshot", "--lesson", "depth-fighting", "--step", "2", "--size", "640x360", "-o", "b.png"};
+        linked.insert(linked.end(), how.begin(), how.end());
+        named.insert(named.end(), how.begin(), how.end());
+        expect(0, linked);
+        expect(0, named);
+        EXPECT_EQ(read("a.png"), read("b.png"));
+    }
+    EXPECT_NE(expect(0, {"state", link}).out, expect(0, {"state", "#lesson=depth-fighting"}).out);
+    EXPECT_EQ(expect(0, {"state", link, "--set", "shadow.opacity=0.125"}).json()["shadow"]["opacity"], 0.125);
+    refused({"snapshot", link, "--step", "3", "-o", "c.png"}, {"links to a lesson's step already"});
+    refused({"snapshot", link, "--set", "projection.near=1", "-o", "c.png"}, {"a step has its own state"});
+    refused({"open", link, "--set", "projection.near=1"}, {"a lesson's step has its own state"});
+    refused({"state", "#lesson=depth-fighting&step=99"}, {"link: step 99", "1 to"});
+    refused({"state", "room", "--lesson", "depth-fighting"}, {"--lesson", "no STATE"});
+    refused({"state", "--step", "2"}, {"--step needs --lesson"});
+    write("own.json", expect(0, {"state"}).out);
+    refused({"state", "--lesson", "own.json", "--link"}, {"own.json"});
 }
 
 TEST_F(State, ALinkSaysThatItCarriesNoFiles) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "frame/ground.h"
 #include "gl_test.h"
 #include "unit/geometry/random.h"
 
@@ -48,6 +49,15 @@ glm::dvec3 shadow_end() {
     return {4.0 + (-1.0 - 4.0) * 8.0 / (8.0 - 2.0), 0.0, 0.0};
 }
 
+TEST_F(Technique, LightsAtOnePlaceAreAsBrightAsOne) {
+    Params params = params_with(plain({"shadow.enabled=false"}));
+    const Image one = draw(params, box_scene(), size_px);
+    while (params.lights.size() < most_lights) {
+        params.lights.push_back(params.lights.front());
+        EXPECT_EQ(pixels_beyond(draw(params, box_scene(), size_px), one, 1), 0) << params.lights.size() << " lights";
+    }
+}
+
 TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithout) {
     const Rgb lit = color_at(plain({"shadow.enabled=false"}), box_scene(), in_shadow);
     const Rgb once = color_at(plain({}), box_scene(), in_shadow);
@@ -59,6 +69,42 @@ TEST_F(Technique, ShadowDarkensOnceWithTheStencilAndTwiceWithout) {
     }
     EXPECT_EQ(color_at(plain({"shadow.enabled=false"}), box_scene(), in_light),
               color_at(plain({}), box_scene(), in_light));
+}
+
+/// Which of caster_colors a shaded one is: they are told apart by their shares of red, green and blue.
+std::size_t caster_kind(const Rgb& shaded) {
+    const auto shares = [](const glm::dvec3& color) { return color / (color.r + color.g + color.b); };
+    std::size_t nearest = 0;
+    double least = 1e9;
+    for (std::size_t kind = 0; kind < caster_colors.size(); ++kind) {
+        const Color& color = caster_colors[kind];
+        const double apart = glm::distance(shares(glm::dvec3(color.r, color.g, color.b)), shares(glm::dvec3(shaded)));
+        if (apart < least) nearest = kind;
+        least = std::min(least, apart);
+    }
+    return nearest;
+}
+
+TEST_F(Technique, CastersAreColouredByWhereTheyAreAsToPlaneAndLight) {
+    constexpr std::size_t casts = 0, behind_plane = 1, beyond_light = 2;
+    // A pillar from y = -2 to 4, its front at z = 0.5, and a ground that is not at the origin.
+    const Scene scene = scene_of({object("pillar", box_mesh(), {0, 1, 0}, {0.5, 3, 0.5})});
+    const auto kind_at = [&](const std::string& light, double y) {
+        return caster_kind(
+            color_at({"view.samples=0", "reflection.enabled=false", "shadow.enabled=false", "camera.position=[0,1,12]",
+                      "camera.yaw=0", "camera.pitch=0", "plane.equation=[0,1,0,-0.5]", "view.shows=shadow_w", light},
+                     scene, {0, y, 0.5}));
+    };
+    const std::string lamp = "light.position=[4,2,0,1]", sun = "light.position=[4,2,0,0]",
+                      below = "light.position=[4,-1,0,1]";
+    EXPECT_EQ(kind_at(lamp, -1.0), behind_plane);
+    EXPECT_EQ(kind_at(lamp, 1.0), casts);
+    EXPECT_EQ(kind_at(lamp, 3.0), beyond_light);
+    EXPECT_EQ(kind_at(sun, -1.0), behind_plane);
+    EXPECT_EQ(kind_at(sun, 3.0), casts) << "nothing is beyond a parallel light";
+    EXPECT_EQ(kind_at(below, -0.25), casts) << "the other side is the light's";
+    EXPECT_EQ(kind_at(below, -1.5), beyond_light);
+    EXPECT_EQ(kind_at(below, 1.5), behind_plane);
 }
 
 TEST_F(Technique, ShadowEndsWhereTheFormulaSays) {

@@ -58,6 +58,43 @@ TEST_F(WindowTest, ShowsThePictureThatTheCameraSnapshotIs) {
     }
 }
 
+/// What F12 writes.
+TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughAnotherViewHasTheWindow) {
+    const LoadedState state = state_with({"view.layout.big=lower_left"});
+    Studio studio(renderer(), Session(state, scene_of(state)));
+    const auto expect_its_state = [&](const char* when) {
+        SCOPED_TRACE(when);
+        const Image shown = renderer().read(studio.camera_view());
+        const Result<Params> params = parse_state(studio.shown_state(), "shown");
+        ASSERT_TRUE(params) << params.error();
+        const LoadedState carried{*params, {}};
+        EXPECT_EQ(shown, snapshot(carried, {PictureView::camera, {shown.width, shown.height}, std::nullopt}));
+    };
+    studio.frame({.size_px = {800, 600}, .input = {}});
+    expect_its_state("from the beginning");
+    studio.session.params.view.layout.big = BigView::none;
+    studio.frame({.size_px = {800, 600}, .input = {}});
+    expect_its_state("on screen");
+    studio.session.params.view.layout.big = BigView::lower_left;
+    studio.session.params.camera.yaw += 10.0;
+    studio.frame({.size_px = {800, 600}, .input = {}});
+    expect_its_state("off screen, and turned");
+}
+
+TEST_F(WindowTest, TheCameraPictureIsThatOfItsStateThoughTheLightMoves) {
+    const LoadedState state = state_with({"animation.light_orbit=true"});
+    Studio studio(renderer(), Session(state, scene_of(state)));
+    FrameInput input;
+    input.dt_s = 0.1;
+    for (int frame = 0; frame < 5; ++frame) studio.frame({.size_px = {800, 600}, .shows_time = true, .input = input});
+    const Image shown = renderer().read(studio.camera_view());
+    const Result<Params> params = parse_state(studio.shown_state(), "shown");
+    ASSERT_TRUE(params) << params.error();
+    EXPECT_NE(params->lights.front().position, state.params.lights.front().position);
+    const LoadedState carried{*params, {}};
+    EXPECT_EQ(shown, snapshot(carried, {PictureView::camera, {shown.width, shown.height}, std::nullopt}));
+}
+
 /// As frames do it, until the stand-ins are made.
 const Scene* held(StandIns& stand_ins, const Scene& scene, int version, bool is_slow) {
     for (int frame = 0; frame < 10000; ++frame) {

@@ -10,6 +10,7 @@ namespace viewing {
 inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] = {
     {"all", "how many in all, a whole number"},
     {"aspect", "the picture's width by its height, a number"},
+    {"asked", "how many bits were asked for, a number"},
     {"back", "how many lie at the back, a whole number"},
     {"behind", "how many polygons lie behind the plane, a whole number"},
     {"better", "a better distance of the near plane, a number"},
@@ -20,6 +21,7 @@ inline constexpr std::pair<std::string_view, std::string_view> place_meanings[] 
     {"c", "the entry c of the projection matrix, a number"},
     {"clock", "minutes and seconds, such as 01:07"},
     {"code", "a depth as it is stored: a number, or its bits as 0x…"},
+    {"codes", "how many codes of the depth buffer, a number"},
     {"column", "the number of a matrix's column"},
     {"compare", "two numbers and a sign, such as 812 < 812, or GL code"},
     {"count", "how many, a whole number, at times in groups of digits"},

@@ -270,7 +270,7 @@ private:
         Pictures pictures;
         pictures.hidden = {hidden_answer(viewport.size_px), std::nullopt, false};
         requests = workbench.draw(session, derived, before, frame_plan, problems, pictures,
-                                  {"OpenGL 3.3 core · none", "–", {}}, input);
+                                  {"OpenGL 3.3 core · none", "888.8 ms", {}}, input);
         input.pressed.clear();
         input.dropped_files.clear();
         measure_areas();

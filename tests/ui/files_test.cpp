@@ -1,11 +1,14 @@
 // States and scenes in and out: clipboard, presets, dialogs, dropped files, the loading of a big mesh.
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "desk.h"
+#include "ui/window/areas.h"
 
 namespace viewing::test {
 namespace {
@@ -133,6 +136,44 @@ TEST_F(FilesTest, ALinkGoesThroughTheClipboard) {
     desk.clipboard = "#1abc";
     desk.press_with(Key::ctrl, Key::v);
     EXPECT_TRUE(desk.session.message.is_error && desk.session.message.text.starts_with("link: "));
+}
+
+TEST_F(FilesTest, ALessonsLinkLeadsThroughItFromItsStep) {
+    Guide& guide = desk.workbench.guide;
+    const auto paste = [&](const std::string& text) {
+        desk.clipboard = text;
+        desk.press_with(Key::ctrl, Key::v);
+        for (int i = 0; i < 1000 && guide.is_reading(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+            ui.frame();
+        }
+        desk.settle();
+    };
+    paste("#lesson=depth-fighting&step=99");
+    EXPECT_TRUE(desk.session.message.is_error) << desk.session.message.text;
+    EXPECT_FALSE(guide.run());
+    desk.session.message = {};
+    paste("https://example.org/#lesson=depth-fighting&step=3\n");
+    EXPECT_FALSE(desk.session.message.is_error) << desk.session.message.text;
+    ASSERT_TRUE(guide.is_shown());
+    EXPECT_EQ(guide.run()->lesson().id, "depth-fighting");
+    EXPECT_EQ(guide.run()->index(), 2U);
+    EXPECT_EQ(params, desk.session.in_own_looks(guide.run()->step().start.params));
+
+    // An untouched step is copied as it is named, one that was changed or answered as the state that it is now.
+    const auto copied = [&] {
+        copy_link(guide, desk.session);
+        return desk.clipboard.substr(0, desk.clipboard.find_first_of("#") + 2);
+    };
+    EXPECT_EQ(copied(), "viewing-sandbox.html#l");
+    EXPECT_EQ(desk.clipboard, "viewing-sandbox.html#lesson=depth-fighting&step=3");
+    const double near = params.projection.near;
+    params.projection.near = near * 1.5;
+    EXPECT_EQ(copied(), "viewing-sandbox.html#1");
+    params.projection.near = near;
+    EXPECT_EQ(copied(), "viewing-sandbox.html#l");
+    guide.leave();
+    EXPECT_EQ(copied(), "viewing-sandbox.html#1");
 }
 
 TEST_F(FilesTest, PastedJunkChangesNothingAndSaysWhy) {

@@ -46,6 +46,21 @@ TEST_F(HistoryTest, ALookWithTheMouseIsOneStep) {
     EXPECT_FALSE(desk.session.can_undo());
 }
 
+/// The first click of two sets a slider, the second one takes that back and opens the number for typing.
+TEST_F(HistoryTest, AClickThatASecondOneTakesBackIsNoStep) {
+    const Params before = params;
+    ui.click("projection/z-near");
+    ASSERT_NE(params, before) << "the knob does not stand in the middle";
+    desk.settle();
+    desk.undo();
+    ASSERT_EQ(params, before);
+    ui.double_click("projection/z-near");
+    ui.key(ImGuiKey_Escape);
+    desk.settle();
+    EXPECT_EQ(params, before);
+    EXPECT_FALSE(desk.session.can_undo());
+}
+
 TEST_F(HistoryTest, ButtonsSayWhatIsPossible) {
     EXPECT_FALSE(ui.find("top/Undo").enabled);
     desk.click("depth/Depth test");

@@ -198,6 +198,46 @@ TEST_P(LayoutTest, NothingOverlapsAndNothingIsCutOff) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, LayoutTest, ::testing::ValuesIn(cases));
 
+// ---- whether these tests see what is cut off ------------------------------------------------------------------------
+
+/// What is wrong where a column is so much narrower, and this English text stands in place of that one.
+std::vector<std::string> found_where(float Arrangement::*column, float narrower,
+                                     const std::vector<PoEntry>& texts = {}) {
+    speak(texts);
+    Desk desk({1600, 1500});
+    desk.workbench.arrangement.*column -= narrower;
+    desk.ui.frames(4);
+    desk.fold_out_all();
+    desk.ui.move_to({-1, -1});
+    desk.ui.frames(3);
+    std::vector<std::string> found = unreadable(desk);
+    for (const AreaFacts& area : desk.areas)
+        if (area.overflow_x > 0.0F) found.push_back(area.name + " is too narrow");
+    speak_english();
+    return found;
+}
+
+/// Columns give way: the narrowest that still has room for everything, and 20 pixels less.
+TEST(Layout, AColumnThatIsTwentyPixelsTooNarrowIsSeen) {
+    for (float Arrangement::*const column : {&Arrangement::panel_width, &Arrangement::matrices_width}) {
+        float narrower = 0.0F;
+        while (narrower < 300.0F && found_where(column, narrower).empty()) narrower += 20.0F;
+        SCOPED_TRACE(narrower);
+        EXPECT_GE(narrower, 20.0F) << "as it is everything has room";
+        EXPECT_LT(narrower, 150.0F) << "nothing is seen though the column is nearly gone";
+        EXPECT_FALSE(found_where(column, narrower + 20.0F).empty());
+    }
+}
+
+TEST(Layout, AWordThatIsTooLongIsSeen) {
+    const std::string longer(70, 'm');
+    for (const char* const word : {"Depth test", "Clear depth", "z-near", "Flip winding", "Show C"}) {
+        SCOPED_TRACE(word);
+        EXPECT_TRUE(found_where(&Arrangement::panel_width, 0.0F, {{word, word}}).empty());
+        EXPECT_FALSE(found_where(&Arrangement::panel_width, 0.0F, {{word, longer}}).empty());
+    }
+}
+
 TEST(Layout, AreasNeverOverlapAtAnySize) {
     for (int width = 480; width <= 2400; width += 37)
         for (int height = 360; height <= 1400; height += 53)
@@ -243,6 +283,40 @@ TEST(Layout, AtEightHundredBySixHundredOneColumnGivesWay) {
     EXPECT_FALSE(desk.layout().matrices.empty());
     desk.click("top/Controls");
     desk.ui.frames(2);
+    EXPECT_FALSE(desk.layout().panel.empty());
+}
+
+/// A telephone held across: the views stand side by side, and one button goes through what else there is.
+TEST(Layout, AShortWindowShowsTheViewsFirstAndAColumnOnRequest) {
+    Desk desk({844, 390});
+    const auto is_shown = [&](bool panel, bool matrices) {
+        desk.ui.frames(3);
+        const Layout layout = desk.layout();
+        EXPECT_TRUE(layout.is_short);
+        EXPECT_FALSE(layout.camera.empty());
+        EXPECT_FALSE(layout.lower_left.empty());
+        EXPECT_GE(layout.lower_left.min.x, layout.camera.max.x) << "beside it";
+        EXPECT_EQ(!layout.panel.empty(), panel);
+        EXPECT_EQ(!layout.matrices.empty(), matrices);
+        desk.ui.move_to({-1, -1});
+        desk.ui.frames(2);
+        for (const std::string& text : unreadable(desk)) ADD_FAILURE() << text;
+    };
+    is_shown(false, false);
+    desk.click("top/Controls");
+    is_shown(true, false);
+    desk.click("top/Matrices");
+    is_shown(false, true);
+    desk.click("top/Views");
+    is_shown(false, false);
+}
+
+TEST(Layout, AProjectorsEightHundredBySixHundredIsNotShort) {
+    Desk desk({800, 600});
+    desk.params().ui.theme = Theme::projector;
+    desk.apply_looks();
+    desk.ui.frames(3);
+    EXPECT_FALSE(desk.layout().is_short);
     EXPECT_FALSE(desk.layout().panel.empty());
 }
 

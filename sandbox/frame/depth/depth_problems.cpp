@@ -116,6 +116,18 @@ void say_mappings(Sayer& tell, const Params& params, const Derived& derived, con
                 "depth.reversed_offset");
 }
 
+/// What the driver was asked for and does not store.
+void say_driver(Sayer& tell, const DepthParams& depth, const DepthPrecision& stored) {
+    const DepthPrecision asked = precision_of(depth.format);
+    if (stored == asked) return;
+    if (stored.is_float)
+        return tell(true, say("this driver stores {bits} bits of depth as a 32-bit float, whose steps are finer than "
+                              "codes of {bits} bits below a depth of 1/2",
+                              "bits"_a = asked.bits));
+    tell(true, say("this driver stores {bits} bits of depth, where {asked} were asked for", "bits"_a = stored.bits,
+                   "asked"_a = asked.bits));
+}
+
 void say_decals(Sayer& tell, const Params& params, const Derived& derived, const Scene& scene) {
     const DecalMethod method = params.depth.decals;
     if (method == DecalMethod::offset || !has_decals(scene)) return;
@@ -151,6 +163,7 @@ void find_depth_problems(std::vector<Problem>& problems, const Params& params, c
     say_tests(tell, params.depth);
     say_clears(tell, params.depth);
     say_cleared_code(tell, params, derived, scene);
+    say_driver(tell, params.depth, derived.stored_depth.precision);
     say_mappings(tell, params, derived, scene);
     say_decals(tell, params, derived, scene);
 }

@@ -187,7 +187,7 @@ std::vector<FlatPair> near_coplanar_pairs(const Scene& scene) {
 }
 
 DepthCoding depth_coding(const Params& params, const Derived& derived) {
-    return {params.lens(), params.depth.mapping, precision_of(params.depth.format), derived.clip_zero_to_one};
+    return {params.lens(), params.depth.mapping, derived.stored_depth.precision, derived.clip_zero_to_one};
 }
 
 double depth_rounding(const DepthCoding& coding, double distance, double span) {

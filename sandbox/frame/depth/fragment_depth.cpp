@@ -33,15 +33,25 @@ double depth_at(const FramePlan& plan, const PixelTriangle& triangle, const glm:
     return 0.5 * zw.x / zw.y + 0.5;
 }
 
-/// What glPolygonOffset counts as one unit, or the shader in its place. GL leaves open how many codes a unit is.
-double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
-    const DepthPrecision precision = precision_of(plan.depth_format);
-    const bool by_shader = plan.depth_mapping == DepthMapping::logarithmic && !plan.logarithm_per_vertex;
+/// One code, as depth: of a float the one at the triangle's greatest depth, as GL has it.
+double code_of_unit(const FramePlan& plan, const PixelTriangle& triangle) {
+    const bool by_shader = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
+    const DepthPrecision precision = by_shader ? precision_of(plan.depth_format) : plan.stored_depth.precision;
     if (!precision.is_float || by_shader) return 1.0 / (std::exp2(std::min(precision.bits, 24)) - 1.0);
     double greatest = std::numeric_limits<float>::min();
     for (const PixelCorner& corner : triangle)
         greatest = std::max(greatest, window_depth(plan.lens, plan.depth_mapping, corner.distance));
     return std::exp2(std::ilogb(std::min(greatest, 1.0)) - 23);
+}
+
+/// What is counted as one unit of an offset.
+double unit_of(const FramePlan& plan, const PixelTriangle& triangle) {
+    return plan.stored_depth.unit_codes.value_or(1.0) * code_of_unit(plan, triangle);
+}
+
+/// GL leaves open how many codes a unit is: not measured, it may be another one.
+double unit_error(const FramePlan& plan, const PixelTriangle& triangle) {
+    return plan.stored_depth.unit_codes ? 0.0 : code_of_unit(plan, triangle);
 }
 
 /// The steepest change of depth to a neighbour in x or y.
@@ -86,12 +96,12 @@ double depth_error(const FramePlan& plan, const PixelTriangle& triangle, const P
                    const glm::dvec2& neighbours_px, glm::ivec2 size_px) {
     constexpr double coarser_than_ieee = 3.0, corner_px = 1.0 / 256.0;
     const double nearest = std::min({triangle[0].distance, triangle[1].distance, triangle[2].distance});
-    const DepthCoding coding{plan.lens, plan.depth_mapping, precision_of(plan.depth_format), plan.clip_zero_to_one};
+    const DepthCoding coding{plan.lens, plan.depth_mapping, plan.stored_depth.precision, plan.clip_zero_to_one};
     const double arithmetic = depth_rounding(coding, hit.distance, hit.distance - nearest);
     const double place_px = std::exp2(-24) * (size_px.x + size_px.y);
     return coarser_than_ieee * arithmetic +
            slope_of(plan, triangle, hit, neighbours_px) * (corner_px + coarser_than_ieee * place_px) +
-           std::abs(offset.units) * unit_of(plan, triangle);
+           std::abs(offset.units) * unit_error(plan, triangle);
 }
 
 double stored_within(double depth, double error, const DepthPrecision& precision) {

@@ -141,19 +141,23 @@ std::optional<ShareInterval> wrong_share_by_stencil(const FlatPair& pair, bool d
     return certainly(decal_is_right ? 0.0 : 1.0);
 }
 
-/// One of the two is moved by a polygon offset. A unit is at least a code; GL leaves open how many, except that the
-/// sandbox itself moves depths of few bits, by one. `lead` and `most_lead` are how many codes the right one is nearer
-/// without it.
-std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, bool decal_is_right, bool tie_is_wrong,
-                                                     double lead, double most_lead, const SeenCodes& codes) {
+/// One of the two is moved by a polygon offset. How many codes a unit is GL leaves open: it is measured, or known to be
+/// one where the sandbox itself moves depths of few bits, or else at least one. `lead` and `most_lead` are how many
+/// codes the right one is nearer without it.
+std::optional<ShareInterval> wrong_share_with_offset(const DepthParams& depth, const StoredDepth& stored,
+                                                     bool decal_is_right, bool tie_is_wrong, double lead,
+                                                     double most_lead, const SeenCodes& codes) {
     const bool turns = depth.mapping == DepthMapping::reversed && !depth.reversed_offset;
     const double to_right_one = (turns ? 1.0 : -1.0) * (decal_is_right ? 1.0 : -1.0);
     const double units = depth.offset.units * to_right_one, factor = depth.offset.factor * to_right_one;
-    const bool moves_codes = precision_of(depth.format).bits < 16 && factor == 0.0;
-    if (moves_codes && codes.is_one_code() && units == std::round(units))
+    const bool moves_whole_codes = stores_fewer_bits(depth.format) && units == std::round(units);
+    if (moves_whole_codes && factor == 0.0 && codes.is_one_code())
         return certainly(units >= (tie_is_wrong ? 1.0 : 0.0) ? 0.0 : 1.0);
-    if (moves_codes)
-        return codes.widened(share_of_random_codes(lead + units, most_lead + units, codes.arithmetic, tie_is_wrong));
+    const bool is_known = stored.unit_codes && !stored.precision.is_float;  // of a float it goes with the depth
+    if (is_known && factor == 0.0) {
+        const double moved = units * *stored.unit_codes;
+        return codes.widened(share_of_random_codes(lead + moved, most_lead + moved, codes.arithmetic, tie_is_wrong));
+    }
     const double surely = 1.0 + codes.arithmetic;
     if (factor >= 0.0 && units > 0.0 && lead + units >= surely) return certainly(0.0);
     if (factor <= 0.0 && units < 0.0 && most_lead + units <= -surely) return certainly(1.0);
@@ -178,7 +182,8 @@ std::optional<ShareInterval> wrong_share_of(const FlatPair& pair, const Params& 
 
     const bool tie_is_wrong = second_is_right != (depth.func == CompareFunc::lequal);
     if (pair.has_one_decal() && depth.offset != DepthOffset{})
-        return wrong_share_with_offset(depth, decal_is_right, tie_is_wrong, lead, most_lead, codes);
+        return wrong_share_with_offset(depth, derived.stored_depth, decal_is_right, tie_is_wrong, lead, most_lead,
+                                       codes);
     if (codes.is_one_code()) return certainly(tie_is_wrong ? 1.0 : 0.0);
     return codes.widened(share_of_random_codes(lead, most_lead, codes.arithmetic, tie_is_wrong));
 }

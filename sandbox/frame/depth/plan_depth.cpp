@@ -15,6 +15,7 @@ void set_depth(FramePlan& frame, const Params& params, const Derived& derived) {
     frame.mask_on_while_clearing = depth.write_while_clearing;
     frame.clear_depth_value = depth.mapping == DepthMapping::reversed && depth.reversed_clear ? 0.0 : 1.0;
     frame.depth_format = depth.format;
+    frame.stored_depth = derived.stored_depth;
     frame.depth_mapping = depth.mapping;
     frame.logarithm_per_vertex = depth.logarithm_per_vertex;
     frame.lens = params.lens();

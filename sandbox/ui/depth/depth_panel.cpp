@@ -1,6 +1,10 @@
 #include "ui/depth/depth_panel.h"
 
+#include <cmath>
+
+#include "frame/depth/decals.h"
 #include "text/catalogue.h"
+#include "text/numbers.h"
 #include "ui/parts/controls.h"
 #include "ui/parts/panel_parts.h"
 
@@ -23,12 +27,31 @@ void mapping_switches(Params& params) {
     control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});
 }
 
-void decal_controls(Params& params, const Scene& scene) {
+/// How far the units move on this driver, which GL leaves open; where they move anything.
+void offset_note(const Params& params, const Scene& scene, const StoredDepth& stored) {
+    if (widgets::IsListing() && !widgets::IsHighlighted("note:offset_unit")) return;
+    const DepthParams& depth = params.depth;
+    const bool moves = depth.offset.units != 0.0 && depth.decals == DecalMethod::offset && has_decals(scene);
+    if (!moves || !stored.unit_codes) return;
+    const std::string codes = number_text(std::abs(depth.offset.units * *stored.unit_codes), 4);
+    const std::string note = stored.precision.is_float
+                                 ? say("on this driver: {codes} steps of the float", "codes"_a = codes)
+                                 : say("on this driver: {codes} codes", "codes"_a = codes);
+    if (!named_note("note:offset_unit", note)) return;
+    widgets::Tooltip("Units of the offset",
+                     "How many codes of the depth buffer these units are on this driver, measured by drawing. GL asks "
+                     "for the least difference that is sure to be seen, and drivers answer with one code, two or four. "
+                     "Of a float a step is as wide as at the polygon's greatest depth.",
+                     "offset = factor · slope + units · r");
+}
+
+void decal_controls(Params& params, const Scene& scene, const StoredDepth& stored) {
     static constexpr const char* methods[] = {marked("Offset"), "GL_EQUAL", marked("Stencil")};
     if (widgets::IsListed(target_of("depth.decals"))) ImGui::TextUnformatted(tr("Decals by"));
     control(params, "depth.decals", {.segments = true, .names = methods, .label = "##decals", .scene = &scene});
     control(params, "depth.offset.factor", {.label = marked("decal factor"), .scene = &scene});
     control(params, "depth.offset.units", {.label = marked("decal units"), .scene = &scene});
+    offset_note(params, scene, stored);
 }
 
 void coplanar_controls(Params& params, const Scene& scene) {
@@ -48,7 +71,7 @@ void beside_controls(Params& params) {
 
 }  // namespace
 
-void draw_depth_section(Session& session) {
+void draw_depth_section(Session& session, const Derived& derived) {
     if (!widgets::Section("Depth buffer", false)) return;
     const widgets::Group group("buffer");
     Params& params = session.params;
@@ -57,7 +80,7 @@ void draw_depth_section(Session& session) {
     control(params, "depth.mapping", {.width = 130.0F, .names = mapping_names});
     mapping_switches(params);
     control(params, "depth.write_while_clearing", {.label = marked("Mask on while clearing")});
-    decal_controls(params, session.scene());
+    decal_controls(params, session.scene(), derived.stored_depth);
     coplanar_controls(params, session.scene());
     static constexpr const char* scales[] = {marked("Window"), marked("Linear")};
     static constexpr const char* colors[] = {marked("Grey"), marked("Bands")};

@@ -263,8 +263,8 @@ void draw_panel(Session& session, const Derived& derived, const std::vector<Prob
                   [&] { hidden_surfaces_section(session, problems, hidden_state, hidden); });
     named_section("depth",
                   {"control:depth", "control:coplanar", "control:view.depth_scale", "control:view.depth_colors",
-                   "control:view.beside", "control:animation.jiggle"},
-                  [&] { draw_depth_section(session); });
+                   "control:view.beside", "control:animation.jiggle", "note:offset_unit"},
+                  [&] { draw_depth_section(session, derived); });
     named_section("light", {"control:light", "control:animation"}, [&] { draw_light_section(session, problems); });
     named_section("plane", {"control:plane", "text:unit normal", "button:normalise"},
                   [&] { draw_plane_section(session, derived, problems); });

@@ -1,7 +1,7 @@
 // What the window system reports, kept until a frame can show it. Dear ImGui 1.86 sees only what is down when a frame
 // begins, and where the pointer is then: on a busy machine a click would be a drag from elsewhere, and a key that is up
 // again already nothing at all. So a frame gets one change, in order, as Dear ImGui's own queue does from 1.87 on
-// (ConfigInputTrickleEventQueue). Knows no window system. Read run_loop in app/window.cpp next.
+// (ConfigInputTrickleEventQueue). Knows no window system. Read run_loop in app/desktop/window.cpp next.
 #pragma once
 
 #include <array>

@@ -68,13 +68,17 @@ float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement)
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
     const auto px = [scale](float design) { return design * scale; };
     const bool bare = arrangement.bare && arrangement.maximised != ViewName::none;
-    const bool has_bars = !bare && !arrangement.presents;
-    const float bar = has_bars ? px(40.0F) : 0.0F, status = has_bars ? px(26.0F) : 0.0F, gap = bare ? 0.0F : px(10.0F);
+    const bool has_bars = !bare && !arrangement.presents && !arrangement.embedded;
+    const bool is_short = has_bars && window_px.y < px(420.0F);
+    const bool has_status = has_bars && !(is_short && arrangement.strip_px > 0.0F);
+    const float bar = has_bars ? px(40.0F) : 0.0F, status = has_status ? px(26.0F) : 0.0F,
+                gap = bare ? 0.0F : px(10.0F);
     const float margin = bare ? 0.0F : px(4.0F);
     // A room sees both lower views: there is no button that leads from one to the other.
     const float least_view = px(420.0F), least_lower = px(arrangement.presents ? 160.0F : 240.0F);
 
     Layout layout;
+    layout.is_short = is_short;
     layout.header_height = bare ? 0.0F : px(26.0F);
     layout.top_bar = rounded(0, 0, window_px.x, bar);
     layout.status_bar = rounded(0, window_px.y - status, window_px.x, window_px.y);
@@ -89,7 +93,8 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
         matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
     }
     const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
-    layout.matrices_fit = panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
+    layout.matrices_fit = !is_short && panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
+    if (is_short && strip <= 0.0F && !arrangement.prefers_column) panel = matrices = false;
     if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;
     if (panel && panel_width + px(240.0F) > window_px.x) panel = false;
     if (matrices && matrices_width + px(240.0F) > window_px.x) matrices = false;
@@ -125,6 +130,16 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             return layout;
         case ViewName::none:
             break;
+    }
+    if (is_short) {  // one of the lower views, beside the camera's
+        layout.lower_fit = false;
+        const float split = left + 0.6F * (right - left);
+        layout.camera = rounded(left, top + layout.header_height, split - gap * 0.5F, bottom);
+        cut_caption(layout, arrangement.caption_px, px(3.0F));
+        divide_camera(layout, arrangement, gap);
+        (arrangement.prefers_lower_right ? layout.lower_right : layout.lower_left) =
+            rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
+        return layout;
     }
     // The lower views give way first: at least 55 % of the height is the camera's.
     const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);

@@ -35,6 +35,7 @@ struct Arrangement {
     bool panel_folded = false;
     bool matrices_folded = false;
     bool prefers_matrices = false;  ///< where there is room for one column only
+    bool prefers_column = false;    ///< in a short window, where the views come first
     ViewName maximised = ViewName::none;
     bool beside_matrices = false;      ///< what is maximised is read together with the matrices
     bool prefers_lower_right = false;  ///< where there is room for one of the lower views only
@@ -49,6 +50,7 @@ struct Arrangement {
     float strip_px = 0.0F;     ///< what the lesson's strip needs below everything, in pixels
     bool has_strip = true;     ///< of a lesson: false for pictures without its texts
     bool presents = false;     ///< a lesson in front of a room: no bars, and type to be read from the back row
+    bool embedded = false;     ///< a part of somebody else's page: no bars
 };
 
 struct Layout {
@@ -62,6 +64,7 @@ struct Layout {
     float header_height = 0.0F;            ///< above each picture
     bool matrices_fit = true;              ///< false: the window is too narrow for both columns
     bool lower_fit = true;                 ///< false: it is too narrow for both of the lower views
+    bool is_short = false;                 ///< a telephone held across: the views side by side, columns on request
 };
 
 /// How much larger everything is drawn while one view has the whole window, so that its text grows with it; `scale` as

@@ -94,15 +94,30 @@ void copy(Session& session) {
     session.message = {tr("the whole state is in the clipboard"), false};
 }
 
-void copy_link(Session& session) {
+/// Of the program's lesson that leads, while nothing is changed and its question stands: else "".
+static std::string step_link(const Guide& guide, const Session& session) {
+    if (!guide.is_shown() || guide.is_sheet() || guide.run()->is_revealed() || guide.departs(session)) return {};
+    return link_to(guide.run()->lesson(), guide.run()->index()).value_or("");
+}
+
+void copy_link(const Guide& guide, Session& session) {
+    if (const std::string step = step_link(guide, session); !step.empty()) {
+        ImGui::SetClipboardText((link_base() + step).c_str());
+        session.message = {tr("a link to this step of the lesson is in the clipboard"), false};
+        return;
+    }
     if (!may_tell_state(session)) return;
     ImGui::SetClipboardText((link_base() + link_fragment(session.portable(session.params))).c_str());
     session.message = {tr("a link to this state is in the clipboard"), false};
 }
 
-void paste(Session& session) {
-    const char* text = ImGui::GetClipboardText();
-    session.report(session.paste(text ? text : ""));
+void paste(Guide& guide, Session& session) {
+    const char* const held = ImGui::GetClipboardText();
+    const std::string text = held ? held : "";
+    if (const std::optional<Link> step = lesson_link(text))
+        guide.open(*step);
+    else
+        session.report(session.paste(text));
 }
 
 void Workbench::draw_file_menu(Session& session, Requests& requests) {
@@ -117,8 +132,8 @@ void Workbench::draw_file_menu(Session& session, Requests& requests) {
     save = item(marked("Save…"), "Ctrl+S");
     save_step = item(marked("Save as step…"), "");
     if (item(marked("Copy state"), "Ctrl+C")) copy(session);
-    if (item(marked("Copy link"), "")) copy_link(session);
-    if (item(marked("Paste state"), "Ctrl+V")) paste(session);
+    if (item(marked("Copy link"), "")) copy_link(guide, session);
+    if (item(marked("Paste state"), "Ctrl+V")) paste(guide, session);
     ImGui::Separator();
     if (item(marked("Snapshot"), "F12")) requests.snapshot = true;
     if (item(recorder.is_recording() ? marked("End the recording") : marked("Record a flight"), "F9"))
@@ -180,12 +195,34 @@ void Workbench::draw_presets(Session& session, float width, bool has_steps, cons
     if (chosen) session.open(chosen->name);
 }
 
+namespace {
+
+/// Where there is room for one column only: what the button in the bar brings next. In a short window the views alone
+/// come between.
+const char* next_column(const Arrangement& arrangement, const Layout& layout) {
+    if (layout.is_short && !arrangement.prefers_column) return marked("Controls");
+    if (layout.is_short && arrangement.prefers_matrices) return marked("Views");
+    return arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
+}
+
+void show_next_column(Arrangement& arrangement, const Layout& layout) {
+    if (!layout.is_short) {
+        arrangement.prefers_matrices = !arrangement.prefers_matrices;
+        return;
+    }
+    const bool had_column = std::exchange(arrangement.prefers_column, true);
+    if (had_column && arrangement.prefers_matrices) arrangement.prefers_column = false;
+    arrangement.prefers_matrices = had_column && !arrangement.prefers_matrices;
+}
+
+}  // namespace
+
 void Workbench::draw_top_bar(Session& session, const Layout& layout, const PresetPicture& picture, Requests& requests) {
     const widgets::Group group("top");
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {px(10.0F), px(7.0F)});
     begin_area("top", layout.top_bar, ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const char* const other_column = arrangement.prefers_matrices ? marked("Controls") : marked("Matrices");
+    const char* const other_column = next_column(arrangement, layout);
     float buttons = layout.matrices_fit ? 0.0F : button_room(other_column);
     const char* const lesson = guide.run() && !guide.is_shown() ? "Back to the lesson" : "Lesson";
     for (const char* label : {lesson, "File", "Look", "?"}) buttons += button_room(label);
@@ -233,7 +270,7 @@ void Workbench::draw_top_bar(Session& session, const Layout& layout, const Prese
     ImGui::SameLine(std::max(ImGui::GetCursorPosX(),
                              layout.top_bar.width() - buttons + ImGui::GetStyle().ItemSpacing.x - px(10.0F)));
     if (!layout.matrices_fit) {
-        if (widgets::Button(other_column)) arrangement.prefers_matrices = !arrangement.prefers_matrices;
+        if (widgets::Button(other_column)) show_next_column(arrangement, layout);
         ImGui::SameLine();
     }
     draw_lesson_button(session);

@@ -11,6 +11,7 @@
 #include "image/figure_note.h"
 #include "lesson/append.h"
 #include "platform/file.h"
+#include "platform/person_files.h"
 #include "platform/text_file.h"
 #include "text/words.h"
 #include "widgets/widgets.h"
@@ -46,6 +47,7 @@ bool is_known_file(const std::filesystem::path& file) {
 
 void FileDialog::show(Purpose purpose) {
     purpose_ = purpose;
+    if (opens() && ask_for_file()) return;
     requested_ = true;
     error_.clear();
     waits_ = false;
@@ -125,6 +127,15 @@ void append_step(Session& session, const std::filesystem::path& file) {
 
 }  // namespace
 
+void FileDialog::take_chosen(Session& session) {
+    const std::optional<std::filesystem::path> chosen = chosen_file();
+    if (!chosen) return;
+    if (purpose_ == Purpose::open_answers)
+        use_(*chosen);
+    else
+        session.open(chosen->string());
+}
+
 bool FileDialog::confirm(Session& session) {
     if (name_.empty()) return false;
     const std::filesystem::path file = folder_ / name_;
@@ -136,7 +147,7 @@ bool FileDialog::confirm(Session& session) {
         return false;
     }
     const bool replaces = purpose_ == Purpose::save || purpose_ == Purpose::save_answers;
-    if (replaces && std::filesystem::exists(file, ignored) && to_replace_ != file) {
+    if (replaces && can_replace_files() && std::filesystem::exists(file, ignored) && to_replace_ != file) {
         to_replace_ = file;
         error_ = say("{file} exists: save once more to replace it", "file"_a = file.filename().string());
         return false;
@@ -170,6 +181,7 @@ bool FileDialog::ends_with_outcome(Session& session) {
 
 void FileDialog::draw(Session& session) {
     const widgets::Group group("file");
+    take_chosen(session);
     if (requested_) ImGui::OpenPopup("file");
     is_open_ = begin_dialog("file", {px(580.0F), px(440.0F)});
     if (!is_open_) return;

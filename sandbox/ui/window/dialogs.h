@@ -29,6 +29,8 @@ public:
 private:
     void list_folder();
     void take_listing();
+    /// What was chosen in a dialog of the surroundings.
+    void take_chosen(Session& session);
     /// Whether the dialog has nothing left to do.
     bool confirm(Session& session);
     bool ends_with_outcome(Session& session);

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "embedded/fonts.h"
+#include "ui/window/font_files.h"
 
 namespace viewing {
 namespace {
@@ -20,7 +20,7 @@ constexpr ImWchar sign_ranges[] = {0x0391, 0x03C9, 0x1D40, 0x1D47, 0x2113, 0x211
 constexpr ImWchar box = 0x25A1;  // □
 
 ImFont* add(const char* file, float size_px, const ImWchar* ranges, bool merge, int oversampling = 2) {
-    const std::span<const std::byte> bytes = embedded_font(file);
+    const std::span<const std::byte> bytes = font_file(file);
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;  // ImGui only reads it
     config.MergeMode = merge;
@@ -55,7 +55,10 @@ widgets::Fonts load_fonts(float scale, Syllables& korean) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
-    const ImWchar* const syllables = korean.ranges(embedded_font(regular.korean));
+    const bool has_korean =
+        korean.has_any() && !font_file(regular.korean).empty() && !font_file(semibold.korean).empty();
+    const ImWchar* const syllables =
+        korean.ranges(has_korean ? font_file(regular.korean) : std::span<const std::byte>());
     // Inter's and JetBrains Mono's em is larger than their letters: 14 design pixels of type want a 16 pixel font.
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);

@@ -37,7 +37,8 @@ const ImWchar* Syllables::ranges(std::span<const std::byte> font_file) {
     ranges_.clear();
     in_ranges_ = characters_.size();
     stbtt_fontinfo font;
-    if (characters_.empty() || !stbtt_InitFont(&font, reinterpret_cast<const unsigned char*>(font_file.data()), 0))
+    if (characters_.empty() || font_file.empty() ||
+        !stbtt_InitFont(&font, reinterpret_cast<const unsigned char*>(font_file.data()), 0))
         return nullptr;
     for (const ImWchar character : characters_) {
         const int glyph = stbtt_FindGlyphIndex(&font, character);

@@ -18,11 +18,12 @@ public:
     void want(std::string_view text);
     void want(ImWchar character);
 
+    bool has_any() const { return !characters_.empty(); }
     /// Whether one has come that the ranges had not.
     bool has_new() const { return characters_.size() != in_ranges_; }
     /// All that were wanted and that a font's file has an outline for, as ImGui's font atlas takes them, there until
     /// the next call; null where there are none. Fonts may map a syllable to an empty glyph, which would be shown as
-    /// nothing.
+    /// nothing. Null with no file, too.
     const ImWchar* ranges(std::span<const std::byte> font_file);
 
 private:

@@ -110,7 +110,7 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
     if (key == Key::y) session.redo();
     if (key == Key::c) copy(session);
     if (key == Key::v && !(guide.is_shown() && guide.run()->step().ask.rows > 1 && paste_answer(session)))
-        paste(session);
+        paste(guide, session);
     if (key == Key::o) file_dialog_.show(FileDialog::Purpose::open);
     if (key == Key::s) file_dialog_.show(FileDialog::Purpose::save);
     if (key == Key::p) preset_picker_.open();
@@ -214,7 +214,7 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     const bool is_alone = !layout.lower_fit;
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
-    if (arranged_now.maximised == ViewName::none) draw_splitters(layout, between);
+    if (arranged_now.maximised == ViewName::none && !layout.is_short) draw_splitters(layout, between);
     ImGui::End();
     widgets.targets.offered.reset();
 }
@@ -312,7 +312,8 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
 
     // What begins now has not been going on while the window slept.
     session.navigate(motion, session.is_moving() ? input.dt_s : std::min(input.dt_s, 1.0 / 60.0));
-    const bool rests = !ImGui::IsAnyItemActive() && !session.is_moving() && !is_playing(views) && !replay.is_playing();
+    const bool rests = !ImGui::IsAnyItemActive() && !widgets::MayBeTakenBack(widgets) && !session.is_moving() &&
+                       !is_playing(views) && !replay.is_playing();
     if (rests && !guide.is_revealing()) session.rest();
     return requests;
 }

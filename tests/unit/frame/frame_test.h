@@ -115,6 +115,7 @@ inline const std::vector<Member<FramePlan>>& plan_members() {
         member("clear_depth", &FramePlan::clear_depth, &FramePlan::clear_depth_value),
         member("mask_on_while_clearing", &FramePlan::mask_on_while_clearing),
         member("depth_format", &FramePlan::depth_format),
+        member("stored_depth", &FramePlan::stored_depth),
         member("depth_mapping", &FramePlan::depth_mapping),
         member("logarithm_per_vertex", &FramePlan::logarithm_per_vertex),
         member("lens", &FramePlan::lens),

@@ -169,8 +169,9 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"depth.func=always"}, depth_but_patch},
         {{"depth.write=false"}, {"Mirror image.depth", "Patch.depth", "Objects.depth"}},
         {{"depth.clear=false"}, {"frame.clear_depth"}},
-        {{"depth.format=d16"}, {"frame.depth_format", "frame.samples"}},  // its masks are no samples
-        {{"depth.format=d32f"}, {"frame.depth_format"}},
+        {{"depth.format=d16"},
+         {"frame.depth_format", "frame.stored_depth", "frame.samples"}},  // its masks are no samples
+        {{"depth.format=d32f"}, {"frame.depth_format", "frame.stored_depth"}},
         {{"depth.write_while_clearing=false"}, {"frame.mask_on_while_clearing"}},
         {{"depth.logarithm_per_vertex=true"}, {"frame.logarithm_per_vertex"}},
         {{"depth.reversed_clear=false", "depth.reversed_offset=false", "depth.reversed_zero_to_one=false"}, {}},
@@ -182,7 +183,7 @@ TEST(PlanSwitches, ChangeWhatTheySayAndNothingElse) {
         {{"view.beside.shows=depth"}, {}},
         {{"coplanar.gap=1"}, {}},
         {{"animation.jiggle=true"}, {}},
-        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping"}},
+        {{"depth.mapping=logarithmic"}, {"frame.depth_mapping", "frame.stored_depth"}},  // its shader moves by codes
         {{"depth.mapping=reversed"}, reversed},
         {{"depth.offset.factor=-2"}, {"frame.decal_offset"}},
         {{"cull.enabled=true"}, {"Mirror image.cull", "Objects.cull"}},
@@ -285,6 +286,7 @@ FramePlan other_plan() {
     other.clear_depth = other.mask_on_while_clearing = false;
     other.clear_depth_value = 0.0;
     other.depth_format = DepthFormat::d16;
+    other.stored_depth.unit_codes = 4.0;
     other.depth_mapping = DepthMapping::reversed;
     other.logarithm_per_vertex = other.clip_zero_to_one = true;
     other.lens.far = 41.0;

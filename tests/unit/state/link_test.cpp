@@ -69,11 +69,39 @@ TEST(Link, NamesAPresetOrAStepOfALesson) {
     EXPECT_EQ(trouble_with("#lesson=depth-fighting&step=3"),
               "this is a lesson's link: viewing-sandbox lesson depth-fighting --step 3");
     EXPECT_EQ(trouble_with("#step=3&lesson=mine"), "this is a lesson's link: viewing-sandbox lesson mine --step 3");
+    EXPECT_EQ(trouble_with("#lesson=mine"), "this is a lesson's link: viewing-sandbox lesson mine --step 1");
     EXPECT_EQ(trouble_with("#preset=roon").substr(0, 27), "link: roon: no such preset ");
     for (const char* bad : {"#preset=", "#preset=-", "#preset=../room", "#preset=/etc/passwd", "#preset=a.json"})
         EXPECT_TRUE(trouble_with(bad).starts_with("link: ")) << bad << trouble_with(bad);
-    for (const char* bad : {"#lesson=", "#lesson=a b", "#lesson=a&step=x", "#lesson=a&step=99999"})
+    for (const char* bad :
+         {"#lesson=", "#lesson=a b", "#lesson=a&step=x", "#lesson=a&step=99999", "#lesson=a&step=0", "#lesson=a&step="})
         EXPECT_EQ(trouble_with(bad), "link: it names no lesson and step") << bad;
+}
+
+TEST(Link, UnknownPartsAreRefused) {
+    constexpr const char* known = "a state, preset=NAME, or lesson=ID and step=N";
+    const std::string state = link_fragment(Params{});
+    EXPECT_TRUE(load_state(state + "&"));
+    EXPECT_EQ(trouble_with("#preset=room&colour=red"),
+              std::string("link: colour=… means nothing here; known are ") + known);
+    EXPECT_EQ(trouble_with(state + "&x=1"), std::string("link: x=… means nothing here; known are ") + known);
+    EXPECT_EQ(trouble_with("#preset=room&hello"),
+              std::string("link: hello behind its # is neither a state nor KEY=VALUE; known are ") + known);
+    for (const std::string& twice : {std::string("#preset=room&preset=room"), state + "&" + state.substr(1)})
+        EXPECT_EQ(trouble_with(twice), std::string("link: two of one kind behind its #; ") + known + ", each once");
+    for (const std::string& bad : {std::string("#"), std::string("#step=2&&"), "#preset=room&" + state.substr(1),
+                                   std::string("#preset=room&lesson=depth-fighting")})
+        EXPECT_TRUE(trouble_with(bad).starts_with("link: ")) << bad << trouble_with(bad);
+    EXPECT_EQ(trouble_with("#preset=room&step=2"), "link: step=N needs lesson=ID");
+}
+
+TEST(Link, IsToldFromAStateThatMentionsOne) {
+    const Result<LoadedState> state =
+        state_in_text("{\"about\": \"see viewing-sandbox.html#preset=room\"}", "standard input");
+    ASSERT_TRUE(state) << state.error();
+    EXPECT_FALSE(state->preset);
+    EXPECT_EQ(state_in_text("#preset=room\n", "standard input")->preset->name, "room");
+    EXPECT_EQ(state_in_text("{\"camera\": 1}", "standard input").error().substr(0, 22), "standard input: camera");
 }
 
 TEST(Link, IsToldFromFilesAndPresets) {
@@ -98,10 +126,12 @@ TEST(Link, BrokenOnesAreRefusedWithASentence) {
             EXPECT_TRUE(state.error().starts_with("link: ")) << at << ": " << state.error();
     }
     EXPECT_EQ(trouble_with(whole + "AAAA"), "link: something follows the end of its state");
-    EXPECT_EQ(trouble_with(whole + "&x=1"), "link: it is cut off or damaged");
     EXPECT_EQ(trouble_with("#2" + whole.substr(2)), "link: its form has version 2, this program reads version 1");
     EXPECT_EQ(trouble_with("https://example.org/"), "link: no # with a state behind it");
-    EXPECT_EQ(trouble_with("#hello"), "link: what follows # is neither a state nor preset=NAME nor lesson=ID");
+    EXPECT_EQ(
+        trouble_with("#hello"),
+        "link: hello behind its # is neither a state nor KEY=VALUE; known are a state, preset=NAME, or lesson=ID and "
+        "step=N");
     EXPECT_NE(trouble_with(link_of("{\"scene\": \"\xff\"}")).find("UTF-8"), std::string::npos);
     EXPECT_EQ(trouble_with(link_of("{\"camera\": {\"yav\": 1}}")),
               "link: camera.yav: no such field; did you mean camera.yaw?");

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <iostream>
-#include <sstream>
 #include <thread>
 
 #include "platform/text_file.h"
@@ -348,18 +346,11 @@ TEST_F(SceneFiles, StatesAreFoundByPath) {
     EXPECT_EQ(load_state(bad).error(), bad + ": projection.naer: no such field; did you mean projection.near?");
 }
 
-TEST_F(SceneFiles, StatesAreReadFromStandardInput) {
-    std::istringstream input(R"({"camera": {"yaw": 6}})");
-    std::streambuf* before = std::cin.rdbuf(input.rdbuf());
-    const Result<LoadedState> state = load_state("-");
-    std::istringstream broken("{");
-    std::cin.rdbuf(broken.rdbuf());
-    std::cin.clear();
-    const Result<LoadedState> refused = load_state("-");
-    std::cin.rdbuf(before);
-    std::cin.clear();
+TEST_F(SceneFiles, StatesAreReadFromATextThatIsNamed) {
+    const Result<LoadedState> state = state_in_text(R"({"camera": {"yaw": 6}})", "standard input");
     ASSERT_TRUE(state) << state.error();
     EXPECT_EQ(state->params.camera.yaw, 6.0);
+    const Result<LoadedState> refused = state_in_text("{", "standard input");
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().rfind("standard input: line 1", 0), 0U) << refused.error();
 }

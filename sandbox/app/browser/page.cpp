@@ -1,0 +1,445 @@
+#include "app/browser/page.h"
+
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/browser/keys.h"
+#include "app/picture.h"
+#include "app/pictures_to_files.h"
+#include "app/studio.h"
+#include "app/window_memory.h"
+#include "frame/matrix_text.h"
+#include "gl/gl.h"
+#include "image/png.h"
+#include "measure/camera_picture.h"
+#include "platform/file.h"
+#include "report/matrices_report.h"
+#include "state/json.h"
+#include "state/language.h"
+#include "state/link.h"
+#include "text/catalogue.h"
+
+EM_JS(void, page_tell_trouble, (const char* text), { page.tellTrouble(UTF8ToString(text)); });
+EM_JS(void, page_wake, (), { page.wake(); });
+EM_JS(void, page_copy, (const char* text), { page.copy(UTF8ToString(text)); });
+EM_JS(void, page_full_screen, (int wanted), { page.fullScreen(wanted); });
+EM_JS(void, page_prepare_gl, (), { page.prepareGl(GLctx); });
+
+namespace viewing {
+namespace {
+
+/// Where the page keeps what is to be read, and what was written before it is handed over.
+constexpr const char* folder = "/files";
+
+/// Everything of the one page; lives as long as it.
+struct Page {
+    Renderer renderer;
+    WindowMemory memory;
+    Studio studio;
+    InputQueue queue;
+    std::vector<NamedFile> presets = viewing::presets();
+    std::string pasted;    ///< the clipboard, as the page brought it
+    std::string returned;  ///< the latest text given to the page
+    int frames_due = 0;
+    bool any = true;  ///< something happened
+
+    Page(Renderer made, WindowMemory remembered, Session session)
+        : renderer(std::move(made)), memory(std::move(remembered)), studio(renderer, std::move(session)) {}
+};
+
+std::unique_ptr<Page> page;
+
+double now_s() {
+    return emscripten_get_now() / 1000.0;
+}
+
+void push(InputEvent event) {
+    page->any = true;
+    page->queue.push(std::move(event), {now_s(), now_s()});
+    page_wake();
+}
+
+/// Why there is no picture; "" when the canvas has WebGL 2.
+std::string make_context() {
+    EmscriptenWebGLContextAttributes wanted;
+    emscripten_webgl_init_context_attributes(&wanted);
+    wanted.majorVersion = 2;
+    wanted.alpha = wanted.depth = wanted.stencil = wanted.antialias = false;
+    wanted.powerPreference = EM_WEBGL_POWER_PREFERENCE_HIGH_PERFORMANCE;
+    const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = emscripten_webgl_create_context("#view", &wanted);
+    if (context <= 0) return "This browser gives no WebGL 2, which the sandbox draws with.";
+    emscripten_webgl_make_context_current(context);
+    page_prepare_gl();
+    return "";
+}
+
+void obey(const Requests& requests) {
+    if (requests.snapshot) write_snapshot(page->renderer, page->studio, folder);
+    if (requests.view_picture) write_view_picture(page->renderer, page->studio, requests.view_picture->file);
+    if (requests.toggle_full_screen) page_full_screen(-1);
+    if (requests.full_screen) page_full_screen(*requests.full_screen ? 1 : 0);
+    page->any |= requests.snapshot || requests.view_picture.has_value();
+}
+
+void remember(const Requests& requests) {
+    Remembered looks = page->memory.remembered();
+    if (requests.chosen_theme) looks.theme = requests.chosen_theme;
+    if (requests.chosen_language) looks.language = requests.chosen_language;
+    if (requests.chosen_scale) looks.scale = requests.chosen_scale;
+    Workbench& workbench = page->studio.workbench;
+    looks.lessons = workbench.progress;
+    looks.recent = workbench.recent;
+    looks.student = workbench.exercises.student();
+    page->studio.session.report(page->memory.remember(looks));
+}
+
+void present(glm::ivec2 size_px) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, page->studio.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+/// What a link names, as it stands behind the page's address.
+void open_link(const std::string& text) {
+    Session& session = page->studio.session;
+    const Result<Link> link = read_link(text);
+    if (!link) return session.report(Error{link.error()});
+    if (link->kind == Link::Kind::lesson) return page->studio.workbench.guide.open(*link);
+    link->kind == Link::Kind::preset ? session.open(link->text) : session.report(session.paste(text));
+}
+
+/// Of what was opened last: the address that brings it back. "" for the opening state.
+std::string opened_fragment() {
+    const Workbench& workbench = page->studio.workbench;
+    if (const LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
+        run && !workbench.guide.is_sheet())
+        return lesson_fragment(run->lesson().id, run->index() + 1);
+    const OpenPreset* const preset = page->studio.session.preset();
+    return preset && preset->name != "opening" ? "#preset=" + preset->name : "";
+}
+
+bool departs_from_opened() {
+    const Session& session = page->studio.session;
+    if (session.preset()) return session.departs_from_preset();
+    return session.params != session.in_own_looks(Params{});
+}
+
+/// A lesson asks, and some of what is on the screen must not be read before the answer.
+bool hides_something() {
+    const Guide& guide = page->studio.workbench.guide;
+    return guide.is_shown() && !guide.run()->is_revealed() && !guide.run()->step().cover.empty();
+}
+
+/// What a screen reader has in the place of the picture: the question of the lesson, the preset's sentence, the
+/// problems, the news.
+std::string told_text() {
+    const Studio& studio = page->studio;
+    std::vector<std::string> lines;
+    const Workbench& workbench = studio.workbench;
+    if (const LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr) {
+        const LessonStep& step = run->step();
+        lines.push_back(run->lesson().title.shown() + " " + std::to_string(run->index() + 1) + " / " +
+                        std::to_string(run->lesson().steps.size()));
+        lines.push_back(step.say.shown());
+        lines.push_back(step.ask.question.shown());
+        if (const std::optional<Verdict>& verdict = run->verdict()) lines.push_back(verdict->say.shown());
+        if (run->is_revealed()) lines.push_back(step.reveal.say.shown());
+    } else if (const OpenPreset* const preset = studio.session.preset()) {
+        for (const NamedFile& file : page->presets)
+            if (file.name == preset->name)
+                lines.push_back(std::string(tr(file.title.c_str())) + ". " + tr(file.about.c_str()));
+    }
+    if (!hides_something())
+        for (const Problem& problem : studio.shown().problems) lines.push_back(problem.sentence);
+    lines.push_back(studio.session.message.text);
+    std::string text;
+    for (const std::string& line : lines)
+        if (!line.empty()) text += line + "\n";
+    return text;
+}
+
+/// The lecture's four, a row a line.
+std::string matrices_text() {
+    if (hides_something()) return "";
+    const Derived& derived = page->studio.shown().derived;
+    std::string text;
+    constexpr int digits = 4;
+    for (const auto& [name, matrix] :
+         {std::pair<const char*, glm::dmat4>{"S", derived.chosen_shadow().shadowed_world_from_world},
+          {"R", derived.chosen_plane().mirrored_world_from_world},
+          {"V", derived.view_from_world},
+          {"P", derived.clip_from_view}})
+        text += matrix_text(name, matrix, MatrixFormat::text, digits);
+    return text;
+}
+
+/// A page has the files alone that were given to it: there is nothing else that a state could read with a yes.
+void refuse_what_is_not_there() {
+    const OutsideFile* const asked = page->studio.session.asks_to_read();
+    std::error_code unknown;
+    if (!asked || std::filesystem::exists(asked->file, unknown)) return;
+    page->studio.session.answer(false);
+    page->studio.session.message.is_error = true;  // it stays
+}
+
+const char* given(std::string text) {
+    page->returned = std::move(text);
+    return page->returned.c_str();
+}
+
+}  // namespace
+
+void open_page() {
+    if (const std::string trouble = make_context(); !trouble.empty()) return page_tell_trouble(trouble.c_str());
+    std::filesystem::create_directories(folder);
+    std::filesystem::current_path(folder);
+    Result<Renderer> renderer = Renderer::make();
+    if (!renderer) return page_tell_trouble(renderer.error().c_str());
+    WindowMemory memory(remembered_file(), false);
+    LoadedState state;
+    memory.dress(state.params);
+    Result<Session> session = Session::begin(state, 0.0);
+    if (!session) return page_tell_trouble(session.error().c_str());
+    page = std::make_unique<Page>(*std::move(renderer), std::move(memory), *std::move(session));
+    Workbench& workbench = page->studio.workbench;
+    workbench.progress = page->memory.remembered().lessons;
+    workbench.recent = page->memory.remembered().recent;
+    workbench.exercises.keep_in(remembered_file().parent_path() / "answers", VIEWING_SANDBOX_VERSION);
+    workbench.exercises.sit_down(page->memory.remembered().student);
+    if (!page->memory.trouble().empty()) page->studio.session.message = {page->memory.trouble(), true};
+    name_imgui_keys();
+    ImGuiIO& io = ImGui::GetIO();
+    io.GetClipboardTextFn = [](void*) -> const char* { return page->pasted.c_str(); };
+    io.SetClipboardTextFn = [](void*, const char* text) {
+        page->pasted = text;
+        page_copy(text);
+    };
+    wake_when_work_ends([] { page_wake(); });
+}
+
+}  // namespace viewing
+
+// What page.js calls. Texts are UTF-8; those that are returned are there until the next call.
+extern "C" {
+using namespace viewing;
+
+/// 1 as soon as there is something to be drawn.
+EMSCRIPTEN_KEEPALIVE int page_is_open() {
+    return page ? 1 : 0;
+}
+
+/// Draws a frame of this size in pixels; `scale`: pixels per unit of the page. In how many seconds the next one is
+/// wanted though nothing happens: 0 at once, negative never.
+EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale) {
+    constexpr int frames_after_an_event = 3;
+    page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
+    refuse_what_is_not_there();
+    const InputFrame& frame = page->queue.next_frame(now_s());
+    feed_imgui(frame, static_cast<float>(scale));
+    ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
+    const glm::ivec2 size_px(width_px, height_px);
+    const Requests requests = page->studio.frame({size_px, scale, true, frame.input});
+    obey(requests);
+    remember(requests);
+    present(size_px);
+    return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
+}
+
+EMSCRIPTEN_KEEPALIVE void page_event() {
+    page->any = true;
+}
+
+/// In units of the page; `is_inside` 0: it has left.
+EMSCRIPTEN_KEEPALIVE void page_pointer(double x, double y, int is_inside) {
+    push(is_inside ? PointerMoved{glm::vec2(x, y)} : PointerMoved{});
+}
+
+/// 0 left, 1 right, 2 middle.
+EMSCRIPTEN_KEEPALIVE void page_button(int button, int is_down) {
+    if (button >= 0 && button < 5) push(ButtonChanged{static_cast<std::size_t>(button), is_down != 0});
+}
+
+/// Lines, right and up positive.
+EMSCRIPTEN_KEEPALIVE void page_wheel(double x, double y) {
+    push(WheelTurned{glm::vec2(x, y)});
+}
+
+/// 1: the sandbox knows this key.
+EMSCRIPTEN_KEEPALIVE int page_key(const char* code, const char* key, int is_down, int ctrl, int shift) {
+    const std::optional<KeyChanged> changed = key_changed(code, key, is_down != 0, ctrl != 0, shift != 0);
+    if (changed) push(*changed);
+    return changed ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_character(unsigned code_point) {
+    push(CharacterTyped{code_point});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_focus(int is_focused) {
+    push(FocusChanged{is_focused != 0});
+}
+
+EMSCRIPTEN_KEEPALIVE void page_drop(const char* file) {
+    push(FilesDropped{{file}});
+}
+
+/// What the clipboard holds, before the keys that ask for it.
+EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) {
+    page->pasted = text;
+}
+
+EMSCRIPTEN_KEEPALIVE void page_open_link(const char* text) {
+    open_link(text);
+    push(FocusChanged{true});
+}
+
+/// CSS's name of the pointer's shape.
+EMSCRIPTEN_KEEPALIVE const char* page_cursor() {
+    switch (ImGui::GetMouseCursor()) {
+        case ImGuiMouseCursor_TextInput:
+            return "text";
+        case ImGuiMouseCursor_ResizeAll:
+            return "move";
+        case ImGuiMouseCursor_ResizeNS:
+            return "ns-resize";
+        case ImGuiMouseCursor_ResizeEW:
+            return "ew-resize";
+        case ImGuiMouseCursor_ResizeNESW:
+            return "nesw-resize";
+        case ImGuiMouseCursor_ResizeNWSE:
+            return "nwse-resize";
+        case ImGuiMouseCursor_Hand:
+            return "pointer";
+        case ImGuiMouseCursor_NotAllowed:
+            return "not-allowed";
+        default:
+            return "default";
+    }
+}
+
+/// 1 while something is typed into.
+EMSCRIPTEN_KEEPALIVE int page_wants_text() {
+    return ImGui::GetIO().WantTextInput ? 1 : 0;
+}
+
+/// The whole state as JSON.
+EMSCRIPTEN_KEEPALIVE const char* page_state() {
+    return given(page->studio.session.text());
+}
+
+/// What was opened, as what stands behind the page's address.
+EMSCRIPTEN_KEEPALIVE const char* page_opened() {
+    return given(opened_fragment());
+}
+
+/// The present state in the same form.
+EMSCRIPTEN_KEEPALIVE const char* page_link() {
+    const Session& session = page->studio.session;
+    return given(link_fragment(session.portable(session.params)));
+}
+
+/// 1: what is shown is no longer what was opened.
+EMSCRIPTEN_KEEPALIVE int page_departs() {
+    return departs_from_opened() ? 1 : 0;
+}
+
+/// What is to be read out, in the language spoken now, and the matrices.
+EMSCRIPTEN_KEEPALIVE const char* page_told() {
+    return given(told_text());
+}
+EMSCRIPTEN_KEEPALIVE const char* page_matrices_text() {
+    return given(matrices_text());
+}
+
+/// The language of the window: "en".
+EMSCRIPTEN_KEEPALIVE const char* page_language() {
+    return given(spoken_language() == Language::ko ? "ko" : "en");
+}
+
+/// The matrices with their facts as JSON, as `viewing-sandbox matrices --json` has them.
+EMSCRIPTEN_KEEPALIVE const char* page_matrices() {
+    const ShownFrame& shown = page->studio.shown();
+    return given(matrices_as_json(shown.derived, shown.problems).dump());
+}
+
+/// Sets a field, "light.position=[1,2,3]"; the sentence of what is wrong, else "".
+EMSCRIPTEN_KEEPALIVE const char* page_set(const char* setting) {
+    Session& session = page->studio.session;
+    const std::vector<std::string> settings{setting};
+    Result<Params> changed = apply_settings(session.params, settings, "");
+    if (!changed) return given(changed.error());
+    session.params = *std::move(changed);
+    push(FocusChanged{true});
+    return given("");
+}
+
+/// Opens a state as JSON, or a preset's name; what comes of it is told in the window.
+EMSCRIPTEN_KEEPALIVE void page_open(const char* text) {
+    Session& session = page->studio.session;
+    text[0] == '{' ? session.report(session.paste(text)) : session.open(text);
+    push(FocusChanged{true});
+}
+
+/// A picture as a PNG with its state, in the page's files; its name there, "" where it cannot be drawn. "window": as it
+/// is shown; else camera, depth or stencil, `width` 0: as large as the view is, `samples` −1: as the state says.
+EMSCRIPTEN_KEEPALIVE const char* page_picture(const char* view, int width, int height, int samples) {
+    Studio& studio = page->studio;
+    Session& session = studio.session;
+    const std::string name = view;
+    const auto at = std::find(picture_view_names.begin(), picture_view_names.end(), name);
+    PictureRequest request{.view = static_cast<PictureView>(at - picture_view_names.begin())};
+    request.size_px = width > 0 ? glm::ivec2(width, height) : studio.shown().camera_px;
+    if (samples >= 0) request.samples = samples;
+    const bool is_window = request.view == PictureView::window;
+    if (at == picture_view_names.end() || !(is_window || is_drawn_by_gl(request))) return given("");
+    const Params params = drawn_params(studio.shown().params, request);
+    const Result<Image> image =
+        is_window ? studio.read() : camera_picture(page->renderer, params, session.scene(), request.size_px);
+    if (!image) return given("");
+    const std::vector<std::uint8_t> png = encode_png(*image, write_state(session.portable(params)));
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "picture.png";
+    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), std::ssize(png));
+    return given(file.string());
+}
+
+/// 1: everything that was asked for is shown. A caret that blinks and a clock are rest.
+EMSCRIPTEN_KEEPALIVE int page_rests() {
+    const Studio& studio = page->studio;
+    constexpr double soon_s = 0.2;
+    const double next_s = studio.redraw_in_s();
+    return page->queue.is_empty() && (next_s < 0.0 || next_s >= soon_s) && !studio.session.awaits_scene() &&
+                   studio.session.opening().empty()
+               ? 1
+               : 0;
+}
+
+/// A part of somebody else's page has no bars.
+EMSCRIPTEN_KEEPALIVE void page_embed() {
+    page->studio.workbench.arrangement.embedded = true;
+}
+
+/// For people who are disturbed by motion.
+EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
+    page->studio.workbench.guide.moves = moves != 0;
+}
+
+/// From the next frame on the places of all controls are noted, for page_places(): JSON of name: [x, y, width, height]
+/// in pixels. For tests.
+EMSCRIPTEN_KEEPALIVE void page_note_places() {
+    page->studio.workbench.widgets.record = true;
+    push(FocusChanged{true});
+}
+EMSCRIPTEN_KEEPALIVE const char* page_places() {
+    Json places = Json::object();
+    for (const widgets::RecordedItem& item : page->studio.workbench.widgets.recorded)
+        places[item.window + "/" + item.label] = {item.min.x, item.min.y, item.max.x - item.min.x,
+                                                  item.max.y - item.min.y};
+    return given(places.dump());
+}
+}

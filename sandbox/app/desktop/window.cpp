@@ -1,0 +1,284 @@
+// GLFW: events in, frames out, and asleep in between. All drawing goes into the studio's own framebuffer and is copied
+// to the window, so the window shows what a snapshot writes.
+#include "app/desktop/window.h"
+
+#include <backends/imgui_impl_glfw.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/desktop/events.h"
+#include "app/desktop/lecture_notes.h"
+#include "app/desktop/lost_display.h"
+#include "app/pictures_to_files.h"
+#include "app/studio.h"
+#include "gl/debug.h"
+#include "platform/file.h"
+#include "text/catalogue.h"
+
+#define GLFW_INCLUDE_NONE  // GL comes from the loader above
+#include <GLFW/glfw3.h>
+
+namespace viewing {
+namespace {
+
+struct Glfw {
+    bool started = glfwInit() == GLFW_TRUE;
+    Glfw() = default;
+    Glfw(const Glfw&) = delete;
+    Glfw& operator=(const Glfw&) = delete;
+    ~Glfw() {
+        if (started) glfwTerminate();
+    }
+};
+
+struct DestroyWindow {
+    void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+};
+using Window = std::unique_ptr<GLFWwindow, DestroyWindow>;
+
+/// What GLFW says about its last failure.
+std::string glfw_reason(const char* otherwise) {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    std::string text = reason ? reason : otherwise;
+    text.erase(text.find_last_not_of(' ') + 1);  // an empty DISPLAY leaves one behind
+    return text;
+}
+
+std::vector<WindowPlace> screens() {
+    std::vector<WindowPlace> screens;
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        WindowPlace& screen = screens.emplace_back();
+        glfwGetMonitorWorkarea(monitors[i], &screen.position.x, &screen.position.y, &screen.size.x, &screen.size.y);
+    }
+    return screens;
+}
+
+/// Where it was the last time, if that is still on a screen.
+void restore_place(GLFWwindow* window, const std::optional<WindowPlace>& place) {
+    if (!place || !is_reachable(*place, screens())) return;
+    glfwSetWindowSize(window, place->size.x, place->size.y);
+    glfwSetWindowPos(window, place->position.x, place->position.y);
+    if (place->maximised) glfwMaximizeWindow(window);
+}
+
+Result<Window> make_window(bool checks_gl) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, checks_gl ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    int width = 1600, height = 900;
+    if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
+        int x = 0, y = 0, free_width = 0, free_height = 0;
+        glfwGetMonitorWorkarea(monitor, &x, &y, &free_width, &free_height);
+        if (free_width > 0) width = std::min(width, free_width);
+        if (free_height > 0) height = std::min(height, free_height);
+    }
+    Window window(glfwCreateWindow(width, height, "Viewing Sandbox", nullptr, nullptr));
+    if (!window) {
+        return Error{"no window with OpenGL 3.3 core: " + glfw_reason("the display refuses it") +
+                     "; viewing-sandbox snapshot needs no display"};
+    }
+    glfwSetWindowSizeLimits(window.get(), 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    return window;
+}
+
+/// The monitor that shows most of the window; null without monitors.
+GLFWmonitor* monitor_of(GLFWwindow* window) {
+    glm::ivec2 min(0), size(0);
+    glfwGetWindowPos(window, &min.x, &min.y);
+    glfwGetWindowSize(window, &size.x, &size.y);
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* best = nullptr;
+    std::int64_t largest = -1;
+    for (int i = 0; i < count; ++i) {
+        glm::ivec2 corner(0);
+        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
+        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+        if (!mode) continue;
+        const glm::ivec2 end = glm::min(min + size, corner + glm::ivec2(mode->width, mode->height));
+        const glm::ivec2 shared = glm::max(end - glm::max(min, corner), glm::ivec2(0));
+        const std::int64_t area = std::int64_t{shared.x} * shared.y;
+        if (area > largest) {
+            largest = area;
+            best = monitors[i];
+        }
+    }
+    return best;
+}
+
+/// Between full screen, on the monitor where the window is, and the place it had.
+class FullScreen {
+public:
+    void toggle(GLFWwindow* window) { set(window, glfwGetWindowMonitor(window) == nullptr); }
+
+    void set(GLFWwindow* window, bool is_full) {
+        if (is_full == (glfwGetWindowMonitor(window) != nullptr)) return;
+        if (!is_full) {
+            glfwSetWindowMonitor(window, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+            return;
+        }
+        GLFWmonitor* monitor = monitor_of(window);
+        if (!monitor) return;
+        glfwGetWindowPos(window, &x_, &y_);
+        glfwGetWindowSize(window, &width_, &height_);
+        const GLFWvidmode& mode = *glfwGetVideoMode(monitor);
+        glfwSetWindowMonitor(window, monitor, 0, 0, mode.width, mode.height, mode.refreshRate);
+    }
+
+    /// The window's place without it. `before`: of a window that is maximised now.
+    WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const {
+        WindowPlace place{{x_, y_}, {width_, height_}, false};
+        if (glfwGetWindowMonitor(window)) return place;
+        glfwGetWindowPos(window, &place.position.x, &place.position.y);
+        glfwGetWindowSize(window, &place.size.x, &place.size.y);
+        if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) != GLFW_TRUE) return place;
+        place = before.value_or(place);
+        place.maximised = true;
+        return place;
+    }
+
+private:
+    int x_ = 0, y_ = 0, width_ = 1280, height_ = 720;
+};
+
+void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, studio.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glfwSwapBuffers(window);
+}
+
+void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
+              LectureNotes& notes, bool keeps_answers) {
+    FullScreen full_screen;
+    int frames_due = 0;
+    while (!glfwWindowShouldClose(window)) {
+        events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
+
+        // A click shows after a frame that lays out what it opened, and one more that fits it.
+        constexpr int frames_after_an_event = 3;
+        frames_due = std::exchange(events.any, false) ? frames_after_an_event : std::max(frames_due - 1, 0);
+
+        glm::ivec2 size_px(0);
+        glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
+        if (size_px.x == 0 || size_px.y == 0) {  // minimised
+            glfwWaitEvents();
+            continue;
+        }
+        float device_scale = 1.0F;
+        glfwGetWindowContentScale(window, &device_scale, nullptr);
+        ImGui_ImplGlfw_NewFrame();  // the pointer's shape
+        int window_width = 0;
+        glfwGetWindowSize(window, &window_width, nullptr);
+        const float pixels_per_unit =
+            window_width > 0 ? static_cast<float>(size_px.x) / static_cast<float>(window_width) : 1.0F;
+        const InputFrame& frame = events.queue.next_frame(glfwGetTime());
+        feed_imgui(frame, pixels_per_unit);
+        ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
+        const Requests requests = studio.frame({size_px, device_scale, true, frame.input});
+        if (requests.snapshot) {
+            write_snapshot(renderer, studio, ".");
+            events.any = true;
+        }
+        if (requests.view_picture) {
+            write_view_picture(renderer, studio, requests.view_picture->file);
+            events.any = true;
+        }
+        Remembered looks = memory.remembered();
+        if (requests.chosen_theme) looks.theme = requests.chosen_theme;
+        if (requests.chosen_language) looks.language = requests.chosen_language;
+        if (requests.chosen_scale) looks.scale = requests.chosen_scale;
+        looks.lessons = studio.workbench.progress;
+        looks.recent = studio.workbench.recent;
+        if (keeps_answers) looks.student = studio.workbench.exercises.student();
+        studio.session.report(memory.remember(looks));
+        if (requests.toggle_full_screen) full_screen.toggle(window);
+        if (requests.full_screen) full_screen.set(window, *requests.full_screen);
+        present(window, studio, size_px);
+        studio.session.report(
+            notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
+        notes.draw(studio.session.params.ui.theme, device_scale);
+    }
+    Remembered last = memory.remembered();
+    last.window = full_screen.place(window, last.window);
+    Status flight_is_written = std::monostate{};
+    if (const std::optional<Flight> flight = studio.workbench.recorder.end())
+        flight_is_written = write_file(new_flight_file(), write_flight(*flight));
+    for (const Status& written :
+         {memory.remember(last), memory.finish(), studio.workbench.exercises.finish(), flight_is_written})
+        if (!written) std::cerr << written.error() << '\n';
+}
+
+}  // namespace
+
+Status run_window(Session session, const WindowStart& start, WindowMemory& memory, int lost_display_status,
+                  std::vector<std::string>* gl_errors) {
+    const Glfw glfw;
+    if (!glfw.started) {
+        return Error{"there is no display for a window (" + glfw_reason("GLFW does not start") +
+                     "); viewing-sandbox snapshot needs none"};
+    }
+    end_when_display_is_lost(lost_display_status);
+    Result<Window> made = make_window(gl_errors != nullptr);
+    if (!made) return Error{made.error()};
+    GLFWwindow* window = made->get();
+    restore_place(window, memory.remembered().window);
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+
+    std::optional<gl::DebugLog> log;
+    if (gl_errors) log.emplace();
+    Result<Renderer> renderer = Renderer::make();
+    if (!renderer) return Error{renderer.error()};
+    Studio studio(*renderer, std::move(session));
+    Workbench& workbench = studio.workbench;
+    workbench.progress = memory.remembered().lessons;
+    workbench.recent = memory.remembered().recent;
+    if (start.lesson) {
+        workbench.guide.begin(start.lesson->lesson, start.lesson->step, studio.session);
+        if (start.lesson->presents) workbench.presenter.begin();
+    }
+    if (start.shows_lessons) workbench.start_page.open();
+    if (start.hand_in) {
+        workbench.exercises.take_hand_in(*start.hand_in);
+        workbench.go_to_exercise(start.exercise, start.replays);
+    } else {
+        const std::filesystem::path file = remembered_file();
+        workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
+        workbench.exercises.sit_down(memory.remembered().student);
+    }
+    const WakeUp wake_up;
+    Events events(window);
+    ImGui_ImplGlfw_InitForOpenGL(window, false);  // its callbacks know no order
+    glfwShowWindow(window);
+    if (!memory.trouble().empty()) studio.session.message = {memory.trouble(), true};
+    LectureNotes notes(start.notes);
+    if (notes.wants_window()) {
+        if (auto beside = NotesWindow::make(window)) {
+            events.hear_keys_of(beside->glfw());
+            notes.take(std::move(beside));
+        }
+        glfwFocusWindow(window);
+    }
+    run_loop(window, *renderer, studio, events, memory, notes, !start.hand_in);
+    if (gl_errors) *gl_errors = log->errors();
+    ImGui_ImplGlfw_Shutdown();
+    return std::monostate{};
+}
+
+}  // namespace viewing

@@ -1,0 +1,63 @@
+#include "gl/dialect.h"
+
+#include <algorithm>
+
+#include "gl/gl.h"
+
+namespace viewing::gl {
+namespace {
+
+bool is_es() {
+    return !epoxy_is_desktop_gl();
+}
+
+}  // namespace
+
+const char* shader_version() {
+    return is_es() ? "#version 300 es" : "#version 330 core";
+}
+
+std::string_view shader_opening() {
+    return is_es() ? "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                   : "#version 330 core\n";
+}
+
+void set_clear_depth(double depth) {
+    is_es() ? glClearDepthf(static_cast<GLfloat>(depth)) : glClearDepth(depth);
+}
+
+void set_clip_depths_from_zero(bool from_zero) {
+    glClipControl(GL_LOWER_LEFT, from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
+}
+
+std::string driver_name() {
+    const std::string name(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    return "OpenGL 3.3 core · " + name.substr(0, name.find(" ("));
+}
+
+void copy_pixel_pack_buffer(std::span<std::uint8_t> bytes) {
+    const auto size = static_cast<GLsizeiptr>(bytes.size());
+    if (!is_es()) return glGetBufferSubData(GL_PIXEL_PACK_BUFFER, 0, size, bytes.data());
+    const auto* const mapped =
+        static_cast<const std::uint8_t*>(glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, size, GL_MAP_READ_BIT));
+    if (mapped != nullptr) std::copy_n(mapped, bytes.size(), bytes.begin());
+    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+}
+
+bool has_clip_control() {
+    return !is_es() && (epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control"));
+}
+
+bool has_clip_distance() {
+    return !is_es();
+}
+
+bool can_read_depth_stencil() {
+    return !is_es();
+}
+
+bool has_debug_output() {
+    return (!is_es() && epoxy_gl_version() >= 43) || epoxy_has_gl_extension("GL_KHR_debug");
+}
+
+}  // namespace viewing::gl

@@ -1,0 +1,111 @@
+// A page has one thread: work waits in a queue, and goes on between frames. Where the browser can suspend WebAssembly
+// (JavaScript Promise Integration), a work stands still wherever it asks whether it is cancelled, as soon as the page's
+// turn is due, on a stack of its own; elsewhere it is done in one go. The page's side is in app/browser/page/page.js.
+#include "platform/background.h"
+
+#include <emscripten.h>
+
+#include <cstdlib>
+#include <deque>
+#include <memory>
+#include <utility>
+
+#include "platform/threads.h"
+#include "text/catalogue.h"
+
+EM_JS(void, page_begin_work, (void* run, void* stack_end), { page.beginWork(run, stack_end); });
+// Replaced by one that suspends where there is such a thing: the name is known to page.js.
+EM_JS(void, page_pause, (), {});
+
+namespace viewing {
+namespace {
+
+constexpr double slice_ms = 8.0;
+constexpr std::size_t stack_bytes = 1U << 20U;
+
+void (*wake_at_end)() = nullptr;
+double slice_began_ms = 0.0;
+bool is_at_work = false;
+
+}  // namespace
+
+struct BackgroundCall::State {
+    std::function<void()> work;
+    bool has_begun = false, is_done = false;
+
+    void run() {
+        has_begun = true;
+        work();
+        is_done = true;
+        if (wake_at_end) wake_at_end();
+    }
+};
+
+namespace {
+
+std::deque<std::function<void()>> waiting;
+bool is_running = false;  ///< some work has begun, and may stand still
+
+/// Everything that waits, on the stack of works.
+void run_waiting() {
+    is_at_work = true;
+    slice_began_ms = emscripten_get_now();
+    while (!waiting.empty()) {
+        const std::function<void()> call = std::move(waiting.front());
+        waiting.pop_front();
+        call();
+        give_way();
+    }
+    is_at_work = is_running = false;
+}
+
+void* end_of_stack() {
+    static char* const stack = static_cast<char*>(std::aligned_alloc(16, stack_bytes));
+    return stack ? stack + stack_bytes : nullptr;
+}
+
+}  // namespace
+
+void give_way() {
+    if (!is_at_work || emscripten_get_now() - slice_began_ms < slice_ms) return;
+    is_at_work = false;  // what the page does meanwhile is none
+    page_pause();
+    is_at_work = true;
+    slice_began_ms = emscripten_get_now();
+}
+
+void wake_when_work_ends(void (*wake)()) {
+    wake_at_end = wake;
+}
+
+BackgroundCall::BackgroundCall(std::function<void()> work) : state_(std::make_shared<State>()) {
+    state_->work = std::move(work);
+    waiting.push_back([state = state_] {
+        if (!state->is_done) state->run();
+    });
+    if (!std::exchange(is_running, true)) page_begin_work(reinterpret_cast<void*>(run_waiting), end_of_stack());
+}
+
+/// Tasks live as long as the page; one that goes earlier has been waited for, or has not begun.
+BackgroundCall::~BackgroundCall() {
+    if (!state_->has_begun) state_->is_done = true;
+}
+
+bool BackgroundCall::is_done() const {
+    return state_->is_done;
+}
+
+/// The page cannot wait: what has begun goes on after it. What has not is done here and now, if its end is needed.
+void BackgroundCall::wait(double seconds) const {
+    if (seconds < 0.0 && !state_->has_begun) state_->run();
+}
+
+bool can_start_threads(int) {
+    return true;
+}
+
+int threads_of_a_driver() {
+    return 0;
+}
+
+}  // namespace viewing

@@ -1,0 +1,30 @@
+// libFuzzer: any lines as the arguments of a command that neither draws nor runs others. Whatever they are, it ends
+// with a status of the table that is no internal error. Nothing outside the working folder is written.
+#include "cli/run.h"
+#include "fuzz.h"
+#include "ui/monkey/confined.h"
+
+using namespace viewing;
+
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+    fuzz::check(test::confine_to(std::filesystem::current_path()));
+    return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    static const char* const commands[] = {"state", "params", "matrices", "presets"};
+    if (size == 0) return 0;
+    std::vector<std::string> arguments{commands[data[0] % std::size(commands)]};
+    const std::string_view text = fuzz::as_text(data + 1, size - 1);
+    // It ends the process by itself, and standard input is the fuzzer's.
+    if (text.find("--t") != text.npos || text.find('-') == text.size() - 1) return 0;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        arguments.emplace_back(text.substr(begin, end - begin));
+        if (arguments.back() == "-") return 0;
+        begin = end + 1;
+    }
+    const int status = run_command_line(arguments);
+    fuzz::check(status >= 0 && status < 9);
+    return 0;
+}

@@ -1,0 +1,24 @@
+// libFuzzer: any text as an expression of a lesson, which somebody else may have written: it ends soon, with a value
+// that can be written, or with one sentence.
+#include "fuzz.h"
+#include "lesson/expression.h"
+
+using namespace viewing;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const std::string text(fuzz::as_text(data, size));
+    const Surroundings surroundings{[](const std::string&, std::span<const double> arguments) -> Result<Json> {
+                                        return Json(static_cast<double>(arguments.size()));
+                                    },
+                                    Json{1, 2, 3}, Json{{"P", {0, 1, 0, 0}}, {"k", 2}}};
+    const std::string names[] = {"P", "k"};
+    const Status can_be = check_expression(text, names);
+    if (!can_be) fuzz::check_message(can_be.error());
+    const Result<Json> value = evaluate(text, surroundings, {20'000, 1U << 20U});
+    if (!value) {
+        fuzz::check_message(value.error());
+        return 0;
+    }
+    fuzz::check(!value->dump(-1, ' ', false, Json::error_handler_t::replace).empty());
+    return 0;
+}

@@ -1,0 +1,83 @@
+// A monkey's hands: seeded, they do what a person could do with mouse, keys, text, wheel, the window's size, dropped
+// files and the clipboard, mostly where something is. Whoever has a window carries it out: monkey.cpp without one,
+// where what is done and seen is in one program, and monkey_window with the real one. Read monkey.cpp next.
+#pragma once
+
+#include <filesystem>
+#include <random>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ui/parts/input_queue.h"
+#include "widgets/widgets.h"
+
+namespace viewing::test {
+
+struct Typed {
+    std::string text;  ///< ASCII
+};
+struct WindowResized {
+    glm::ivec2 size_px{0};
+};
+struct ClipboardFilled {
+    std::filesystem::path file;  ///< with what it has in
+};
+struct Paused {
+    double seconds = 0.0;
+};
+using Touch = std::variant<InputEvent, Typed, WindowResized, ClipboardFilled, Paused>;
+
+/// One thing that is done, such as a double click.
+struct Deed {
+    std::string what;
+    std::vector<Touch> touches;
+};
+
+/// A key as the window system tells it. `name`: as xdotool takes it.
+struct KeyOnBoard {
+    const char* name;
+    std::size_t code;  ///< GLFW's
+    KeyKind kind;
+    std::optional<Key> key;
+};
+/// By its name; throws where there is none.
+const KeyOnBoard& key_named(std::string_view name);
+KeyChanged changed(const KeyOnBoard& key, bool down, bool ctrl = false, bool shift = false);
+
+class Hands {
+public:
+    /// `things`: a folder with the files that make_things() made.
+    Hands(std::uint32_t seed, std::filesystem::path things);
+
+    /// What is done next in a window of that size, where these items are.
+    Deed next(const std::vector<widgets::RecordedItem>& items, glm::ivec2 size_px);
+    std::size_t pick(std::size_t count) { return random_() % count; }
+
+private:
+    using Items = std::vector<widgets::RecordedItem>;
+    bool chance(std::size_t one_in) { return pick(one_in) == 0; }
+    glm::vec2 place_in(const widgets::RecordedItem& item);
+    glm::vec2 somewhere(const Items& items, glm::ivec2 size_px, std::string& what);
+    void tap(Deed& deed, const char* key, bool ctrl = false, bool shift = false);
+    void click(Deed& deed, std::size_t button = 0, int times = 1);
+    void drag(Deed& deed, glm::vec2 from, glm::ivec2 size_px);
+    void type_number(Deed& deed);
+    void press_a_key(Deed& deed);
+    void take_from_presets(Deed& deed);
+    void use_files(Deed& deed);
+    void use_clipboard(Deed& deed);
+    std::filesystem::path thing();
+
+    std::mt19937 random_;
+    std::vector<std::filesystem::path> things_;
+};
+
+/// States, scenes, meshes, figures, whole and broken ones, what is no file at all: all that is dropped and pasted.
+void make_things(const std::filesystem::path& folder);
+
+/// As the lines that monkey_window reads: commands of xdotool in the window `id`, or "resize W H", "clipboard FILE",
+/// "drop FILE…".
+std::string as_script(const Deed& deed, const std::string& id);
+
+}  // namespace viewing::test

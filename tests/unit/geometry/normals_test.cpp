@@ -1,0 +1,34 @@
+// Normals follow what the matrix makes of the surface: two tangents before and after it.
+#include "geometry/normals.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+TEST(Normals, StandAtRightAnglesOnTheMovedSurface) {
+    Random random(seed);
+    for (int i = 0; i < 500; ++i) {
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", matrix " + std::to_string(i));
+        glm::dmat3 matrix(random.vec3(2), random.vec3(2), random.vec3(2));
+        if (i % 5 == 0) matrix[2] = matrix[0] + 0.5 * matrix[1];  // one that flattens
+        const glm::dvec3 a = random.vec3(1), b = random.vec3(1);
+        const glm::dvec3 moved = glm::cross(matrix * a, matrix * b);
+        const glm::dvec3 normal = normal_matrix(matrix) * glm::cross(a, b);
+        EXPECT_GT(glm::dot(normal, moved), 0.0);
+        EXPECT_LT(glm::length(glm::cross(normal, moved)), 1e-12 * (1.0 + glm::length(normal) * glm::length(moved)));
+    }
+}
+
+TEST(Normals, FitIntoFloats) {
+    for (const double size : {1e-30, 1.0, 1e30}) {
+        const glm::dmat3 made = normal_matrix(glm::dmat3(size));
+        for (int axis = 0; axis < 3; ++axis) EXPECT_DOUBLE_EQ(made[axis][axis], 1.0) << size;
+    }
+    EXPECT_EQ(normal_matrix(glm::dmat3(0.0)), glm::dmat3(0.0));
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,62 @@
+// Links that name a step of a lesson: each step of each lesson comes back from its own, and nothing else is opened.
+#include <gtest/gtest.h>
+
+#include "lesson/linked_step.h"
+#include "platform/file.h"
+
+namespace viewing {
+namespace {
+
+std::string trouble_with(const std::string& text) {
+    const std::optional<Link> link = lesson_link(text);
+    if (!link) return "none";
+    const Result<LinkedStep> step = load_linked_step(*link);
+    return step ? "nothing" : step.error();
+}
+
+TEST(LinkedStep, EveryStepComesBackFromItsLink) {
+    ASSERT_GT(lessons().size(), 5U);
+    for (const LessonFile& file : lessons()) {
+        const Lesson lesson = *load_lesson(file.id);
+        for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+            SCOPED_TRACE(lesson.id + " " + std::to_string(step));
+            const std::optional<std::string> text = link_to(lesson, step);
+            ASSERT_TRUE(text);
+            EXPECT_EQ(*text, "#lesson=" + file.id + "&step=" + std::to_string(step + 1));
+            const std::optional<Link> link = lesson_link("https://example.org/v.html" + *text + "\n");
+            ASSERT_TRUE(link);
+            if (step > 0 && step + 1 < lesson.steps.size()) continue;
+            const Result<LinkedStep> back = load_linked_step(*link);
+            ASSERT_TRUE(back) << back.error();
+            EXPECT_EQ(back->lesson.file, lesson.file);
+            EXPECT_EQ(back->step, step);
+        }
+    }
+}
+
+TEST(LinkedStep, WithoutAStepItIsTheFirst) {
+    EXPECT_EQ(load_linked_step(*lesson_link("#lesson=depth-fighting"))->step, 0U);
+}
+
+TEST(LinkedStep, WhatIsNotThereIsSaid) {
+    const std::size_t count = load_lesson("depth-fighting")->steps.size();
+    EXPECT_EQ(trouble_with("#lesson=depth-fighting&step=" + std::to_string(count)), "nothing");
+    EXPECT_EQ(
+        trouble_with("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
+        "link: step " + std::to_string(count + 1) + ": depth-fighting has the steps 1 to " + std::to_string(count));
+    EXPECT_EQ(trouble_with("#lesson=depth-fihting"),
+              "link: depth-fihting: neither a file nor a lesson (viewing-sandbox lesson --list lists them); did you "
+              "mean depth-fighting?");
+    for (const char* other : {"depth-fighting", "#preset=room", "#lesson=../a", "#lesson=a.json", "#1abc", ""})
+        EXPECT_EQ(trouble_with(other), "none") << other;
+}
+
+/// A file of one's own cannot be opened by a link, so there is none to it, whatever it calls itself.
+TEST(LinkedStep, AnOwnLessonHasNone) {
+    Lesson lesson = *load_lesson("depth-fighting");
+    lesson.file = "/tmp/depth-fighting.json";
+    EXPECT_FALSE(link_to(lesson, 0));
+}
+
+}  // namespace
+}  // namespace viewing

@@ -1,0 +1,84 @@
+"""A student in the browser: an exercise is answered wrongly and rightly, saved as a download, and graded by the program."""
+import unittest
+
+import browser
+import native
+
+STUDENT, COURSE = "32201234", "viewing-2026"
+
+
+def shadow_matrix(plane, light):
+    """S = (P·L) I − L Pᵀ, as the lecture has it."""
+    factor = sum(p * l for p, l in zip(plane, light))
+    return [[(factor if row == column else 0) - light[row] * plane[column] for column in range(4)] for row in range(4)]
+
+
+class Exercise(browser.Test):
+    options = {"size": (1600, 900)}
+
+    def fill_in(self, label, text):
+        self.page.click(label)
+        self.page.key("KeyA", browser.CTRL)
+        self.page.type(text)
+
+    def type_matrix(self, matrix):
+        """From entry to entry by Tab."""
+        self.page.click("lesson strip/answers/answer/r0c0", count=2)
+        for row in matrix:
+            for number in row:
+                self.page.type(f"{number:g}")
+                self.page.key("Tab")
+        self.page.key("Enter")
+
+    def grade(self, file, status):
+        header, line = native.run("grade", file, "--set", "E16", "--format", "csv", status=status).decode().splitlines()[:2]
+        return dict(zip(header.split(","), line.split(",")))
+
+    def save(self):
+        self.page.click("top/Exercises")
+        self.page.click("exercises/Save answers…")
+        self.page.click("Save")
+        return self.page.downloaded("*.json")
+
+    def test_an_exercise_is_answered_saved_and_graded(self):
+        page = self.page
+        page.open()
+        page.click("top/Exercises")
+        self.fill_in("exercises/Student number", STUDENT)
+        self.fill_in("exercises/Course", COURSE)
+        page.key("Enter")
+        while (at := page.place("exercises/card 16"))[1] > 850:
+            page.wheel((800, 600), -2)
+        page.click(at)
+        self.assertIn("shadow matrix", page.told())
+
+        right = shadow_matrix(page.field("plane.equation"), page.field("light.position"))
+        self.type_matrix([list(column) for column in zip(*right)])
+        page.click("lesson strip/Check")
+        graded = self.grade(self.save(), 1)
+        self.assertIn(STUDENT, graded.values())
+        self.assertIn("w:M33", graded.values(), "the misconception of a transposed matrix")
+
+        self.type_matrix(right)
+        page.click("lesson strip/Check")
+        handed_in = self.save()
+        graded = self.grade(handed_in, 0)
+        self.assertIn("3", graded.values(), "the points")
+
+        with self.subTest("kept over a reload"):
+            page.settle(0.8)
+            page.open()
+            self.assertEqual(self.grade(self.save(), 0), graded)
+        with self.subTest("opened elsewhere"):
+            page.js("localStorage.clear()")
+            page.open()
+            page.cdp("Page.setInterceptFileChooserDialog", enabled=True)
+            page.click("top/Exercises")
+            page.click("exercises/Open answers…")
+            page.driver.find_element("id", "file").send_keys(str(handed_in))
+            page.settle()
+            self.assertEqual(self.grade(self.save(), 0), graded)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+"""The page in another browser: Firefox opens it, draws presets as natively, and takes a key."""
+import base64
+import json
+import shutil
+import unittest
+
+from PIL import Image
+
+import browser
+import firefox
+import native
+
+BEYOND = 8, 0.01  # levels, share: antialiased edges are another driver's
+
+OPEN = """
+const [fragment, done] = arguments;
+location.hash = fragment;
+setTimeout(done, 300);
+"""
+SETTLE = """
+const [done] = arguments;
+const look = (times) => {
+  const is_there = typeof Module !== 'undefined' && Module.calledRun && Module._page_is_open && Module._page_is_open();
+  if (times > 10) done('');
+  else setTimeout(look, 50, is_there && Module._page_rests() ? times + 1 : 0);
+};
+look(0);
+"""
+PICTURE = """(() => {
+  const bytes = FS.readFile(UTF8ToString(Module._page_picture(0))), parts = [];
+  for (let i = 0; i < bytes.length; i += 32768) parts.push(String.fromCharCode(...bytes.subarray(i, i + 32768)));
+  return btoa(parts.join(''));
+})()"""
+
+
+@unittest.skipUnless(shutil.which("firefox-esr") and shutil.which("Xvfb"), "firefox-esr or xvfb is not installed here")
+class Firefox(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.server = browser.Server(browser.FOLDER)
+        cls.addClassCleanup(cls.server.close)
+        cls.firefox = firefox.Firefox()
+        cls.addClassCleanup(cls.firefox.close)
+        cls.firefox.go_to(cls.server.address)
+        if not cls.firefox.js("document.createElement('canvas').getContext('webgl2') !== null"):
+            raise unittest.SkipTest("Firefox gives no WebGL 2 here")
+        cls.firefox.wait(SETTLE)
+
+    def test_presets_are_as_natively(self):
+        for name in ("teapot", "curved", "mirrors-facing"):
+            with self.subTest(name):
+                self.firefox.wait(OPEN, f"#preset={name}")
+                self.firefox.wait(SETTLE)
+                self.assertEqual(self.firefox.js("UTF8ToString(Module._page_opened())"), f"#preset={name}")
+                self.assertEqual(self.firefox.js("UTF8ToString(Module._page_link())"), native.fragment(name))
+                self.firefox.js("Module.ccall('page_set', 'string', ['string'], ['view.samples=0'])")
+                self.firefox.wait(SETTLE)
+                self.assertEqual(self.firefox.js("GLctx.getError()"), 0)
+                file = self.firefox.home / "drawn.png"
+                file.write_bytes(base64.b64decode(self.firefox.js(PICTURE)))
+                drawn = Image.open(file).convert("RGB")
+                expected = native.camera(file, drawn.size, self.firefox.home / "expected.png")
+                levels, share = BEYOND
+                self.assertLessEqual(native.share_beyond(levels, drawn, expected), share)
+
+    def test_a_key_flies(self):
+        before = json.loads(self.firefox.js("UTF8ToString(Module._page_state())"))["camera"]
+        actions = [{"type": "key", "id": "keys", "actions": [
+            {"type": "keyDown", "value": "w"}, {"type": "pause", "duration": 400}, {"type": "keyUp", "value": "w"}]}]
+        self.firefox.call("WebDriver:PerformActions", actions=actions)
+        self.firefox.wait(SETTLE)
+        after = json.loads(self.firefox.js("UTF8ToString(Module._page_state())"))["camera"]
+        self.assertNotEqual(after["position"], before["position"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,41 @@
+"""Long work: it goes on between frames while the page stays usable, and comes to its end."""
+import csv
+import unittest
+
+import browser
+import native
+
+
+class Work(browser.Test):
+    options = {"size": (1280, 1300)}  # high enough that the panel need not be scrolled
+
+    def test_a_view_is_found_where_the_key_fails(self):
+        self.page.open(native.fragment("opening", "--set", "scene=sort-key-farthest", "--set", "visibility.method=painter"))
+        before = self.page.state()["camera"]
+        self.page.click("Find a view where this key fails")
+        self.assertNotEqual(self.page.state()["camera"], before)
+
+    def test_costs_are_measured_and_saved_while_the_page_is_used(self):
+        self.page.open(native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
+        at, there = self.page.place("Measure"), self.page.place("projection/fovy")
+        before = self.page.field("projection.fovy")
+        turns = self.page.js("watched.turns")
+        self.page.mouse("mouseMoved", at)
+        self.page.mouse("mousePressed", at, "left", 1, clickCount=1)
+        self.page.mouse("mouseReleased", at, "left", 0, clickCount=1)
+        self.page.until("the work", lambda: self.page.js("watched.turns") > turns + 2)
+        self.page.mouse("mouseMoved", there)
+        self.page.mouse("mousePressed", there, "left", 1, clickCount=1)
+        self.page.mouse("mouseReleased", there, "left", 0, clickCount=1)
+        self.page.until("a slider's answer", lambda: self.page.field("projection.fovy") != before)
+        turns = self.page.js("watched.turns")
+        self.page.until("more of the work", lambda: self.page.js("watched.turns") > turns)
+        self.page.settle()
+        self.page.click("Save CSV")
+        rows = list(csv.reader(self.page.downloaded("viewing-growth*.csv").read_text().splitlines()))
+        self.assertGreater(len(rows), 10)
+        self.assertEqual({len(row) for row in rows}, {len(rows[0])})
+
+
+if __name__ == "__main__":
+    unittest.main()
