@@ -10,8 +10,8 @@
 
 namespace viewing {
 
-widgets::Fonts upload_fonts(float scale, Syllables& korean) {
-    const widgets::Fonts fonts = load_fonts(scale, korean);
+widgets::Fonts upload_fonts(float scale, Syllables& korean, float small_type) {
+    const widgets::Fonts fonts = load_fonts(scale, korean, small_type);
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
     return fonts;
@@ -22,6 +22,7 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
     const widgets::Palette& palette = palette_of(ui.theme);
     const float usual_scale = static_cast<float>(device_scale * ui.scale) * palette.type_scale;
     const float scale = usual_scale * enlargement(window_px, usual_scale, arrangement);
+    const float small = small_type(arrangement);
     const bool speaks_anew = ui.language != language_;
     if (speaks_anew) {
         // Another window of the process may speak it already, or another one.
@@ -30,13 +31,15 @@ bool Looks::follow(const UiParams& ui, double device_scale, ImVec2 window_px, co
         language_ = ui.language;
         korean.want(spoken_texts());
     }
-    const bool wants_fonts = scale != scale_ || korean.has_new() || arrived_font_files() != font_files_;
+    const bool wants_fonts =
+        scale != scale_ || small != small_type_ || korean.has_new() || arrived_font_files() != font_files_;
     if (!wants_fonts && !speaks_anew && ui.theme == theme_) return false;
     context.palette = palette;
     context.scale = scale;
-    if (wants_fonts) context.fonts = upload_fonts(scale, korean);
+    if (wants_fonts) context.fonts = upload_fonts(scale, korean, small);
     widgets::ApplyStyle(context);
     scale_ = scale;
+    small_type_ = small;
     font_files_ = arrived_font_files();
     theme_ = ui.theme;
     return true;

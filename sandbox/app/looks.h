@@ -12,7 +12,7 @@
 namespace viewing {
 
 /// The fonts of the current ImGui context for a scale, as load_fonts() has them, in its GL backend.
-widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean);
+widgets::Fonts upload_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
 
 class Looks {
 public:
@@ -25,7 +25,7 @@ public:
 
 private:
     Theme theme_ = Theme::dark;
-    float scale_ = 0.0F;
+    float scale_ = 0.0F, small_type_ = 0.0F;
     int font_files_ = 0;                ///< that had arrived
     std::optional<Language> language_;  ///< that was asked for
     std::string trouble_;

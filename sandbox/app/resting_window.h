@@ -22,6 +22,9 @@ public:
     /// the window says, or that the size is too small for that and which one is not.
     Status rest(const PictureRequest& request);
 
+    /// Whether nothing is cut off or has to be scrolled.
+    bool fits() const;
+
     Image read() const { return studio_.read(); }
     /// The same as shapes, text and pictures; draws it once more.
     Drawing record();
@@ -30,8 +33,6 @@ private:
     Status settle();
     /// What it shows now, without its pictures.
     Drawing sketch() const;
-    /// Whether nothing is cut off or has to be scrolled.
-    bool fits() const;
     /// Finds the size at which all is drawn.
     Status fit();
     /// Finds the height that has room for all of it.

@@ -100,7 +100,7 @@ public:
             if (const Status spoken = speak(looks.language); !spoken) throw std::runtime_error(spoken.error());
             workbench.korean.want(spoken_texts());
         }
-        context.fonts = load_fonts(context.scale, workbench.korean);
+        context.fonts = load_fonts(context.scale, workbench.korean, small_type(workbench.arranged(session)));
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
@@ -294,7 +294,7 @@ private:
     /// Appending to a window that was drawn tells how much of its content is beyond its edge.
     void measure_areas() {
         areas.clear();
-        for (const char* name : {"top", "panel", "matrices", "views"}) {
+        for (const char* name : {"top", "panel", "matrices", "views", "lower views"}) {
             bool is_drawn = false;
             for (const RecordedItem& item : recorded()) is_drawn |= item.window == name;
             if (!is_drawn) continue;

@@ -13,7 +13,8 @@ namespace viewing::test {
 
 /// A child window's name has its parent's before it; what has a bar to scroll with may go on below.
 inline bool scrolls(const std::string& window) {
-    return window != "top" && window != "status" && window != "views" && window != "message" && window != "lesson";
+    return window != "top" && window != "status" && window != "views" && window != "lower views" &&
+           window != "message" && window != "lesson";
 }
 
 /// Of what is left of them where a window scrolls.

@@ -2,6 +2,9 @@
 import base64
 import io
 import json
+import pathlib
+import re
+import tempfile
 import unittest
 
 from PIL import Image
@@ -101,6 +104,41 @@ class Embedded(browser.Test):
         })()""")
         self.get("rests")
         self.assertEqual(len(self.page.js("said")), 1)
+
+
+class InTheReadme(browser.Checked):
+    """Its example, put into a page as it is printed, beside the folder that it names."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        readme = (native.ROOT / "README.md").read_text(encoding="utf-8")
+        example = re.search(r"```html\n(<iframe.*?)```", readme, re.DOTALL).group(1)
+        pathlib.Path(folder.name, "index.html").write_text("<!DOCTYPE html><title>Slides</title>\n" + example, encoding="utf-8")
+        pathlib.Path(folder.name, "viewing").symlink_to(browser.FOLDER)
+        self.page = browser.Page(size=(1000, 700), folder=folder.name)
+        self.addCleanup(self.page.close)
+        self.page.cdp("Page.addScriptToEvaluateOnNewDocument",
+                      source="window.logged = []; console.log = (what) => logged.push(what);")
+
+    def logged(self, key):
+        """The first of what the page has logged that has this key."""
+        return self.page.until(key, lambda: self.page.js("logged.find((what) => what && arguments[0] in what)", key))
+
+    def test_the_example_shows_the_matrices_and_turns_the_camera(self):
+        self.page.driver.get(self.page.server.address)
+        expected = json.loads(native.run("matrices", "orbit", "--format", "json"))["view_from_world"]
+        for row, expected_row in zip(self.logged("view_from_world")["view_from_world"], expected):
+            for number, expected_number in zip(row, expected_row):
+                self.assertAlmostEqual(number, expected_number, delta=1e-12)
+        self.page.js("""(() => {
+            const yaw = document.getElementById('yaw');
+            yaw.value = 30;
+            yaw.dispatchEvent(new Event('input'));
+            document.getElementById('sandbox').contentWindow.postMessage({to: 'viewing-sandbox', id: 2, get: 'state'}, '*');
+        })()""")
+        self.assertEqual(self.logged("camera")["camera"]["yaw"], 30)
+
 
 class WithoutBars(browser.Checked):
     def setUp(self):

@@ -1,6 +1,7 @@
 """Times and sizes of the page in both drivers, as a table: nothing here passes or fails. The machine should have nothing
 else to do. Run by tests/web/run --figures."""
 import gzip
+import math
 import pathlib
 import shutil
 import statistics
@@ -100,14 +101,15 @@ def hover(page):
     page.settle()
 
 
-def stalls(page, name, fragment, button):
+def stalls(page, name, fragment, act_at):
+    """`act_at`, a function of the page, gets ready and gives the one that acts."""
     page.open(fragment)
-    at = page.place(button)
+    act = act_at(page)
     page.js(MEASURE)
     page.settle()
     kept(page)
     begun = time.monotonic()
-    page.click(at)
+    act()
     took = time.monotonic() - begun
     gaps = kept(page)["gaps"]
     longest, frame, gl = max(gaps)
@@ -115,6 +117,28 @@ def stalls(page, name, fragment, button):
     own = max(whole - gl for whole, _, gl in gaps)
     row(name, f"{longest:.0f} ms at most", f"in that frames {frame:.0f} ms, waiting for GL {gl:.0f} ms; the longest without frames {work:.0f} ms, "
         f"without waits for GL {own:.0f} ms; {took:.1f} s in all")
+
+
+def clicking(label):
+    def act_at(page):
+        at = page.place(label)
+        return lambda: page.click(at)
+    return act_at
+
+
+def dropping_torus(around, along):
+    """A mesh of twice so many triangles as around × along."""
+    def act_at(page):
+        file = page.home / "torus.obj"
+        angles = [[2 * math.pi * i / count for i in range(count)] for count in (around, along)]
+        points = [((1 + 0.4 * math.cos(b)) * math.cos(a), 1.5 + 0.4 * math.sin(b), (1 + 0.4 * math.cos(b)) * math.sin(a))
+                  for a in angles[0] for b in angles[1]]
+        corners = lambda i, j: ((i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j))
+        faces = [[a % around * along + b % along + 1 for a, b in corners(i, j)] for i in range(around) for j in range(along)]
+        file.write_text("".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in points) +
+                        "".join(f"f {' '.join(map(str, face))}\n" for face in faces), encoding="utf-8")
+        return lambda: page.drop(file)
+    return act_at
 
 
 # One mesh that turns, by a well-known library: what a page with a picture costs at the least here.
@@ -180,9 +204,11 @@ def main():
             in_flight(page, "pointer over the camera's view", lambda: hover(page))
         one_mesh_by_three(driver)
         with browser.Page(driver, size=(1280, 1300)) as page:
-            stalls(page, "costs as they grow", native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"), "Measure")
+            stalls(page, "costs as they grow", native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"), clicking("Measure"))
             stalls(page, "find a view where this key fails", native.fragment(
-                "opening", "--set", "scene=sort-key-farthest", "--set", "visibility.method=painter"), "Find a view where this key fails")
+                "opening", "--set", "scene=sort-key-farthest", "--set", "visibility.method=painter"), clicking("Find a view where this key fails"))
+            stalls(page, "a mesh of 20,000 triangles dropped", "", dropping_torus(100, 100))
+            stalls(page, "a mesh of 200,000 triangles dropped", "", dropping_torus(400, 250))
 
 
 if __name__ == "__main__":

@@ -33,6 +33,11 @@ Rect take_controls(CellLayout& layout, Rect room, float width, float height) {
     return room;
 }
 
+/// How much larger small type is than usually.
+float type_scale() {
+    return widgets::HasPlainTitles() ? small_type_for_a_room / usual_small_type : 1.0F;
+}
+
 int count_that_fits(float length, float side) {
     return std::clamp(static_cast<int>(std::floor((length - 2.0F * px(grid_margin)) / side)), 1, 16);
 }
@@ -48,17 +53,21 @@ CellLayout lay_out_cells(const Rect& rect) {
     const bool is_low = height < 170.0F, is_large = width >= 900.0F && height >= 400.0F;
     room = take_controls(layout, room, width, height);
 
-    const float sentence = px(is_large ? large_line : is_low || width >= 600.0F ? line : two_lines);
+    const float type = type_scale();
+    const float sentence = px(is_large ? large_line : type * (is_low || width >= 600.0F ? line : two_lines));
     layout.sentence = {{room.min.x, std::max(room.max.y - sentence, room.min.y)}, room.max};
-    layout.caption_height = is_low ? 0.0F : px(is_large ? large_line : caption_line);
+    layout.caption_height = is_low ? 0.0F : px(is_large ? large_line : type * caption_line);
     const float top = room.min.y + layout.caption_height, bottom = std::max(layout.sentence.min.y, top);
     const float each = std::floor(0.5F * (room.width() - px(8.0F)));
     layout.colors = {{room.min.x, top}, {room.min.x + each, bottom}};
     layout.depths = {{room.max.x - each, top}, {room.max.x, bottom}};
 
     const float shortest = std::min(layout.colors.width(), layout.colors.height()) - 2.0F * px(grid_margin);
-    const float side = std::max(px(is_low ? least_side_where_low : least_side), shortest / cells_on_a_side);
-    layout.block = {count_that_fits(layout.colors.width(), side), count_that_fits(layout.colors.height(), side)};
+    const auto side = [&](float least) { return std::max(px(type * least), shortest / cells_on_a_side); };
+    // A room reads few cells with all their digits rather than many.
+    const float high = side(is_low ? least_side_where_low : least_side);
+    const float wide = widgets::HasPlainTitles() ? side(least_side) : high;
+    layout.block = {count_that_fits(layout.colors.width(), wide), count_that_fits(layout.colors.height(), high)};
     return layout;
 }
 

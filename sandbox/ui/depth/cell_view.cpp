@@ -168,7 +168,9 @@ bool tells_fragments(const FramePlan& plan, const std::vector<DrawCall>& calls, 
 std::string told(const ViewParams& view, const DepthData& data, const FramePlan& plan, int cell) {
     const auto index = static_cast<std::size_t>(cell);
     if (shows_whole_frame(view, data.calls))
-        return tr("All draw calls are done. Go a step back to see the compare that decides a pixel.");
+        return widgets::HasPlainTitles()
+                   ? tr("All draw calls are done.")
+                   : tr("All draw calls are done. Go a step back to see the compare that decides a pixel.");
     if (step_of({view.call, view.triangle}, data.calls) <= 0)
         return tr("Nothing is drawn yet: both buffers hold what they were cleared to.");
     if (cell < 0) return tr("Point at a cell to see the compare that decides it.");

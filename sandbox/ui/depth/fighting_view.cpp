@@ -259,7 +259,7 @@ LinePart elsewhere(const FightingCounts& counts) {
                 counts.wrong_elsewhere > 0);
 }
 
-void draw_totals(const FightingReport& report) {
+void draw_totals(const FightingReport& report, bool is_brief) {
     const FightingCounts& counts = report.counts;
     ImGui::Dummy({0.0F, px(2.0F)});
     if (report.counts_are_behind) {
@@ -271,10 +271,14 @@ void draw_totals(const FightingReport& report) {
               elsewhere(counts),
               vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
                            : LinePart{},
-              {say("in {width} × {height} pixels", "width"_a = report.size_px.x, "height"_a = report.size_px.y),
-               palette().quiet}});
+              is_brief ? LinePart{}
+                       : LinePart{say("in {width} × {height} pixels", "width"_a = report.size_px.x,
+                                      "height"_a = report.size_px.y),
+                                  palette().quiet}});
     }
-    if (is_covered(onset) || is_covered(step)) {
+    if (is_brief) {
+        // No step asks for a minimum gap.
+    } else if (is_covered(onset) || is_covered(step)) {
         // It would be told by the minimum gap.
     } else if (report.gap_is_behind || !report.minimum_gap) {
         line({{tr("searching for the minimum gap…"), palette().quiet}});
@@ -358,8 +362,10 @@ void draw_fighting_view(Session& session, const FightingReport* report, const Re
         return;
     }
     draw_table(rows_of(*report), report->counts_are_behind);
-    draw_totals(*report);
-    draw_cures(session, *report);
+    // What a room reads is what steps are about, in larger type.
+    const bool is_brief = widgets::HasPlainTitles();
+    draw_totals(*report, is_brief);
+    if (!is_brief) draw_cures(session, *report);
 }
 
 }  // namespace viewing

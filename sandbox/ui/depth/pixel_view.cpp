@@ -85,13 +85,17 @@ void headline(ViewParams& view, const PixelReport& pixel) {
     ImGui::SameLine(0.0F, px(7.0F));
     headline_text(place, fonts.number, palette().text);
     ImGui::SameLine(0.0F, px(10.0F));
-    const bool has_hex = ImGui::GetCursorScreenPos().x + width_of(hex, fonts.small_number) + state_width < right;
-    if (has_hex) headline_text(hex, fonts.small_number, palette().quiet);
     const std::string surface = surface_words(pixel);
-    const float wanted = width_of(surface, fonts.text);
-    ImGui::SameLine(0.0F, px(10.0F));
+    const float wanted = width_of(surface, fonts.text), hex_width = width_of(hex, fonts.small_number);
+    const auto fits = [&](float width) { return ImGui::GetCursorScreenPos().x + width + state_width <= right; };
+    // A room reads the surface rather than the colour's code.
+    const bool has_hex = fits(hex_width) && !(widgets::HasPlainTitles() && !fits(hex_width + wanted + px(18.0F)));
+    if (has_hex) {
+        headline_text(hex, fonts.small_number, palette().quiet);
+        ImGui::SameLine(0.0F, px(10.0F));
+    }
     const float here = ImGui::GetCursorScreenPos().x;
-    const bool on_this_line = has_hex && here + wanted + px(8.0F) + state_width <= right;
+    const bool on_this_line = (has_hex || widgets::HasPlainTitles()) && fits(wanted + px(8.0F));
     if (on_this_line) headline_text(surface, fonts.text, palette().text);
     pin_state(view, right, right - here - (on_this_line ? wanted : 0.0F) - px(16.0F));
     if (on_this_line) return;
@@ -125,25 +129,27 @@ void draw_number(const PixelNumber& number, const ViewFonts& fonts, float name_w
     ImGui::PopFont();
 }
 
-/// Down the first column, then down the second; the last number has a row for itself. Leaves the cursor below.
+/// Down the first column, then down the second; the last number, the place in the world, has a row for itself, which a
+/// room has little height for. Leaves the cursor below.
 void draw_numbers(const std::vector<PixelNumber>& numbers, bool is_large, float width) {
     const ViewFonts fonts = fonts_of(is_large);
     ImGui::PushFont(fonts.text);
-    const float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : 2.0F);
+    const bool has_last = is_large || !widgets::HasPlainTitles();
+    const float height = ImGui::GetTextLineHeight() + px(is_large ? 5.0F : has_last ? 2.0F : 0.0F);
     ImGui::PopFont();
     const bool in_two = !is_large && width >= px(320.0F);
     const float gap = px(16.0F), each = in_two ? std::floor(0.5F * (width - gap)) : width;
     const float name_width = std::ceil(width_of(tr("step Δz"), fonts.text)) + px(is_large ? 20.0F : 8.0F);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const std::size_t in_columns = numbers.size() - 1, rows = in_two ? (in_columns + 1) / 2 : in_columns;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
+    for (std::size_t i = 0; i < in_columns + (has_last ? 1 : 0); ++i) {
         const bool is_last = i == in_columns;
         const std::size_t row = is_last ? rows : i % rows, column = is_last ? 0 : i / rows;
         ImGui::SetCursorScreenPos(
             {from.x + static_cast<float>(column) * (each + gap), from.y + static_cast<float>(row) * height});
         draw_number(numbers[i], fonts, name_width, is_last ? width : each, height);
     }
-    ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + 1) * height + px(4.0F)});
+    ImGui::SetCursorScreenPos({from.x, from.y + static_cast<float>(rows + (has_last ? 1 : 0)) * height + px(4.0F)});
 }
 
 /// Where the cells are shown, which have the draw calls, a click goes to the step that sends the fragment.

@@ -30,6 +30,11 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
+/// What the listed controls need, with their headings.
+float height_of_controls(const Telling& telling, float scale) {
+    return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
+}
+
 /// The area of the maximised view, from which the named small things are cut off.
 Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole, float scale) {
     const Telling& telling = arrangement.telling;
@@ -38,10 +43,11 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
     const bool has_matrices = telling.matrices && !is_big_matrices && !arrangement.matrices_folded;
     const bool has_controls = telling.control_rows > 0 && !arrangement.panel_folded;
     if (has_matrices || has_controls) {
-        constexpr float least_column = 360.0F, share = 0.34F;
+        // A matrix is wider than a control.
+        const float least_column = has_matrices ? 360.0F : 298.0F, share = has_matrices ? 0.34F : 0.25F;
         const float width = std::min(std::max(least_column * scale, share * whole.width()), 0.5F * whole.width());
         const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
-        const float wanted = (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
+        const float wanted = height_of_controls(telling, scale);
         const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
         const float split = column.max.y - (has_controls ? controls : 0.0F);
         if (has_controls) layout.panel = rounded(column.min.x, split, column.max.x, column.max.y);
@@ -63,6 +69,10 @@ float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement)
     // The bar above needs that much.
     const float room = std::min(window_px.x / (1060.0F * scale), window_px.y / (600.0F * scale));
     return std::clamp(room, 1.0F, 1.5F);
+}
+
+float small_type(const Arrangement& arrangement) {
+    return arrangement.presents && !arrangement.bare ? small_type_for_a_room : usual_small_type;
 }
 
 Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
@@ -141,10 +151,21 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
             rounded(split + gap * 0.5F, top + layout.header_height, right, bottom);
         return layout;
     }
-    // The lower views give way first: at least 55 % of the height is the camera's.
-    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * 0.45F - layout.header_height);
+    // The lower views give way first: at least 55 % of the height is the camera's, a little less where a room has to
+    // read them.
+    const float share = arrangement.presents ? 0.52F : 0.45F;
+    const float lower = std::min(px(arrangement.lower_height), (bottom - top) * share - layout.header_height);
     const float split_y = bottom - lower;
+    // In front of a room few controls end with the camera's picture, so that tables below have the width that they
+    // need.
+    const float controls = height_of_controls(arrangement.telling, scale);
+    layout.lower_are_wide = arrangement.presents && panel && !matrices && arrangement.telling.control_rows > 0 &&
+                            controls <= split_y - layout.header_height - top;
     layout.camera = rounded(left, top + layout.header_height, right, split_y - layout.header_height - px(6.0F));
+    if (layout.lower_are_wide) {
+        layout.panel.max.y = layout.camera.max.y;
+        left = gap;
+    }
     cut_caption(layout, arrangement.caption_px, px(3.0F));
     divide_camera(layout, arrangement, gap);
     layout.lower_fit = right - left >= 2.0F * least_lower + gap;

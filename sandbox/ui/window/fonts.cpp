@@ -51,7 +51,7 @@ ImFont* font(const Face& face, float size_px, const ImWchar* korean) {
 
 }  // namespace
 
-widgets::Fonts load_fonts(float scale, Syllables& korean) {
+widgets::Fonts load_fonts(float scale, Syllables& korean, float small_type) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
@@ -63,9 +63,9 @@ widgets::Fonts load_fonts(float scale, Syllables& korean) {
     widgets::Fonts fonts;
     fonts.text = font(regular, 16.0F * scale, syllables);
     fonts.heading = font(semibold, 16.0F * scale, syllables);
-    fonts.note = font(regular, 13.0F * scale, syllables);
+    fonts.note = font(regular, small_type * scale, syllables);
     fonts.number = font(mono, 16.0F * scale, syllables);
-    fonts.small_number = font(mono, 13.0F * scale, syllables);
+    fonts.small_number = font(mono, small_type * scale, syllables);
     fonts.caption = font(regular, 19.0F * scale, syllables);
     ImGui::GetIO().FontDefault = fonts.text;
     return fonts;

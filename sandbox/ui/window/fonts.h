@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include "ui/parts/layout.h"
 #include "ui/window/syllables.h"
 #include "widgets/widgets.h"
 
@@ -10,7 +11,8 @@ namespace viewing {
 
 /// Fills ImGui's font atlas for a scale (pixels per design pixel × the theme's type scale). Call between frames; the
 /// atlas must be uploaded again afterwards, before `korean` changes. A character that no font has is shown as a box.
-widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean);
+/// `small_type`: of notes and of numbers in tables, in design pixels.
+widgets::Fonts load_fonts(float pixels_per_design_pixel, Syllables& korean, float small_type = usual_small_type);
 /// Without Korean.
 widgets::Fonts load_fonts(float pixels_per_design_pixel);
 

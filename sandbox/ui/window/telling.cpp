@@ -11,7 +11,8 @@ namespace {
 /// Rows of the panel that a field's control takes, about.
 int rows_of(const Field& field) {
     const bool has_buttons = field.path == "plane.equation" || field.path == "light.position";
-    const bool has_control = type_name(field) != "lights" && type_name(field) != "planes";
+    const bool is_step = field.path == "view.call" || field.path == "view.triangle";  // the view that steps has it
+    const bool has_control = type_name(field) != "lights" && type_name(field) != "planes" && !is_step;
     return has_buttons ? 2 : has_control ? 1 : 0;
 }
 
@@ -62,14 +63,22 @@ void arrange(Arrangement& arrangement, const Params& params) {
                                          ViewName::matrices};
     const LayoutParams& layout = params.view.layout;
     arrangement.maximised = views[static_cast<std::size_t>(layout.big)];
-    arrangement.panel_folded = is_folded(params, "panel");
-    arrangement.matrices_folded = is_folded(params, "matrices");
     Telling& telling = arrangement.telling;
     telling.matrices = !layout.matrices.empty();
     telling.control_rows = rows_of(layout.controls);
+    const bool would_be_empty = !layout.controls.empty() && telling.control_rows == 0;
+    arrangement.panel_folded = is_folded(params, "panel") || would_be_empty;
+    arrangement.matrices_folded = is_folded(params, "matrices");
+}
+
+Rect wide_lower_area(const Layout& layout) {
+    const float bottom = layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y;
+    return {{layout.top_bar.min.x, layout.panel.max.y}, {layout.top_bar.max.x, bottom}};
 }
 
 Rect views_area(const Layout& layout, const Arrangement& arrangement) {
+    if (layout.lower_are_wide)
+        return {{layout.panel.max.x, layout.top_bar.max.y}, {layout.top_bar.max.x, layout.panel.max.y}};
     const float bottom = layout.strip.empty() ? layout.status_bar.min.y : layout.strip.min.y;
     if (!arrangement.telling.is_on() || arrangement.maximised == ViewName::none)
         return {{layout.panel.max.x, layout.top_bar.max.y},

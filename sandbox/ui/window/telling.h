@@ -22,4 +22,7 @@ void arrange(Arrangement& arrangement, const Params& params);
 /// What the views' window takes.
 Rect views_area(const Layout& layout, const Arrangement& arrangement);
 
+/// What the lower views take of it and of what is below the panel, where they have the whole width.
+Rect wide_lower_area(const Layout& layout);
+
 }  // namespace viewing

@@ -211,6 +211,12 @@ void Workbench::draw_views(Session& session, const Derived& derived, const Frame
     draw_beside_view(views, session, derived, layout, pictures, input, motion);
     if (const NamedFile* preset = open_preset(session))
         draw_caption(*preset, session, layout.caption, layout.caption_is_folded, caption_fold_);
+    if (layout.lower_are_wide) {
+        ImGui::End();
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+        begin_area("lower views", wide_lower_area(layout), ImGuiWindowFlags_NoScrollWithMouse);
+        ImGui::PopStyleVar();
+    }
     const bool is_alone = !layout.lower_fit;
     draw_lower_view(Slot::left, views, session, derived, plan, layout.lower_left, pictures, is_alone);
     draw_lower_view(Slot::right, views, session, derived, plan, layout.lower_right, pictures, is_alone);
@@ -224,7 +230,7 @@ void Workbench::draw_splitters(const Layout& layout, const Rect& between) {
     ImGui::SetCursorScreenPos({lower.min.x, std::max(layout.camera.max.y, layout.caption.max.y)});
     const float length = std::max(layout.lower_right.max.x, lower.max.x) - lower.min.x;
     widgets::Splitter("lower height", false, arrangement.lower_height, 80.0F, 600.0F, length, -1.0F);
-    if (!layout.panel.empty()) {
+    if (!layout.panel.empty() && !layout.lower_are_wide) {
         ImGui::SetCursorScreenPos({between.min.x + px(2.0F), between.min.y});
         widgets::Splitter("panel width", true, arrangement.panel_width, 298.0F, 420.0F, between.height());
     }

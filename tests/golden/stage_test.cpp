@@ -1,0 +1,43 @@
+// What is measured in pictures, in front of a room: tables of pixels and of fighting pairs are seen whole at the sizes
+// of projectors, after each answer, and before it where there is the least room. No references; what needs no GL is
+// tests/ui/lesson_test.cpp's.
+#include "app/resting_window.h"
+#include "gl/gl_test.h"
+#include "lesson/lesson.h"
+#include "ui/parts/topics.h"
+
+namespace viewing {
+namespace {
+
+class RoomTest : public testing::GlTest, public ::testing::WithParamInterface<glm::ivec2> {};
+
+TEST_P(RoomTest, TablesOfPixelsAndOfFightingPairsAreSeenWhole) {
+    int count = 0;
+    for (const LessonFile& file : lessons()) {
+        const Result<Lesson> lesson = load_lesson(file.path.string());
+        ASSERT_TRUE(lesson) << lesson.error();
+        for (std::size_t step = 0; step < lesson->steps.size(); ++step) {
+            const LoadedState& start = lesson->steps[step].start;
+            const bool has_table = is_shown(start.params, Topic::pixel) || is_shown(start.params, Topic::fighting);
+            if (!has_table || start.params.view.layout.big != BigView::none) continue;
+            const Result<Scene> scene = load_scene(start.params.scene, start.base, start.params.coplanar);
+            ASSERT_TRUE(scene) << scene.error();
+            for (const bool revealed : {false, true}) {
+                if (!revealed && GetParam().x > 1024) continue;
+                PictureRequest request{.view = PictureView::window, .size_px = GetParam()};
+                request.lesson = std::make_shared<LessonPicture>(LessonPicture{*lesson, step, revealed, true});
+                RestingWindow window(renderer(), start, *scene);
+                const Status rested = window.rest(request);
+                ASSERT_TRUE(rested) << rested.error();
+                EXPECT_TRUE(window.fits()) << lesson->id << ", step " << step + 1 << (revealed ? ", answered" : "");
+                ++count;
+            }
+        }
+    }
+    EXPECT_GE(count, 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Projectors, RoomTest, ::testing::Values(glm::ivec2(1024, 768), glm::ivec2(1280, 720)));
+
+}  // namespace
+}  // namespace viewing
