@@ -21,8 +21,8 @@ struct Rect {
 
 enum class ViewName { none, camera, lower_left, lower_right, matrices };
 
-/// The small things that the state lists: beside a maximised view a column of matrices above controls at the right; with
-/// all views in place of what the columns show else. What is not listed is not there.
+/// The small things that the state lists: beside a maximised view a column of matrices above controls at the right; in
+/// the columns else. What is not listed is not there.
 struct Telling {
     bool matrices = false;
     int control_rows = 0;  ///< 0: no controls
@@ -72,8 +72,8 @@ struct Layout {
 /// below.
 float enlargement(ImVec2 window_px, float scale, const Arrangement& arrangement);
 
-/// The size of notes and of numbers in tables, in design pixels: what a room reads is nowhere so small as what one reads
-/// alone.
+/// The size of notes and of numbers in tables, in design pixels: what a room reads is nowhere so small as what one
+/// reads alone.
 constexpr float usual_small_type = 13.0F, small_type_for_a_room = 15.0F;
 float small_type(const Arrangement& arrangement);
 
