@@ -114,7 +114,8 @@ class InTheReadme(browser.Checked):
         self.addCleanup(folder.cleanup)
         readme = (native.ROOT / "README.md").read_text(encoding="utf-8")
         example = re.search(r"```html\n(<iframe.*?)```", readme, re.DOTALL).group(1)
-        pathlib.Path(folder.name, "index.html").write_text("<!DOCTYPE html><title>Slides</title>\n" + example, encoding="utf-8")
+        pathlib.Path(folder.name, "index.html").write_text("<!DOCTYPE html><title>Slides</title><link rel=icon href=data:,>\n" + example,
+                                                         encoding="utf-8")
         pathlib.Path(folder.name, "viewing").symlink_to(browser.FOLDER)
         self.page = browser.Page(size=(1000, 700), folder=folder.name)
         self.addCleanup(self.page.close)
@@ -123,7 +124,7 @@ class InTheReadme(browser.Checked):
 
     def logged(self, key):
         """The first of what the page has logged that has this key."""
-        return self.page.until(key, lambda: self.page.js("logged.find((what) => what && arguments[0] in what)", key))
+        return self.page.until(key, lambda: self.page.js("logged.find((what) => what?.[arguments[0]])", key))
 
     def test_the_example_shows_the_matrices_and_turns_the_camera(self):
         self.page.driver.get(self.page.server.address)

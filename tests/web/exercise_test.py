@@ -22,12 +22,12 @@ class Exercise(browser.Test):
         self.page.type(text)
 
     def type_matrix(self, matrix):
-        """From entry to entry by Tab."""
+        """From entry to entry by Tab, faster than the page draws."""
         self.page.click("lesson strip/answers/answer/r0c0", count=2)
         for row in matrix:
             for number in row:
-                self.page.type(f"{number:g}")
-                self.page.key("Tab")
+                self.page.strike(f"{number:g}")
+                self.page.press("Tab")
         self.page.key("Enter")
 
     def grade(self, file, status):
