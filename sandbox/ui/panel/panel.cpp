@@ -2,6 +2,7 @@
 #include "ui/panel/panel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "text/catalogue.h"
@@ -246,11 +247,17 @@ void observer_section(Session& session) {
     control(session.params, "observer.image_space", {.label = marked("Image space")});
 }
 
+/// Leaves room for the longest label; a wider panel has longer sliders.
+float item_width() {
+    const float usual = px(189.0F), room = ImGui::GetContentRegionAvail().x - px(93.0F);
+    return room > usual + px(8.0F) ? std::floor(room) : usual;
+}
+
 }  // namespace
 
 void draw_panel(Session& session, const Derived& derived, const std::vector<Problem>& problems,
                 HiddenPanelState& hidden_state, const HiddenStatus& hidden) {
-    ImGui::PushItemWidth(px(189.0F));  // leaves room for the longest label
+    ImGui::PushItemWidth(item_width());
     named_section("camera",
                   {"control:camera", "lamps", "button:home", "button:frame all", "button:level", "control:slips",
                    "section:slips"},

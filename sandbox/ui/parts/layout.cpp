@@ -30,6 +30,8 @@ void divide_camera(Layout& layout, const Arrangement& arrangement, float gap) {
     layout.beside.max.x = layout.beside.min.x + width;
 }
 
+constexpr float width_of_vectors = 360.0F;  ///< design pixels: of a column with rows of numbers in it
+
 /// What the listed controls need, with their headings.
 float height_of_controls(const Telling& telling, float scale) {
     return (static_cast<float>(telling.control_rows) * 27.0F + 34.0F) * scale;
@@ -43,9 +45,9 @@ Rect cut_small_things(Layout& layout, const Arrangement& arrangement, Rect whole
     const bool has_matrices = telling.matrices && !is_big_matrices && !arrangement.matrices_folded;
     const bool has_controls = telling.control_rows > 0 && !arrangement.panel_folded;
     if (has_matrices || has_controls) {
-        // A matrix is wider than a control.
-        const float least_column = has_matrices ? 360.0F : 298.0F, share = has_matrices ? 0.34F : 0.25F;
-        const float width = std::min(std::max(least_column * scale, share * whole.width()), 0.5F * whole.width());
+        const bool is_wide = has_matrices || telling.has_vectors;
+        const float least = is_wide ? width_of_vectors : arrangement.panel_width, share = is_wide ? 0.34F : 0.25F;
+        const float width = std::min(std::max(least * scale, share * whole.width()), 0.5F * whole.width());
         const Rect column = rounded(whole.max.x - width, whole.min.y, whole.max.x, whole.max.y);
         const float wanted = height_of_controls(telling, scale);
         const float controls = has_matrices ? std::min(wanted, 0.5F * column.height()) : column.height();
@@ -102,7 +104,9 @@ Layout lay_out(ImVec2 window_px, float scale, const Arrangement& arrangement) {
         panel = false;
         matrices = arrangement.beside_matrices && !arrangement.telling.is_on();
     }
-    const float panel_width = px(arrangement.panel_width), matrices_width = px(arrangement.matrices_width);
+    const float least_panel = arrangement.presents && arrangement.telling.has_vectors ? width_of_vectors : 0.0F;
+    const float panel_width = px(std::max(arrangement.panel_width, least_panel)),
+                matrices_width = px(arrangement.matrices_width);
     layout.matrices_fit = !is_short && panel_width + matrices_width + least_view + 2 * gap <= window_px.x;
     if (is_short && strip <= 0.0F && !arrangement.prefers_column) panel = matrices = false;
     if (!layout.matrices_fit && panel && matrices) (arrangement.prefers_matrices ? panel : matrices) = false;

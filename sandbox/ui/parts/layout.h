@@ -25,7 +25,8 @@ enum class ViewName { none, camera, lower_left, lower_right, matrices };
 /// the columns else. What is not listed is not there.
 struct Telling {
     bool matrices = false;
-    int control_rows = 0;  ///< 0: no controls
+    int control_rows = 0;      ///< 0: no controls
+    bool has_vectors = false;  ///< several numbers in a row, whose digits want a wider column
 
     bool is_on() const { return matrices || control_rows > 0; }
 };
