@@ -13,8 +13,7 @@ import native
 
 # Counts how long the main thread stands still: between two turns of a chain of timers. How much of each gap the page spent
 # in frames, and of that in calls of GL that wait for what was drawn (here a processor draws), is counted beside it.
-MEASURE = """
-(() => {
+MEASURE = """(() => {
   const kept = window.kept = {gaps: [], frames: [], frame_ms: 0, gl_ms: 0};
   const timed = (object, name, note) => {
     const does = object[name];
@@ -39,8 +38,7 @@ MEASURE = """
     setTimeout(turn);
   };
   turn();
-})()
-"""
+})()"""
 
 
 def kept(page):
@@ -137,7 +135,12 @@ def dropping_torus(around, along):
         faces = [[a % around * along + b % along + 1 for a, b in corners(i, j)] for i in range(around) for j in range(along)]
         file.write_text("".join(f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in points) +
                         "".join(f"f {' '.join(map(str, face))}\n" for face in faces), encoding="utf-8")
-        return lambda: page.drop(file)
+
+        def act():
+            page.drop(file)
+            page.until("the mesh", lambda: str(page.field("scene")).endswith("torus.obj"))
+            page.settle()
+        return act
     return act_at
 
 
