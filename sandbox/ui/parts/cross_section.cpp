@@ -51,6 +51,12 @@ Rect CrossSection::plane_strip() const {
     return {{rect_.min.x, foot.y - half}, {rect_.max.x, foot.y + half}};
 }
 
+Rect CrossSection::normal_area() const {
+    const ImVec2 foot = place(glm::dvec2(0.0));
+    if (upright_) return {{foot.x - px(26.0F), rect_.max.y - px(36.0F)}, {foot.x + px(42.0F), rect_.max.y - px(9.0F)}};
+    return {{rect_.min.x + px(7.0F), foot.y - px(35.0F)}, {rect_.min.x + px(30.0F), foot.y + px(35.0F)}};
+}
+
 void CrossSection::draw_plane(ImDrawList* draw, bool along_up) const {
     const ImVec2 foot = place(glm::dvec2(0.0));
     const ImU32 color = palette().plane, shade = with_alpha(color, 30);

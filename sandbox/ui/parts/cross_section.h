@@ -29,6 +29,8 @@ public:
 
     /// Of the screen, around the plane's line: labels keep off it.
     Rect plane_strip() const;
+    /// Where the normal and its letter may be, on either side.
+    Rect normal_area() const;
 
     const Rect& rect() const { return rect_; }
 

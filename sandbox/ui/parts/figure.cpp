@@ -89,7 +89,10 @@ void Figure::dimension(const glm::dvec3& from, const glm::dvec3& to, const char*
     ImGui::PushFont(number_font());
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 at(a.x - px(5.0F) - size.x, std::round(middle.y - size.y * 0.5F));
-    const bool has_room_left = at.x >= section_.rect().min.x;
+    const Rect normal = section_.normal_area();
+    const bool meets_normal =
+        at.x < normal.max.x && at.x + size.x > normal.min.x && at.y < normal.max.y && at.y + size.y > normal.min.y;
+    const bool has_room_left = at.x >= section_.rect().min.x && !meets_normal;
     if (has_room_left) {
         widgets::HaloText(draw_, at, color, text.c_str());
         taken_.push_back({at, {a.x + tick, at.y + size.y}});

@@ -28,7 +28,7 @@ ViewWindow::~ViewWindow() {
 float note_height(const char* text) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x);
-    const float height = ImGui::CalcTextSize(text, nullptr, false, width).y;
+    const float height = ImGui::CalcTextSize(widgets::BrokenAtBlanks(text, width).c_str(), nullptr, false, width).y;
     ImGui::PopFont();
     return height;
 }
