@@ -66,7 +66,7 @@ void arrange(Arrangement& arrangement, const Params& params) {
     Telling& telling = arrangement.telling;
     telling.matrices = !layout.matrices.empty();
     telling.control_rows = rows_of(layout.controls);
-    telling.has_vectors = std::ranges::any_of(layout.controls, [](const std::string& path) {
+    telling.has_vectors = std::any_of(layout.controls.begin(), layout.controls.end(), [](const std::string& path) {
         return path == "camera" || path == "camera.position" || path == "light.position" || path == "plane.equation";
     });
     const bool would_be_empty = !layout.controls.empty() && telling.control_rows == 0;
