@@ -255,6 +255,13 @@ Drawing Studio::record() const {
     return drawing;
 }
 
+void Studio::present() const {
+    const glm::ivec2 size_px = window_.size_px();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, window_.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 Image Studio::read() const {
     return {window_.size_px().x, window_.size_px().y, gl::read_pixels(window_.framebuffer(), window_.size_px())};
 }

@@ -44,7 +44,8 @@ public:
     /// One colour for all grounds, in pictures and around them, in the place of the theme's; before the first frame.
     void set_ground(Color color);
 
-    GLuint framebuffer() const { return window_.framebuffer(); }
+    /// Copies the latest frame to the framebuffer of the screen.
+    void present() const;
     Image read() const;
     /// The latest frame as shapes, text and pictures, where its lines were drawn without textures.
     Drawing record() const;

@@ -40,6 +40,26 @@ Status WindowMemory::remember(const Remembered& now) {
     return ended.value_or(std::monostate{});
 }
 
+Status WindowMemory::follow(const Requests& requests, const Workbench& workbench, bool keeps_answers) {
+    Remembered now = remembered_;
+    if (requests.chosen_theme) now.theme = requests.chosen_theme;
+    if (requests.chosen_language) now.language = requests.chosen_language;
+    if (requests.chosen_scale) now.scale = requests.chosen_scale;
+    now.lessons = workbench.progress;
+    now.recent = workbench.recent;
+    if (keeps_answers) now.student = workbench.exercises.student();
+    return remember(now);
+}
+
+void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
+    workbench.progress = remembered_.lessons;
+    workbench.recent = remembered_.recent;
+    if (!keeps_answers) return;
+    const std::filesystem::path file = remembered_file();
+    workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
+    workbench.exercises.sit_down(remembered_.student);
+}
+
 Status WindowMemory::finish() {
     writing_.wait(-1.0);
     Status last = writing_.take().value_or(std::monostate{});

@@ -6,6 +6,7 @@
 
 #include "platform/background.h"
 #include "state/remembered.h"
+#include "ui/window/workbench.h"
 
 namespace viewing {
 
@@ -27,6 +28,11 @@ public:
     /// Has what has changed written, beside the window: called once a frame it tells what came of it, an error as one
     /// sentence. While one is being written, the next waits and only the latest is kept.
     Status remember(const Remembered& now);
+    /// Remembers what was chosen in this frame and how far the person is. `keeps_answers`: the exercises are their own,
+    /// not a hand-in that is looked at.
+    Status follow(const Requests& requests, const Workbench& workbench, bool keeps_answers);
+    /// Gives a window that opens what it had the last time.
+    void restore(Workbench& workbench, bool keeps_answers) const;
     /// Waits until all is written.
     Status finish();
 

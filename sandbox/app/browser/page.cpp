@@ -87,24 +87,6 @@ void obey(const Requests& requests) {
     page->any |= requests.snapshot || requests.view_picture.has_value();
 }
 
-void remember(const Requests& requests) {
-    Remembered looks = page->memory.remembered();
-    if (requests.chosen_theme) looks.theme = requests.chosen_theme;
-    if (requests.chosen_language) looks.language = requests.chosen_language;
-    if (requests.chosen_scale) looks.scale = requests.chosen_scale;
-    Workbench& workbench = page->studio.workbench;
-    looks.lessons = workbench.progress;
-    looks.recent = workbench.recent;
-    looks.student = workbench.exercises.student();
-    page->studio.session.report(page->memory.remember(looks));
-}
-
-void present(glm::ivec2 size_px) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, page->studio.framebuffer());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
 /// What a link names, as it stands behind the page's address.
 void open_link(const std::string& text) {
     Session& session = page->studio.session;
@@ -207,11 +189,7 @@ void open_page() {
     Result<Session> session = Session::begin(state, 0.0);
     if (!session) return page_tell_trouble(session.error().c_str());
     page = std::make_unique<Page>(*std::move(renderer), std::move(memory), *std::move(session));
-    Workbench& workbench = page->studio.workbench;
-    workbench.progress = page->memory.remembered().lessons;
-    workbench.recent = page->memory.remembered().recent;
-    workbench.exercises.keep_in(remembered_file().parent_path() / "answers", VIEWING_SANDBOX_VERSION);
-    workbench.exercises.sit_down(page->memory.remembered().student);
+    page->memory.restore(page->studio.workbench, true);
     if (!page->memory.trouble().empty()) page->studio.session.message = {page->memory.trouble(), true};
     name_imgui_keys();
     ImGuiIO& io = ImGui::GetIO();
@@ -246,8 +224,8 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     const glm::ivec2 size_px(width_px, height_px);
     const Requests requests = page->studio.frame({size_px, scale, true, frame.input});
     obey(requests);
-    remember(requests);
-    present(size_px);
+    page->studio.session.report(page->memory.follow(requests, page->studio.workbench, true));
+    page->studio.present();
     return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
 }
 

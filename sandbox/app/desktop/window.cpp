@@ -156,13 +156,6 @@ private:
     int x_ = 0, y_ = 0, width_ = 1280, height_ = 720;
 };
 
-void present(GLFWwindow* window, const Studio& studio, glm::ivec2 size_px) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, studio.framebuffer());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, size_px.x, size_px.y, 0, 0, size_px.x, size_px.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glfwSwapBuffers(window);
-}
-
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
               LectureNotes& notes, bool keeps_answers) {
     FullScreen full_screen;
@@ -199,17 +192,11 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             write_view_picture(renderer, studio, requests.view_picture->file);
             events.any = true;
         }
-        Remembered looks = memory.remembered();
-        if (requests.chosen_theme) looks.theme = requests.chosen_theme;
-        if (requests.chosen_language) looks.language = requests.chosen_language;
-        if (requests.chosen_scale) looks.scale = requests.chosen_scale;
-        looks.lessons = studio.workbench.progress;
-        looks.recent = studio.workbench.recent;
-        if (keeps_answers) looks.student = studio.workbench.exercises.student();
-        studio.session.report(memory.remember(looks));
+        studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
         if (requests.toggle_full_screen) full_screen.toggle(window);
         if (requests.full_screen) full_screen.set(window, *requests.full_screen);
-        present(window, studio, size_px);
+        studio.present();
+        glfwSwapBuffers(window);
         studio.session.report(
             notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
         notes.draw(studio.session.params.ui.theme, device_scale);
@@ -247,8 +234,7 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     if (!renderer) return Error{renderer.error()};
     Studio studio(*renderer, std::move(session));
     Workbench& workbench = studio.workbench;
-    workbench.progress = memory.remembered().lessons;
-    workbench.recent = memory.remembered().recent;
+    memory.restore(workbench, !start.hand_in);
     if (start.lesson) {
         workbench.guide.begin(start.lesson->lesson, start.lesson->step, studio.session);
         if (start.lesson->presents) workbench.presenter.begin();
@@ -257,10 +243,6 @@ Status run_window(Session session, const WindowStart& start, WindowMemory& memor
     if (start.hand_in) {
         workbench.exercises.take_hand_in(*start.hand_in);
         workbench.go_to_exercise(start.exercise, start.replays);
-    } else {
-        const std::filesystem::path file = remembered_file();
-        workbench.exercises.keep_in(file.empty() ? file : file.parent_path() / "answers", VIEWING_SANDBOX_VERSION);
-        workbench.exercises.sit_down(memory.remembered().student);
     }
     const WakeUp wake_up;
     Events events(window);
