@@ -6,9 +6,6 @@
 namespace viewing {
 namespace {
 
-/// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
-constexpr int most_frames = 12;
-
 /// The user interface, or the part of it that is asked for.
 Result<Image> draw_window(Renderer& renderer, const LoadedState& state, const Scene& scene,
                           const PictureRequest& request, std::optional<Color> ground) {

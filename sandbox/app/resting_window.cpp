@@ -9,8 +9,6 @@
 namespace viewing {
 namespace {
 
-/// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
-constexpr int most_frames = 12;
 /// Below half of its size type cannot be read any more; beyond twice it is more than a figure wants.
 constexpr double least_size = 0.5, most_size = 2.0;
 /// Of the height: what takes as much is not drawn larger.

@@ -8,6 +8,9 @@
 
 namespace viewing {
 
+/// The longest that the user interface may need to come to rest: ImGui lays out in two frames, sections in one more.
+inline constexpr int most_frames = 12;
+
 /// One view alone, with nothing that can only be pressed, or the whole window; the pointer is nowhere.
 void show(Studio& studio, ViewName maximised);
 

@@ -163,7 +163,7 @@ Json value_at(lua_State* lua, int index, int depth) {
 
 // ---- names ---------------------------------------------------------------------------------------------------------
 
-const ExpressionName* name_of(std::string_view word) {
+const ExpressionName* expression_name(std::string_view word) {
     const std::vector<ExpressionName>& names = expression_names();
     const auto at = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.name == word; });
     return at == names.end() ? nullptr : &*at;
@@ -198,7 +198,7 @@ int find_name(lua_State* lua) {
         push_value(lua, *constant, word);
         return 1;
     }
-    const ExpressionName* const name = name_of(word);
+    const ExpressionName* const name = expression_name(word);
     if (!name) raise(lua, unknown_name(word));
     if (word == "answer") {
         push_value(lua, evaluation_of(lua).surroundings.answer, word);
@@ -278,7 +278,7 @@ const std::set<std::string, std::less<>>& words_of_lua() {
 
 Status check_words(const std::string& source, std::span<const std::string> constants) {
     for (const std::string& word : words_of(source)) {
-        if (words_of_lua().contains(word) || name_of(word)) continue;
+        if (words_of_lua().contains(word) || expression_name(word)) continue;
         if (std::find(constants.begin(), constants.end(), word) != constants.end()) continue;
         return Error{unknown_name(word)};
     }
@@ -320,7 +320,7 @@ bool is_constant_name(const std::string& word) {
     static const std::set<std::string, std::less<>> reserved = {
         "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
         "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
-    const ExpressionName* const name = name_of(word);
+    const ExpressionName* const name = expression_name(word);
     return !word.empty() && starts_word(word.front()) && std::all_of(word.begin(), word.end(), continues_word) &&
            !reserved.contains(word) && !(name && name->kind == NameKind::mathematics);
 }
@@ -336,7 +336,7 @@ Status check_expression(const std::string& expression, std::span<const std::stri
 bool is_measured(const std::string& expression) {
     const std::vector<std::string> words = words_of(expression);
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-        const ExpressionName* const name = name_of(word);
+        const ExpressionName* const name = expression_name(word);
         return name && name->kind == NameKind::measured;
     });
 }

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t longest_text = 16384;  // bytes
+constexpr std::size_t longest_answer = 16384;  // bytes
 constexpr double largest_number = 1e300;
 constexpr std::size_t most_items = 200, most_numbers = 64, most_settings = 64;
 
@@ -17,7 +17,7 @@ std::string text_in(const Json& object, const char* key, const Where& where) {
     if (!has(object, key)) return "";
     if (!object[key].is_string()) refuse_value(object[key], where.key(key), "a text");
     std::string text = object[key].get<std::string>();
-    if (text.size() > longest_text) where.key(key).refuse("longer than " + std::to_string(longest_text) + " bytes");
+    if (text.size() > longest_answer) where.key(key).refuse("longer than " + std::to_string(longest_answer) + " bytes");
     return text;
 }
 

@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-constexpr int most_entries = 4;
+constexpr int largest_dimension = 4;
 
 /// A number (0 × 0), a vector (n × 0) or a matrix (n × m): what a table of numbers is, with up to 4 × 4 entries.
 struct Tensor {
@@ -82,7 +82,7 @@ double number_at(lua_State* lua, int argument, int table, int index) {
 
 int size_at(lua_State* lua, int argument, int table) {
     const int size = count_of(lua, table);
-    if (size < 1 || size > most_entries) luaL_argerror(lua, argument, "must have one to four entries");
+    if (size < 1 || size > largest_dimension) luaL_argerror(lua, argument, "must have one to four entries");
     return size;
 }
 
@@ -117,7 +117,7 @@ double scalar_at(lua_State* lua, int argument) {
     return luaL_checknumber(lua, argument);
 }
 
-Tensor vector_at(lua_State* lua, int argument, int least = 1, int most = most_entries) {
+Tensor vector_at(lua_State* lua, int argument, int least = 1, int most = largest_dimension) {
     const Tensor vector = tensor_at(lua, argument);
     if (!vector.is_vector() || vector.rows < least || vector.rows > most)
         luaL_argerror(lua, argument,
@@ -590,7 +590,7 @@ constexpr MathematicsName constants[] = {
     {"pi", "pi", "3.14159…"},
 };
 
-std::vector<MathematicsName> all_names() {
+std::vector<MathematicsName> all_mathematics_names() {
     std::vector<MathematicsName> names;
     for (const Function& function : functions) names.push_back(function.name);
     names.insert(names.end(), std::begin(constants), std::end(constants));
@@ -600,7 +600,7 @@ std::vector<MathematicsName> all_names() {
 }  // namespace
 
 std::span<const MathematicsName> mathematics_names() {
-    static const std::vector<MathematicsName> names = all_names();
+    static const std::vector<MathematicsName> names = all_mathematics_names();
     return names;
 }
 

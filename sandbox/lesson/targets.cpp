@@ -20,17 +20,17 @@ struct Kind {
 constexpr const char* sections[] = {"camera", "slips", "projection", "visibility", "depth",
                                     "light",  "plane", "shadow",     "observer"};
 constexpr const char* matrices[] = {"S", "R", "V", "C", "P"};
-constexpr const char* codes[] = {"display",
-                                 "display.projection",
-                                 "display.rotate",
-                                 "display.rotate.roll",
-                                 "display.rotate.pitch",
-                                 "display.rotate.yaw",
-                                 "display.translate",
-                                 "passes",
-                                 "lecture",
-                                 "lecture.shadow",
-                                 "lecture.mirror"};
+constexpr const char* code_views[] = {"display",
+                                      "display.projection",
+                                      "display.rotate",
+                                      "display.rotate.roll",
+                                      "display.rotate.pitch",
+                                      "display.rotate.yaw",
+                                      "display.translate",
+                                      "passes",
+                                      "lecture",
+                                      "lecture.shadow",
+                                      "lecture.mirror"};
 constexpr const char* charts[] = {"precision.near", "precision.far", "precision.quantisation", "precision.arithmetic"};
 constexpr const char* columns[] = {
     "fighting.pair",      "fighting.z",         "fighting.gap",     "fighting.step",         "fighting.safe_gap",
@@ -49,7 +49,7 @@ constexpr const char* texts[] = {"mirror_derivation",        "mirror_derivation.
 constexpr const char* labels[] = {"mirrored", "heights"};
 constexpr const char* notes[] = {"depth_step"};
 constexpr const char* bars[] = {"pixel"};
-constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", codes},      {"chart", charts},
+constexpr Kind kinds[] = {{"section", sections}, {"matrix", matrices}, {"code", code_views}, {"chart", charts},
                           {"column", columns},   {"fact", facts},      {"follow", followed}, {"button", buttons},
                           {"text", texts},       {"label", labels},    {"note", notes},      {"bar", bars}};
 /// What is said anywhere: red sentences, advice on z-near, formulas of tooltips, links between entries and controls.

@@ -156,6 +156,11 @@ Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     return write_files({&file, 1});
 }
 
+bool is_there(const fs::path& file) {
+    std::error_code unknown;
+    return fs::exists(file, unknown);
+}
+
 bool are_same_file(const fs::path& a, const fs::path& b) {
     struct stat of_a {
     }, of_b{};

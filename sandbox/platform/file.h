@@ -46,6 +46,9 @@ std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 /// for a longer one, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
+/// Whether there is such a file or folder; one that cannot be looked at is not.
+bool is_there(const std::filesystem::path& file);
+
 /// Whether two names are those of one file or folder, through links of both kinds, "." and ".."; of files that are not
 /// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);

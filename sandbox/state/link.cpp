@@ -101,10 +101,6 @@ struct Parts {
 constexpr std::array<std::string_view, 3> keys{"preset", "lesson", "step"};
 constexpr const char* known_parts = "a state, preset=NAME, or lesson=ID and step=N";
 
-bool is_digit(char sign) {
-    return sign >= '0' && sign <= '9';
-}
-
 Result<Parts> parts_of(std::string_view fragment) {
     Parts parts;
     for (std::string_view rest = fragment; !rest.empty();) {

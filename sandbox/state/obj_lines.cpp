@@ -18,9 +18,6 @@ constexpr std::size_t longest_line = 1U << 20U;
 constexpr std::size_t longest_number = 64;
 constexpr double largest_coordinate = 1e12;
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_space(char c) {
     return c == ' ' || c == '\t';
 }

@@ -30,11 +30,6 @@ T or_broken(Result<T> result) {
     return *std::move(result);
 }
 
-bool is_there(const fs::path& file) {
-    std::error_code unknown;
-    return fs::exists(file, unknown);
-}
-
 class Check {
 public:
     Check(const Suite& suite, const SuiteEntry& entry, const CheckWish& wish, Renderer& renderer)

@@ -30,11 +30,6 @@ Status copied(const fs::path& from, const fs::path& to) {
     return std::monostate{};
 }
 
-bool is_there(const fs::path& file) {
-    std::error_code unknown;
-    return fs::exists(file, unknown);
-}
-
 std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }

@@ -14,6 +14,10 @@ constexpr bool continues_character(char byte) {
     return (byte & 0xC0) == 0x80;
 }
 
+constexpr bool is_digit(char byte) {
+    return byte >= '0' && byte <= '9';
+}
+
 /// Characters, not bytes.
 std::size_t character_count(std::string_view text);
 

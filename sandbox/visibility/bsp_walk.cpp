@@ -7,9 +7,6 @@
 namespace viewing {
 namespace {
 
-/// Below this sine a direction counts as lying in a plane.
-constexpr double parallel_sine = 1e-12;
-
 int side_of_eye(const BspTree& tree, const BspNode& node, const glm::dvec4& eye_world) {
     const double distance = glm::dot(node.plane, eye_world);
     const double tolerance = eye_world.w != 0.0 ? tree.epsilon : parallel_sine;

@@ -7,10 +7,6 @@
 namespace viewing {
 namespace {
 
-/// Below this sine a direction counts as lying in a plane.
-constexpr double parallel_sine = 1e-12;
-constexpr double smallest_relative_area = 1e-12;
-
 Facing facing_of(double signed_measure, double tolerance, FrontFace front) {
     if (std::abs(signed_measure) <= tolerance) return Facing::neither;
     return (signed_measure > 0.0) == (front == FrontFace::ccw) ? Facing::towards : Facing::away;

@@ -8,7 +8,6 @@ namespace viewing {
 namespace {
 
 constexpr double relative_epsilon = 1e-9;
-constexpr double smallest_relative_area = 1e-12;
 
 /// The normal whose length is twice the area. Differences from a corner, not coordinates, keep far objects exact.
 glm::dvec3 twice_area_normal(const std::vector<glm::dvec3>& corners) {

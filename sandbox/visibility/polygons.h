@@ -20,6 +20,11 @@ struct Polygon {
     int source = 0;                    ///< number of the input triangle: what id images hold
 };
 
+/// Below this sine a direction counts as lying in a plane.
+inline constexpr double parallel_sine = 1e-12;
+/// Twice an area below this share of the longest edge squared is none.
+inline constexpr double smallest_relative_area = 1e-12;
+
 /// The polygon with these corners, or none when it has no area: fewer than three corners, twice the area at most 1e−12
 /// of the longest edge squared, or a corner that is not finite. Corners that are slightly out of plane get the mean
 /// plane: its normal is the area's, and it goes through the mean of the corners.

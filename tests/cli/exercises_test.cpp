@@ -11,10 +11,6 @@ namespace {
 
 class ExercisesCommand : public Program {};
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {

@@ -38,10 +38,6 @@ constexpr const char* near_exercise =
 constexpr const char* shadow_matrix = "[[4, -1, 0, 0], [0, 0, 0, 0], [0, -1, 4, 0], [0, -1, 0, 4]]";
 constexpr const char* transposed_matrix = "[[4, 0, 0, 0], [-1, 0, -1, -1], [0, 0, 4, 0], [0, 0, 0, 4]]";
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 std::size_t count_of(const std::string& text, const std::string& part) {
     std::size_t count = 0;
     for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;

@@ -8,10 +8,6 @@ namespace {
 
 class LessonCommand : public Program {};
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// A lesson of one step; `claim` must hold after its answer.
 std::string lesson_with(const std::string& claim, const std::string& wrong_try = "10") {
     return R"({"lesson": 1, "id": "mine", "title": "Mine", "tags": {"T": "ten"}, "steps": [{"id": "one", "say": "Look.",

@@ -11,6 +11,11 @@
 
 namespace cli_tests {
 
+/// Whether a text has this part.
+inline bool has(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 /// How a run ended: exit status (128 + signal when killed), standard output, standard error.
 struct Ended {
     int status = -1;

@@ -10,10 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 class SuiteCommand : public Program {
 protected:
     /// Two pictures and the numbers of one; `settings` on top of all.

@@ -14,10 +14,6 @@ class Usage : public Program {};
 const std::vector<std::string> command_names{"open",  "snapshot", "compare", "matrices", "inspect", "measure",
                                              "state", "params",   "presets", "doctor",   "lesson"};
 
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 TEST_F(Usage, HelpNamesEveryCommandAndEveryExitStatus) {
     for (const char* asked : {"--help", "-h", "help"}) {
         const std::string help = expect(0, {asked}).out;

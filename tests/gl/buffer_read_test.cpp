@@ -14,20 +14,20 @@ namespace {
 using testing::params_with;
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 read_px(160, 90);
 const char* const formats[] = {"d4", "d8", "d12", "d16", "d24", "d32f"};
 const char* const mappings[] = {"standard", "reversed", "logarithmic"};
 
-std::string setting(const char* path, const char* value) {
+std::string set_to(const char* path, const char* value) {
     return std::string(path) + "=" + value;
 }
 
 class BufferRead : public testing::GlTest {
 protected:
     static PixelProbe probe_of(const Params& params, const Scene& scene, Renderer& with = renderer()) {
-        const Derived derived = derive(params, scene, {size_px, with.capabilities().clip_control});
+        const Derived derived = derive(params, scene, {read_px, with.capabilities().clip_control});
         PixelProbe probe;
-        const Status prepared = probe.prepare(with, plan(params, derived), scene, derived, size_px);
+        const Status prepared = probe.prepare(with, plan(params, derived), scene, derived, read_px);
         EXPECT_TRUE(prepared) << prepared.error();
         return probe;
     }
@@ -46,7 +46,7 @@ protected:
 TEST_F(BufferRead, BlocksHoldThePixelsOneByOne) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const format : formats) {
-        const PixelProbe probe = probe_of(params_with({setting("depth.format", format)}), scene);
+        const PixelProbe probe = probe_of(params_with({set_to("depth.format", format)}), scene);
         const CellBlock block = probe.block({70, 35}, {13, 9});
         ASSERT_EQ(block.size, glm::ivec2(13, 9));
         ASSERT_EQ(block.cells.size(), 13U * 9U);
@@ -81,9 +81,9 @@ TEST_F(BufferRead, GivesTheSameWhereGlCannotReadDepthAndStencil) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const mapping : mappings)
         for (const char* const format : formats) {
-            const Params params = params_with({setting("depth.format", format), setting("depth.mapping", mapping)});
+            const Params params = params_with({set_to("depth.format", format), set_to("depth.mapping", mapping)});
             const PixelProbe read = probe_of(params, scene), drawn = probe_of(params, scene, without);
-            const CellBlock expected = read.block({0, 0}, size_px), found = drawn.block({0, 0}, size_px);
+            const CellBlock expected = read.block({0, 0}, read_px), found = drawn.block({0, 0}, read_px);
             const std::uint32_t allowed = std::string(format) == "d24" ? 1 : 0;
             for (std::size_t i = 0; i < expected.cells.size(); ++i) {
                 EXPECT_EQ(found.cells[i].color, expected.cells[i].color);
@@ -119,7 +119,7 @@ TEST_F(BufferRead, StencilIsReadByItsBits) {
     const Params params = params_with({"camera.position=[0,0,0]", "camera.yaw=0", "camera.pitch=0",
                                        "shadow.enabled=false", "reflection.enabled=false", "plane.extent=0.001",
                                        "plane.equation=[0,1,0,1000000]", "projection.fovy=40"});
-    const Derived derived = derive_for(params, scene, size_px);
+    const Derived derived = derive_for(params, scene, read_px);
     FramePlan frame = plan(params, derived);
     frame.passes.back().marks_objects = true;
     frame.passes.back().stencil = {true, CompareFunc::always, 0, StencilOp::replace};
@@ -128,10 +128,10 @@ TEST_F(BufferRead, StencilIsReadByItsBits) {
         frame.depth_format = format;
         for (Renderer* const with : {&renderer(), &without}) {
             PixelProbe probe;
-            ASSERT_TRUE(probe.prepare(*with, frame, scene, derived, size_px));
+            ASSERT_TRUE(probe.prepare(*with, frame, scene, derived, read_px));
             for (int i = 0; i < 16; ++i) {
                 const glm::dvec3 point(i * 0.5 - 3.75, 0.3, -10);
-                EXPECT_EQ(probe.at(testing::pixel_of(point, derived, size_px), scene).stencil, i * 17)
+                EXPECT_EQ(probe.at(testing::pixel_of(point, derived, read_px), scene).stencil, i * 17)
                     << "format " << static_cast<int>(format);
             }
         }
@@ -144,12 +144,12 @@ TEST_F(BufferRead, WorksWithNothingBeyondTheCommonSubset) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const format : formats) {
         const PixelProbe probe =
-            probe_of(params_with({setting("depth.format", format), "depth.mapping=reversed"}), scene, *plain);
+            probe_of(params_with({set_to("depth.format", format), "depth.mapping=reversed"}), scene, *plain);
         const PixelReport report = probe.at({80, 45}, scene);
         EXPECT_TRUE(report.written);
         EXPECT_LT(report.eye_z, -1.0) << format;
         EXPECT_GT(report.eye_z, -40.0) << format;
-        EXPECT_EQ(probe.block({0, 0}, size_px).cells.size(), 160U * 90U);
+        EXPECT_EQ(probe.block({0, 0}, read_px).cells.size(), 160U * 90U);
         const DepthCounts counts = probe.count_depths();
         EXPECT_EQ(std::accumulate(counts.counts.begin(), counts.counts.end(), counts.unwritten), 160U * 90U);
     }
@@ -160,14 +160,14 @@ TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
     for (const char* const scale : {"linear", "window"})
         for (const char* const mapping : mappings)
             for (const char* const format : formats) {
-                const Params params = params_with({setting("depth.format", format), setting("depth.mapping", mapping),
-                                                   setting("view.depth_scale", scale)});
+                const Params params = params_with({set_to("depth.format", format), set_to("depth.mapping", mapping),
+                                                   set_to("view.depth_scale", scale)});
                 const PixelProbe probe = probe_of(params, scene);
                 const DepthCounts counts = probe.count_depths();
                 const double cleared = std::string(mapping) == "reversed" ? 0.0 : 1.0;
                 std::vector<int> expected(counts.counts.size(), 0);
                 std::uint64_t unwritten = 0;
-                for (const BufferCell& cell : probe.block({0, 0}, size_px).cells) {
+                for (const BufferCell& cell : probe.block({0, 0}, read_px).cells) {
                     if (cell.window_depth == cleared) {
                         ++unwritten;
                         continue;
@@ -191,9 +191,9 @@ TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
 TEST_F(BufferRead, OfAViewWithSamplesNothingIsCounted) {
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"view.samples=4"});
-    const FramePlan frame = plan(params, derive_for(params, scene, size_px));
+    const FramePlan frame = plan(params, derive_for(params, scene, read_px));
     View view;
-    draw(frame, scene, size_px, renderer(), view);
+    draw(frame, scene, read_px, renderer(), view);
     Result<BufferReader> reader = BufferReader::make(renderer().capabilities());
     ASSERT_TRUE(reader);
     const DepthCounts counts = reader->count_depths(view, frame);

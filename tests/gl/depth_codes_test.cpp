@@ -16,7 +16,7 @@ namespace {
 using testing::object;
 using testing::scene_of;
 
-constexpr glm::ivec2 size_px(8, 8);
+constexpr glm::ivec2 codes_px(8, 8);
 
 using Exact = long double;
 
@@ -41,11 +41,11 @@ protected:
         SceneObject quad = object("quad", quad_mesh(), {0, 0, 0});
         quad.world_from_model = world_from_model({0, 0, -distance}, {0, 90, 0}, glm::dvec3(distance + 20.0));
         const Scene scene = scene_of({quad});
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, codes_px);
         PixelProbe probe;
-        const Status prepared = probe.prepare(renderer(), plan(params, derived), scene, derived, size_px);
+        const Status prepared = probe.prepare(renderer(), plan(params, derived), scene, derived, codes_px);
         EXPECT_TRUE(prepared);
-        return probe.at(size_px / 2, scene);
+        return probe.at(codes_px / 2, scene);
     }
 };
 
@@ -116,12 +116,11 @@ struct Worst {
 
 TEST_F(DepthCodes, AreWhatTheFormulaSays) {
     Random random(seed);
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    const int trials = 60 * std::max(longer ? std::atoi(longer) : 1, 1);
+    const int count = testing::trials(60);
     std::map<std::string, Worst> worst;
     for (int format = 0; format < 12; ++format) {
         for (const DepthMapping mapping : {DepthMapping::standard, DepthMapping::reversed, DepthMapping::logarithmic}) {
-            for (int trial = 0; trial < trials; ++trial) {
+            for (int trial = 0; trial < count; ++trial) {
                 const Sample sample = Sample::any(random, static_cast<DepthFormat>(format), mapping, trial % 4 == 3);
                 const PixelReport report = measure(sample.params, sample.distance);
                 const std::string what =
@@ -204,9 +203,9 @@ TEST_F(DepthCodes, OfTheBackgroundIsTheClearedValue) {
     for (const char* const mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
         const Params params = testing::params_with({mapping, "plane.extent=0.001", "plane.equation=[0,1,0,1000000]"});
         const Scene empty = scene_of({});
-        const Derived derived = derive_for(params, empty, size_px);
+        const Derived derived = derive_for(params, empty, codes_px);
         PixelProbe probe;
-        ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), empty, derived, size_px));
+        ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), empty, derived, codes_px));
         const PixelReport report = probe.at({3, 3}, empty);
         EXPECT_FALSE(report.written);
         EXPECT_EQ(report.object, "");

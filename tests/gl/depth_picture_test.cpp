@@ -14,7 +14,7 @@ using testing::rgb_at;
 using testing::scene_of;
 using testing::worst_channel;
 
-constexpr glm::ivec2 size_px(16, 16);
+constexpr glm::ivec2 depths_px(16, 16);
 constexpr double near = 0.5, far = 40.0;
 
 class DepthPicture : public testing::GlTest {
@@ -28,7 +28,7 @@ protected:
         settings.insert(settings.end(), more.begin(), more.end());
         SceneObject quad = object("quad", quad_mesh(), {0, 0, 0});
         quad.world_from_model = world_from_model({0, 0, -distance}, {0, 90, 0}, glm::dvec3(distance * 2.0));
-        return rgb_at(draw(params_with(settings), scene_of({quad}), size_px), size_px / 2);
+        return rgb_at(draw(params_with(settings), scene_of({quad}), depths_px), depths_px / 2);
     }
 };
 
@@ -111,11 +111,11 @@ TEST_F(DepthPicture, PixelsThatWereNeverWrittenStayTinted) {
 TEST_F(DepthPicture, ARangeWithoutWidthIsAStep) {
     Params params = params_with({"view.shows=depth"});
     const Scene scene = testing::box_scene();
-    FramePlan frame = plan(params, derive_for(params, scene, size_px));
+    FramePlan frame = plan(params, derive_for(params, scene, depths_px));
     frame.shown_range = {5.0, 5.0};
-    const Image image = draw(frame, scene, size_px);
-    for (int y = 0; y < size_px.y; ++y)
-        for (int x = 0; x < size_px.x; ++x) {
+    const Image image = draw(frame, scene, depths_px);
+    for (int y = 0; y < depths_px.y; ++y)
+        for (int x = 0; x < depths_px.x; ++x) {
             const Rgb color = rgb_at(image, {x, y});
             EXPECT_TRUE(color == Rgb(0) || color == Rgb(255) || color.b > color.r) << x << ", " << y;
         }

@@ -10,17 +10,17 @@ namespace {
 using testing::params_with;
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 limited_px(160, 90);
 
 class DrawLimits : public testing::GlTest {
 protected:
     static FramePlan plan_of(const std::vector<std::string>& settings, const Scene& scene) {
         const Params params = params_with(settings);
-        return plan(params, derive_for(params, scene, size_px));
+        return plan(params, derive_for(params, scene, limited_px));
     }
     static Image stopped_at(FramePlan frame, const DrawLimit& limit, const Scene& scene) {
         frame.limit = limit;
-        return draw(frame, scene, size_px);
+        return draw(frame, scene, limited_px);
     }
 };
 
@@ -37,7 +37,7 @@ TEST_F(DrawLimits, WithinTheObjectsGiveThePictureOfASmallerScene) {
         Mesh cut = *scene.objects[last].mesh;
         cut.indices.resize(static_cast<std::size_t>(triangles) * 3);
         smaller.objects[last].mesh = std::make_shared<const Mesh>(cut);
-        EXPECT_EQ(stopped_at(frame, {static_cast<int>(last) + 1, triangles}, scene), draw(frame, smaller, size_px))
+        EXPECT_EQ(stopped_at(frame, {static_cast<int>(last) + 1, triangles}, scene), draw(frame, smaller, limited_px))
             << "seed " << seed << " object " << last << " triangles " << triangles;
     }
 }
@@ -54,7 +54,7 @@ TEST_F(DrawLimits, BetweenPassesGiveThePictureOfFewerPasses) {
                 if (i + 1 < calls.size() && calls[i + 1].pass == calls[i].pass) continue;
                 FramePlan shorter = frame;
                 shorter.passes.resize(calls[i].pass + 1);
-                EXPECT_EQ(stopped_at(frame, {static_cast<int>(i), -1}, scene), draw(shorter, scene, size_px))
+                EXPECT_EQ(stopped_at(frame, {static_cast<int>(i), -1}, scene), draw(shorter, scene, limited_px))
                     << method << " pass " << calls[i].pass;
             }
         }
@@ -63,7 +63,7 @@ TEST_F(DrawLimits, BetweenPassesGiveThePictureOfFewerPasses) {
 TEST_F(DrawLimits, BeyondTheLastCallLeaveNothingOut) {
     const Scene scene = scene_named("torus-and-boxes");
     const FramePlan frame = plan_of({}, scene);
-    const Image whole = draw(frame, scene, size_px);
+    const Image whole = draw(frame, scene, limited_px);
     const std::vector<DrawCall> calls = draw_calls(frame, scene);
     const int last = static_cast<int>(calls.size()) - 1;
     for (const DrawLimit limit : {DrawLimit{}, DrawLimit{-1, 3}, DrawLimit{last, -1},
@@ -73,15 +73,15 @@ TEST_F(DrawLimits, BeyondTheLastCallLeaveNothingOut) {
 
     FramePlan empty = frame;
     empty.passes.clear();
-    EXPECT_EQ(stopped_at(frame, {0, 0}, scene), draw(empty, scene, size_px));
+    EXPECT_EQ(stopped_at(frame, {0, 0}, scene), draw(empty, scene, limited_px));
 }
 
 TEST_F(DrawLimits, ClearingWithTheMaskOffKeepsDepthsAsNotClearingDoes) {
     const Scene near_scene = testing::box_scene(), far_scene = scene_named("torus-and-boxes");
     const auto second_frame = [&](const std::vector<std::string>& settings) {
         View view;
-        draw(plan_of(settings, near_scene), near_scene, size_px, renderer(), view);
-        return draw(plan_of(settings, far_scene), far_scene, size_px, renderer(), view);
+        draw(plan_of(settings, near_scene), near_scene, limited_px, renderer(), view);
+        return draw(plan_of(settings, far_scene), far_scene, limited_px, renderer(), view);
     };
     for (const std::string mapping : {"depth.mapping=standard", "depth.mapping=reversed"}) {
         const Image cleared = second_frame({mapping}),
@@ -90,8 +90,8 @@ TEST_F(DrawLimits, ClearingWithTheMaskOffKeepsDepthsAsNotClearingDoes) {
         EXPECT_EQ(masked, kept) << mapping;
         EXPECT_GT(testing::pixels_beyond(masked, cleared, 20), 100) << mapping;
         // The first frame of all starts from one frame of itself.
-        EXPECT_EQ(draw(params_with({mapping, "depth.write_while_clearing=false"}), far_scene, size_px),
-                  draw(params_with({mapping, "depth.clear=false"}), far_scene, size_px));
+        EXPECT_EQ(draw(params_with({mapping, "depth.write_while_clearing=false"}), far_scene, limited_px),
+                  draw(params_with({mapping, "depth.clear=false"}), far_scene, limited_px));
     }
 }
 

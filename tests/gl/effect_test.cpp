@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px{120, 80};
+constexpr glm::ivec2 effect_px{120, 80};
 
 class Effect : public testing::GlTest {
 protected:
@@ -30,21 +30,21 @@ protected:
         return *scene;
     }
     static FramePlan plan_of(const Params& params, const Scene& scene) {
-        const Derived derived = derive_for(params, scene, size_px);
-        const std::optional<HiddenQuestion> question = hidden_question(params, derived, size_px);
+        const Derived derived = derive_for(params, scene, effect_px);
+        const std::optional<HiddenQuestion> question = hidden_question(params, derived, effect_px);
         if (!question) return plan(params, derived);
         HiddenSurfaceSolver solver(scene);
         return plan(params, derived, answer_hidden_question(solver, *question).pictures);
     }
     static Image picture_of(const Params& params) {
         const Scene scene = scene_for(params);
-        return draw(plan_of(params, scene), scene, size_px);
+        return draw(plan_of(params, scene), scene, effect_px);
     }
     /// Whether it shows anywhere in the camera's picture.
     static bool has_effect(const Params& before, const Params& after) {
         const Scene scene = scene_for(before), scene_after = scene_for(after);
         const FramePlan a = plan_of(before, scene), b = plan_of(after, scene_after);
-        return a != b && draw(a, scene, size_px) != draw(b, scene_after, size_px);
+        return a != b && draw(a, scene, effect_px) != draw(b, scene_after, effect_px);
     }
 };
 
@@ -110,7 +110,7 @@ TEST_F(Effect, WhatIsSaidToHaveNoneHasNone) {
         const Params params = state_of(preset, settings).params;
         const Scene scene = scene_for(params);
         const FramePlan frame = plan_of(params, scene);
-        const Image picture = draw(frame, scene, size_px);
+        const Image picture = draw(frame, scene, effect_px);
         for (const Field& field : fields()) {
             const std::string_view why = why_without_effect(params, &scene, field.path);
             if (why.empty()) continue;
@@ -119,7 +119,7 @@ TEST_F(Effect, WhatIsSaidToHaveNoneHasNone) {
                 const Scene other_scene = changed.coplanar == params.coplanar ? scene : scene_for(changed);
                 const FramePlan other = plan_of(changed, other_scene);
                 if (other == frame) continue;
-                EXPECT_EQ(draw(other, other_scene, size_px), picture)
+                EXPECT_EQ(draw(other, other_scene, effect_px), picture)
                     << preset << " with " << (settings.empty() ? "" : settings.front()) << ": " << field.path
                     << " has an effect, but it is said: " << why;
             }

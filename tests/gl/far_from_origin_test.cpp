@@ -7,7 +7,7 @@ namespace {
 
 using testing::pixels_beyond;
 
-constexpr glm::ivec2 size_px(640, 360);
+constexpr glm::ivec2 far_away_px(640, 360);
 
 struct Place {
     Params params;
@@ -31,11 +31,11 @@ class FarFromOrigin : public testing::GlTest {};
 
 TEST_F(FarFromOrigin, LightDoesNotSpeckle) {
     const Place here = moved_by(glm::dvec3(0.0));
-    const Image expected = draw(here.params, here.scene, size_px);
+    const Image expected = draw(here.params, here.scene, far_away_px);
     for (const double far_away : {1e5, 9e5}) {
         // Along the plane and across it; the patch is centred on the plane's point nearest to the origin.
         const Place there = moved_by({0.0, far_away, 0.0});
-        const Image picture = draw(there.params, there.scene, size_px);
+        const Image picture = draw(there.params, there.scene, far_away_px);
         EXPECT_LE(pixels_beyond(expected, picture, 16), 12) << far_away << ": edges that moved by a pixel's fraction";
         EXPECT_LE(pixels_beyond(expected, picture, 3), 300) << far_away;
     }

@@ -18,8 +18,9 @@ namespace {
 using testing::object;
 using testing::params_with;
 using testing::scene_named;
+using testing::trials;
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 fragments_px(160, 90);
 
 /// How far GL's depth may be from the exact one before it is stored: four codes of 24 bits, 12 places of a float
 /// near 1.
@@ -90,20 +91,20 @@ protected:
 
     /// Pixels of one state: object and code of the last drawn fragment against the ones read back.
     static void compare(const Params& params, const Scene& scene, Random& random, int pixels, Seen& seen) {
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, fragments_px);
         HiddenPictures pictures;
-        if (const auto question = hidden_question(params, derived, size_px)) {
+        if (const auto question = hidden_question(params, derived, fragments_px)) {
             HiddenSurfaceSolver solver(scene);
             pictures = answer_hidden_question(solver, *question).pictures;
         }
         const FramePlan frame = plan(params, derived, pictures);
         PixelProbe probe;
-        ASSERT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
+        ASSERT_TRUE(probe.prepare(renderer(), frame, scene, derived, fragments_px));
         const FragmentFinder finder(scene);
         const DepthPrecision precision = precision_of(frame.depth_format);
         for (int trial = 0; trial < pixels; ++trial) {
-            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
-            const std::vector<Fragment> fragments = finder.at(frame, pixel, size_px);
+            const glm::ivec2 pixel(random.number(0, fragments_px.x), random.number(0, fragments_px.y));
+            const std::vector<Fragment> fragments = finder.at(frame, pixel, fragments_px);
             // GL rounds corners to 1/256 of a pixel: it may see other surfaces at an edge.
             const std::vector<std::vector<Fragment>> around = beside(finder, frame, pixel);
             if (std::ranges::any_of(around, [&](const auto& f) { return surfaces_of(f) != surfaces_of(fragments); })) {
@@ -147,7 +148,7 @@ protected:
         const glm::ivec2 center = pixel * finer + finer / 2;
         std::vector<std::vector<Fragment>> all;
         for (const glm::ivec2 step : {glm::ivec2(1, 0), glm::ivec2(-1, 0), glm::ivec2(0, 1), glm::ivec2(0, -1)})
-            all.push_back(finder.at(frame, center + step, size_px * finer));
+            all.push_back(finder.at(frame, center + step, fragments_px * finer));
         return all;
     }
     static constexpr int finer = 25;
@@ -167,11 +168,6 @@ Scene scene_with_decal() {
     decal.description.decal = true;
     scene.objects.push_back(decal);
     return scene;
-}
-
-int trials(int usual) {
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    return usual * std::max(longer ? std::atoi(longer) : 1, 1);
 }
 
 template <typename Value>

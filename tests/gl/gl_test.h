@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,6 +42,12 @@ inline glm::ivec2 pixel_of(const glm::dvec3& point, const Derived& derived, glm:
     const glm::dvec4 clip = derived.clip_from_world * glm::dvec4(point, 1.0);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
     return glm::ivec2(glm::floor((ndc * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(size_px)));
+}
+
+/// How often a test tries: VIEWING_LONG_TESTS=N tries N times as often.
+inline int trials(int usual) {
+    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
+    return usual * std::max(longer ? std::atoi(longer) : 1, 1);
 }
 
 class GlTest : public ::testing::Test {

@@ -9,8 +9,8 @@ namespace {
 
 using testing::Rgb;
 
-constexpr glm::ivec2 size_px(320, 240);
-constexpr double near = 0.5, far = 200.0, fovy_deg = 40.0;
+constexpr glm::ivec2 heat_px(320, 240);
+constexpr double heat_near = 0.5, heat_far = 200.0, fovy_deg = 40.0;
 
 class HeatMapPicture : public testing::GlTest {
 protected:
@@ -33,7 +33,7 @@ protected:
         return params;
     }
     static Image picture(const Params& params, const Scene& scene) {
-        return draw(plan(params, derive_for(params, scene, size_px)), scene, size_px);
+        return draw(plan(params, derive_for(params, scene, heat_px)), scene, heat_px);
     }
 };
 
@@ -53,12 +53,12 @@ TEST_F(HeatMapPicture, ShowsTheGapInStepsOfTheDepthBuffer) {
     // these: seen from the front, the gap in eye distance is the gap along the normal.
     const Params params = params_for("d16");
     for (const double distance : {5.0, 20.0, 60.0}) {
-        const double step = distance * distance * (far - near) / (far * near * 65535.0);
+        const double step = distance * distance * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);
         for (const double ratio : {0.05, 0.3, 0.7, 0.9, 1.2, 1.7, 3.0, 8.0}) {
             const double gap = ratio * step;
             if (gap > 0.03 * distance) continue;
             const Image image = picture(params, facing_pair(distance, gap));
-            const Rgb seen = testing::rgb_at(image, {size_px.x / 2 + 10, size_px.y / 2 - 10});
+            const Rgb seen = testing::rgb_at(image, {heat_px.x / 2 + 10, heat_px.y / 2 - 10});
             EXPECT_LE(testing::worst_channel(seen, expected(ratio)), 6) << "z " << distance << " ratio " << ratio;
         }
     }
@@ -77,22 +77,22 @@ TEST_F(HeatMapPicture, GoesByTheGapAlongTheRay) {
     }
     scene.objects.pop_back();
     const Image image = picture(params_for("d16"), scene);
-    for (const int x : {size_px.x / 2 - 15, size_px.x / 2, size_px.x / 2 + 15}) {
+    for (const int x : {heat_px.x / 2 - 15, heat_px.x / 2, heat_px.x / 2 + 15}) {
         const double half = std::tan(glm::radians(fovy_deg / 2.0));
-        const double across = (2.0 * (x + 0.5) - size_px.x) / size_px.y * half;
+        const double across = (2.0 * (x + 0.5) - heat_px.x) / heat_px.y * half;
         const glm::dvec3 sight(across, 0.0, -1.0);  // for each unit of eye distance
         const double z = -normal.z * distance / glm::dot(normal, sight);
-        const double step = z * z * (far - near) / (far * near * 65535.0);
+        const double step = z * z * (heat_far - heat_near) / (heat_far * heat_near * 65535.0);
         const double ratio = gap / std::abs(glm::dot(normal, sight)) / step;
-        EXPECT_LE(testing::worst_channel(testing::rgb_at(image, {x, size_px.y / 2}), expected(ratio)), 6)
+        EXPECT_LE(testing::worst_channel(testing::rgb_at(image, {x, heat_px.y / 2}), expected(ratio)), 6)
             << "x " << x << " ratio " << ratio;
     }
 }
 
 TEST_F(HeatMapPicture, LeavesWhatIsInNoPairGrey) {
     const Image image = picture(params_for("d24"), facing_pair(10.0, 0.01));
-    const Derived derived = derive_for(params_for("d24"), Scene{}, size_px);
-    const Rgb box = testing::rgb_at(image, testing::pixel_of({3.0, 0.0, -9.5}, derived, size_px));
+    const Derived derived = derive_for(params_for("d24"), Scene{}, heat_px);
+    const Rgb box = testing::rgb_at(image, testing::pixel_of({3.0, 0.0, -9.5}, derived, heat_px));
     EXPECT_EQ(box.r, box.g);
     EXPECT_EQ(box.g, box.b);
     EXPECT_NE(box, testing::rgb_at(image, {2, 2})) << "not the background";
@@ -112,9 +112,9 @@ TEST_F(HeatMapPicture, SurvivesAPlanThatWasDerivedForColors) {
     Params params = params_for("d24");
     const Scene scene = facing_pair(10.0, 0.002);
     params.view.shows = Shows::color;
-    const Derived derived = derive_for(params, scene, size_px);
+    const Derived derived = derive_for(params, scene, heat_px);
     params.view.shows = Shows::fighting;
-    const Rgb seen = testing::rgb_at(draw(plan(params, derived), scene, size_px), {size_px.x / 2, size_px.y / 2});
+    const Rgb seen = testing::rgb_at(draw(plan(params, derived), scene, heat_px), {heat_px.x / 2, heat_px.y / 2});
     EXPECT_EQ(seen.r, seen.g) << "grey";
 }
 

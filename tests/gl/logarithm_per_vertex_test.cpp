@@ -12,13 +12,13 @@ namespace {
 
 using testing::params_with;
 
-constexpr glm::ivec2 size_px(64, 64);
-constexpr double near = 0.5, far = 40.0;
+constexpr glm::ivec2 logarithm_px(64, 64);
+constexpr double log_near = 0.5, log_far = 40.0;
 
 using Corners = std::array<glm::dvec3, 3>;  ///< x and y in shares of half the picture, z the distance
 
 double logarithm(double distance) {
-    return std::log(distance / near) / std::log(far / near);
+    return std::log(distance / log_near) / std::log(log_far / log_near);
 }
 
 /// Weights of the corners at a point of the screen.
@@ -66,10 +66,10 @@ protected:
              "projection.far=40", "projection.fovy=40", "projection.height=6", "depth.mapping=logarithmic",
              "depth.format=" + format, orthographic ? "projection.type=orthographic" : "projection.type=perspective",
              per_vertex ? "depth.logarithm_per_vertex=true" : "depth.logarithm_per_vertex=false"});
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, logarithm_px);
         PixelProbe probe;
-        EXPECT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, size_px));
-        return probe.block({0, 0}, size_px);
+        EXPECT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, logarithm_px));
+        return probe.block({0, 0}, logarithm_px);
     }
 };
 
@@ -85,8 +85,8 @@ TEST_F(LogarithmPerVertex, BendsALargeTriangleByWhatInterpolationSays) {
             const CellBlock per_fragment = block_of(corners, 1, format, orthographic, false);
             double most_bent = 0.0;
             int compared = 0;
-            for (int y = 0; y < size_px.y; ++y)
-                for (int x = 0; x < size_px.x; ++x) {
+            for (int y = 0; y < logarithm_px.y; ++y)
+                for (int x = 0; x < logarithm_px.x; ++x) {
                     const glm::dvec2 point((x + 0.5) / 32.0 - 1.0, 1.0 - (y + 0.5) / 32.0);
                     const glm::dvec3 weights = weights_at(corners, point);
                     if (std::min({weights.x, weights.y, weights.z}) < 0.02) continue;

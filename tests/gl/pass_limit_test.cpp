@@ -8,7 +8,7 @@ namespace {
 
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(96, 64);
+constexpr glm::ivec2 passes_px(96, 64);
 
 /// What a frame leaves behind.
 struct Left {
@@ -24,14 +24,14 @@ protected:
         Result<BufferReader> reader = BufferReader::make(renderer().capabilities());
         EXPECT_TRUE(reader) << reader.error();
         View view;
-        Left left{.shown = draw(frame, scene, size_px, renderer(), view), .colors = {}, .stored = {}};
+        Left left{.shown = draw(frame, scene, passes_px, renderer(), view), .colors = {}, .stored = {}};
         if (frame.samples > 0) return left;  // cannot be read otherwise
-        left.colors = reader->colors(view, {{0, 0}, size_px});
-        left.stored = reader->stored(view, frame.depth_format, {{0, 0}, size_px});
+        left.colors = reader->colors(view, {{0, 0}, passes_px});
+        left.stored = reader->stored(view, frame.depth_format, {{0, 0}, passes_px});
         return left;
     }
     static FramePlan plan_of(const Params& params, const Scene& scene) {
-        return plan(params, derive_for(params, scene, size_px));
+        return plan(params, derive_for(params, scene, passes_px));
     }
     static FramePlan stopped_after(FramePlan frame, int pass) {
         frame.limit.pass = pass;

@@ -13,7 +13,7 @@ using testing::params_with;
 using testing::pixels_beyond;
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(128, 72);
+constexpr glm::ivec2 edges_px(128, 72);
 
 struct Extreme {
     const char* name;
@@ -84,16 +84,16 @@ TEST_F(Extremes, AreFiniteAndTold) {
             std::vector<std::string> settings{"view.samples=0", way};
             settings.insert(settings.end(), extreme.state.begin(), extreme.state.end());
             const Params params = params_with(settings);
-            const Derived derived = derive_for(params, scene, size_px);
+            const Derived derived = derive_for(params, scene, edges_px);
             const FramePlan frame = plan(params, derived);
             if (extreme.is_told) {
                 EXPECT_FALSE(find_problems(params, derived, scene, frame).empty());
             }
             EXPECT_TRUE(std::ranges::all_of(frame.passes, [](const Pass& pass) { return is_finite(pass); }));
             View view;
-            const Image image = draw(frame, scene, size_px, renderer(), view);
-            EXPECT_EQ(draw(frame, scene, size_px), image);
-            for (const StoredPixel& pixel : reader->stored(view, params.depth.format, {{0, 0}, size_px})) {
+            const Image image = draw(frame, scene, edges_px, renderer(), view);
+            EXPECT_EQ(draw(frame, scene, edges_px), image);
+            for (const StoredPixel& pixel : reader->stored(view, params.depth.format, {{0, 0}, edges_px})) {
                 EXPECT_GE(pixel.window_depth, 0.0);
                 EXPECT_LE(pixel.window_depth, 1.0);
             }
@@ -106,7 +106,7 @@ TEST_F(Extremes, AreNeverMoreThan64Images) {
     for (const Extreme& extreme : extremes()) {
         const Params params = params_with(extreme.state);
         int images = 0, region = 0;
-        for (const Pass& pass : plan(params, derive_for(params, scene, size_px)).passes) {
+        for (const Pass& pass : plan(params, derive_for(params, scene, edges_px)).passes) {
             images += pass.subject == Subject::objects && pass.shading == Shading::lit && pass.is_mirror_image;
             region = std::max(region, pass.stencil.reference & stencil_region_bits);
             EXPECT_LE(pass.stencil.reference, 255) << extreme.name;
@@ -119,7 +119,7 @@ TEST_F(Extremes, AreNeverMoreThan64Images) {
 TEST_F(Extremes, OfReflectanceShowNothingOrOnlyTheMirror) {
     const Scene scene = scene_named("torus-and-boxes");
     const auto picture = [&](const char* setting, const char* other) {
-        return draw(params_with({"view.samples=0", "shadow.enabled=false", setting, other}), scene, size_px);
+        return draw(params_with({"view.samples=0", "shadow.enabled=false", setting, other}), scene, edges_px);
     };
     EXPECT_EQ(pixels_beyond(picture("reflection.reflectance=0", "plane.mirrors=true"),
                             picture("reflection.enabled=false", "plane.mirrors=true"), 0),
@@ -133,8 +133,8 @@ TEST_F(Extremes, OfALightShowNoShadow) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const light :
          {"light.position=[2,0,1,1]", "light.position=[2,0,1,0]", "light.position=[2,-3,1,1]"}) {
-        const Image with = draw(params_with({"view.samples=0", light}), scene, size_px);
-        EXPECT_EQ(draw(params_with({"view.samples=0", light, "shadow.enabled=false"}), scene, size_px), with) << light;
+        const Image with = draw(params_with({"view.samples=0", light}), scene, edges_px);
+        EXPECT_EQ(draw(params_with({"view.samples=0", light, "shadow.enabled=false"}), scene, edges_px), with) << light;
     }
 }
 
@@ -145,13 +145,13 @@ TEST_F(Extremes, OfALightCloseToItsCasterDarkenTheWholePatch) {
             testing::scene_of({testing::object("square", quad_mesh(), {0.0, 5.0 - gap, 0.0}, glm::dvec3(0.5))});
         return draw(
             params_with({"view.samples=0", "light.position=[0,5,0,1]", "plane.extent=12", "reflection.enabled=false"}),
-            scene, size_px);
+            scene, edges_px);
     };
     const Image far = picture(0.05);
     const Image lit =
         draw(params_with({"view.samples=0", "light.position=[0,5,0,1]", "plane.extent=12", "reflection.enabled=false",
                           "shadow.enabled=false"}),
-             testing::scene_of({testing::object("square", quad_mesh(), {0.0, 4.95, 0.0}, glm::dvec3(0.5))}), size_px);
+             testing::scene_of({testing::object("square", quad_mesh(), {0.0, 4.95, 0.0}, glm::dvec3(0.5))}), edges_px);
     EXPECT_GT(pixels_beyond(lit, far, 8), 1000);
     for (const double gap : {0.02, 0.01, 0.004, 0.001}) EXPECT_EQ(pixels_beyond(picture(gap), far, 0), 0) << gap;
 }

@@ -13,7 +13,7 @@ using testing::Rgb;
 using testing::Room;
 using testing::Sight;
 
-constexpr glm::ivec2 size_px(96, 54);
+constexpr glm::ivec2 rays_px(96, 54);
 
 /// What a pixel shows as one number: a solid from 0 on, the background, or a patch with the set of missing lights.
 constexpr int shows_background = -1, undefined = -2, first_patch = 100;
@@ -115,11 +115,11 @@ bool is_beside_edge(const ClassAt& class_at, int x, int y) {
 template <typename ClassAt, typename Check>
 void for_each_inner_pixel(const ClassAt& class_at, const Check& check) {
     std::vector<int> classes;
-    for (int y = 0; y < size_px.y; ++y)
-        for (int x = 0; x < size_px.x; ++x) classes.push_back(class_at(x + 0.5, y + 0.5));
-    const auto at = [&](int x, int y) { return classes[static_cast<std::size_t>(y * size_px.x + x)]; };
-    for (int y = 1; y + 1 < size_px.y; ++y) {
-        for (int x = 1; x + 1 < size_px.x; ++x) {
+    for (int y = 0; y < rays_px.y; ++y)
+        for (int x = 0; x < rays_px.x; ++x) classes.push_back(class_at(x + 0.5, y + 0.5));
+    const auto at = [&](int x, int y) { return classes[static_cast<std::size_t>(y * rays_px.x + x)]; };
+    for (int y = 1; y + 1 < rays_px.y; ++y) {
+        for (int x = 1; x + 1 < rays_px.x; ++x) {
             bool is_edge = false;
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx) is_edge = is_edge || at(x + dx, y + dy) != at(x, y);
@@ -131,13 +131,13 @@ void for_each_inner_pixel(const ClassAt& class_at, const Check& check) {
 class PlanesRays : public testing::GlTest {
 protected:
     void compare(const Room& room) {
-        const Derived derived = derive_for(room.params, room.scene, size_px);
+        const Derived derived = derive_for(room.params, room.scene, rays_px);
         OracleScene oracle = room.oracle;
         oracle.bounces = reflection_depth(room.params, derived);
         const RayCaster caster(oracle, room.camera);
         differences_.clear();
         pinholes_ = 0;
-        read(room, size_px);
+        read(room, rays_px);
         compare_colors(room, caster);
         compare_stencil(room, caster);
         if (!differences_.empty()) forget_pinholes(room);
@@ -166,7 +166,7 @@ private:
     }
 
     void compare_colors(const Room& room, const RayCaster& caster) {
-        const auto sight_at = [&](double x, double y) { return caster.at(x, y, size_px.x, size_px.y); };
+        const auto sight_at = [&](double x, double y) { return caster.at(x, y, rays_px.x, rays_px.y); };
         const auto class_at = [&](double x, double y) { return class_of(sight_at(x, y), room.params.shadow.style); };
         for_each_inner_pixel(class_at, [&](int x, int y, int expected) {
             ++tally_.compared;
@@ -181,7 +181,7 @@ private:
         const ShadowParams& shadow = room.params.shadow;
         const bool counts = shadow.stencil_once || shadow.style == ShadowStyle::missing_light;
         const auto value_at = [&](double x, double y) {
-            const Met met = caster.patch_at(x, y, size_px.x, size_px.y);
+            const Met met = caster.patch_at(x, y, rays_px.x, rays_px.y);
             return met.patch + 1 + (counts ? static_cast<int>(met.missing) << 4 : 0);
         };
         for_each_inner_pixel(value_at, [&](int x, int y, int expected) {
@@ -204,7 +204,7 @@ private:
     /// a picture five times as large. What is wrong there is wrong on all 25 pixels.
     void forget_pinholes(const Room& room) {
         constexpr int larger = 5, few = 2;
-        read(room, larger * size_px);
+        read(room, larger * rays_px);
         const auto is_pinhole = [&](const Difference& here) {
             int wrong = 0;
             for (int y = larger * here.y; y < larger * (here.y + 1); ++y)
@@ -221,11 +221,11 @@ private:
     std::vector<StoredPixel> stored_;
 };
 
-constexpr unsigned first_room = 61000;
+constexpr unsigned first_cast_room = 61000;
 
 TEST_F(PlanesRays, AgreeWithEveryRoom) {
     const unsigned count = testing::rooms(208);
-    for (unsigned number = first_room; number < first_room + count; ++number) {
+    for (unsigned number = first_cast_room; number < first_cast_room + count; ++number) {
         SCOPED_TRACE("room " + std::to_string(number));
         compare(testing::room(number));
         EXPECT_EQ(text_of(differences_), "");
@@ -249,7 +249,7 @@ TEST_F(PlanesRays, DisagreeWithEveryBrokenTechnique) {
           "reflection.shadows=false", "reflection.mask_writes_depth=true", "reflection.after_objects=true",
           "reflection.side_of_eye=false", "reflection.printed_by_rows=true", "reflection.stencil=false"}) {
         bool is_noticed = false;
-        for (unsigned number = first_room; number < first_room + 60 && !is_noticed; ++number) {
+        for (unsigned number = first_cast_room; number < first_cast_room + 60 && !is_noticed; ++number) {
             Room room = testing::room(number);
             room.params = *apply_settings(room.params, std::vector<std::string>{broken});
             compare(room);

@@ -20,10 +20,9 @@ struct Room {
     Scene scene;
 };
 
-/// How many rooms a test draws: VIEWING_LONG_TESTS=N draws N times as many.
-inline unsigned rooms(unsigned usual) {
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    return usual * static_cast<unsigned>(std::max(longer ? std::atoi(longer) : 1, 1));
+/// How many rooms a test draws.
+inline unsigned rooms(int usual) {
+    return static_cast<unsigned>(trials(usual));
 }
 
 /// Draws one room; the number decides what is in it, the seed where.

@@ -13,7 +13,7 @@ using testing::pixels_beyond;
 using testing::says;
 using testing::scene_of;
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 switches_px(160, 90);
 
 /// A preset as it is and as what mends it leaves it.
 struct Artefact {
@@ -105,16 +105,16 @@ class Switches : public testing::GlTest {};
 
 TEST_F(Switches, ChangeThePictureThatTheyBreak) {
     for (const Artefact& artefact : artefacts()) {
-        const Image mended = draw(artefact.mended, artefact.scene, size_px);
-        const Image broken = draw(artefact.broken, artefact.scene, size_px);
+        const Image mended = draw(artefact.mended, artefact.scene, switches_px);
+        const Image broken = draw(artefact.broken, artefact.scene, switches_px);
         EXPECT_GT(pixels_beyond(broken, mended, 8), 40) << artefact.name;
     }
 }
 
 TEST_F(Switches, AreToldWhereTheyBreakThePicture) {
     for (const Artefact& artefact : artefacts()) {
-        const std::vector<Problem> without = problems_of(artefact.mended, artefact.scene, size_px);
-        const std::vector<Problem> with = problems_of(artefact.broken, artefact.scene, size_px);
+        const std::vector<Problem> without = problems_of(artefact.mended, artefact.scene, switches_px);
+        const std::vector<Problem> with = problems_of(artefact.broken, artefact.scene, switches_px);
         EXPECT_TRUE(std::any_of(with.begin(), with.end(), [&](const Problem& told) {
             return told.breaks_picture && !says(without, told.group, told.sentence);
         })) << artefact.name;

@@ -16,7 +16,7 @@ using testing::Room;
 using testing::scene_of;
 using testing::worst_channel;
 
-constexpr glm::ivec2 size_px(96, 54);
+constexpr glm::ivec2 planes_px(96, 54);
 constexpr unsigned first_room = 62000;
 
 /// A room as a person sees it: half transparent mirrors and shadows. One depth format and at most two lights, because
@@ -63,10 +63,10 @@ protected:
             Params changed = room.params, without = room.params;
             change(changed);
             without.reflection.enabled = false;
-            const Image a = draw(room.params, room.scene, size_px), b = draw(changed, room.scene, size_px);
+            const Image a = draw(room.params, room.scene, planes_px), b = draw(changed, room.scene, planes_px);
             // The pinholes that a rasteriser leaves where it clips.
             EXPECT_LE(pixels_beyond_edges(a, b, 2) + pixels_beyond_edges(b, a, 2), 2);
-            mirrored += pixels_beyond(a, draw(without, room.scene, size_px), 8) > 150;
+            mirrored += pixels_beyond(a, draw(without, room.scene, planes_px), 8) > 150;
         }
         EXPECT_GT(mirrored, 8);
     }
@@ -75,12 +75,12 @@ protected:
 TEST_F(Planes, EveryPlaneTimesAnyFactorGivesTheSamePicture) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         const Room room = lived_in(number);
-        const Image picture = draw(room.params, room.scene, size_px);
+        const Image picture = draw(room.params, room.scene, planes_px);
         constexpr double all_factors[][2] = {{-1.0, -1.0}, {2.0, 2.0}, {1.0, -2.0}};  // of every second plane
         for (const auto& factors : all_factors) {
             Params same = room.params;
             for (std::size_t i = 0; i < same.planes.size(); ++i) same.planes[i].equation *= factors[i % 2];
-            EXPECT_EQ(draw(same, room.scene, size_px), picture) << "room " << number << " times " << factors[0];
+            EXPECT_EQ(draw(same, room.scene, planes_px), picture) << "room " << number << " times " << factors[0];
         }
     }
 }
@@ -89,9 +89,9 @@ TEST_F(Planes, CullingBackFacesOfClosedObjectsDoesNotShow) {
     for (unsigned number = first_room; number < first_room + testing::rooms(20); ++number) {
         Room room = lived_in(number);
         room.params.cull.enabled = false;
-        const Image all = draw(room.params, room.scene, size_px);
+        const Image all = draw(room.params, room.scene, planes_px);
         room.params.cull.enabled = true;
-        const Image culled = draw(room.params, room.scene, size_px);
+        const Image culled = draw(room.params, room.scene, planes_px);
         EXPECT_EQ(pixels_beyond_edges(culled, all, 0), 0) << "room " << number;
         // On an outline front and back meet: where their depths are the same, the one drawn first is seen.
         EXPECT_LE(pixels_beyond(culled, all, 0), 4) << "room " << number;
@@ -118,10 +118,10 @@ TEST_F(Planes, FurtherPlanesAndLightsMayStandInAnyOrder) {
         Room room = lived_in(number);
         if (room.params.planes.size() < 3) continue;
         room.params.shadow.style = ShadowStyle::missing_light;
-        const Image picture = draw(room.params, room.scene, size_px);
+        const Image picture = draw(room.params, room.scene, planes_px);
         std::reverse(room.params.planes.begin() + 1, room.params.planes.end());
         std::reverse(room.params.lights.begin() + 1, room.params.lights.end());
-        const Image reversed = draw(room.params, room.scene, size_px);
+        const Image reversed = draw(room.params, room.scene, planes_px);
         EXPECT_LE(pixels_beyond_edges(picture, reversed, 2), 2) << "room " << number;
     }
 }
@@ -156,11 +156,11 @@ TEST_F(Planes, MasksOfSixteenBitDepthDrawWhatTheStencilDraws) {
         for (const Shows shows : {Shows::color, Shows::stencil}) {
             params.view.shows = shows;
             params.depth.format = DepthFormat::d24;
-            const Image picture = draw(params, scene, size_px);
+            const Image picture = draw(params, scene, planes_px);
             params.depth.format = DepthFormat::d16;
-            EXPECT_EQ(pixels_beyond(draw(params, scene, size_px), picture, 0), 0) << static_cast<int>(shows);
+            EXPECT_EQ(pixels_beyond(draw(params, scene, planes_px), picture, 0), 0) << static_cast<int>(shows);
             params.shadow.enabled = false;
-            shadows += pixels_beyond(draw(params, scene, size_px), picture, 8) > 50;
+            shadows += pixels_beyond(draw(params, scene, planes_px), picture, 8) > 50;
             params.shadow.enabled = true;
         }
     }
@@ -173,17 +173,17 @@ TEST_F(Planes, GlossIsMissingOnlyWhereTheLightIsReallyMissing) {
         Params params = params_with({"view.samples=0", "reflection.enabled=false", "light.position=[-2,6,-7,1]"});
         params.shadow.style = is_painted ? ShadowStyle::blend : ShadowStyle::missing_light;
         View view;
-        const Derived derived = derive_for(params, scene, size_px);
-        const Image plain = draw(plan(params, derived), scene, size_px, renderer(), view);
+        const Derived derived = derive_for(params, scene, planes_px);
+        const Image plain = draw(plan(params, derived), scene, planes_px, renderer(), view);
         Result<BufferReader> reader = BufferReader::make(renderer().capabilities());
         ASSERT_TRUE(reader) << reader.error();
-        const std::vector<StoredPixel> stored = reader->stored(view, params.depth.format, {{0, 0}, size_px});
+        const std::vector<StoredPixel> stored = reader->stored(view, params.depth.format, {{0, 0}, planes_px});
         params.planes.front().gloss = true;
-        const Image glossy = draw(params, scene, size_px);
+        const Image glossy = draw(params, scene, planes_px);
         int changed_in_shadow = 0, changed_in_light = 0;
-        for (int y = 0; y < size_px.y; ++y) {
-            for (int x = 0; x < size_px.x; ++x) {
-                const bool in_shadow = stored[static_cast<std::size_t>(y * size_px.x + x)].stencil >> 4 != 0;
+        for (int y = 0; y < planes_px.y; ++y) {
+            for (int x = 0; x < planes_px.x; ++x) {
+                const bool in_shadow = stored[static_cast<std::size_t>(y * planes_px.x + x)].stencil >> 4 != 0;
                 (in_shadow ? changed_in_shadow : changed_in_light) += rgb_at(plain, {x, y}) != rgb_at(glossy, {x, y});
             }
         }

@@ -5,7 +5,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px{1280, 720};
+constexpr glm::ivec2 preset_px{1280, 720};
 
 class Presets : public testing::GlTest {
 protected:
@@ -17,7 +17,7 @@ protected:
         return params;
     }
     static Image picture(const Params& params) {
-        return draw(params, testing::scene_named(std::get<std::string>(params.scene)), size_px);
+        return draw(params, testing::scene_named(std::get<std::string>(params.scene)), preset_px);
     }
 };
 
@@ -64,8 +64,8 @@ TEST_F(Presets, ShadowDoubleBlendHasSeveralLevels) {
     params.shadow.stencil_once = true;
     const Image once = picture(params);
     int two_layers = 0, more_layers = 0;  // each lets 0.7 through: 0.7 and less of what one layer leaves
-    for (int y = 0; y < size_px.y; ++y) {
-        for (int x = 0; x < size_px.x; ++x) {
+    for (int y = 0; y < preset_px.y; ++y) {
+        for (int x = 0; x < preset_px.x; ++x) {
             const double ratio = static_cast<double>(testing::rgb_at(twice, {x, y})[2]) /
                                  std::max<double>(testing::rgb_at(once, {x, y})[2], 1.0);
             two_layers += ratio > 0.6 && ratio < 0.8 ? 1 : 0;

@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(602, 356);
+constexpr glm::ivec2 reconciled_px(602, 356);
 constexpr int pixels = 1000;
 
 class Reconcile : public testing::GlTest {
@@ -36,17 +36,17 @@ protected:
     /// and as they are computed.
     template <typename Visit>
     static void for_pixels_of(const Params& params, const Scene& scene, const Visit& visit) {
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, reconciled_px);
         const FramePlan frame = plan(params, derived);
         PixelProbe probe;
-        EXPECT_TRUE(probe.prepare(renderer(), frame, scene, derived, size_px));
+        EXPECT_TRUE(probe.prepare(renderer(), frame, scene, derived, reconciled_px));
         const FragmentFinder finder(scene);
         Random random(seed);
         for (int trial = 0; trial < pixels; ++trial) {
-            const glm::ivec2 pixel(random.number(0, size_px.x), random.number(0, size_px.y));
+            const glm::ivec2 pixel(random.number(0, reconciled_px.x), random.number(0, reconciled_px.y));
             SCOPED_TRACE("seed " + std::to_string(seed) + ", pixel " + std::to_string(pixel.x) + " " +
                          std::to_string(pixel.y));
-            visit(probe.at(pixel, scene), finder.at(frame, pixel, size_px), frame.clears_depth());
+            visit(probe.at(pixel, scene), finder.at(frame, pixel, reconciled_px), frame.clears_depth());
         }
     }
 

@@ -15,13 +15,9 @@ using testing::params_with;
 using testing::pixels_beyond;
 using testing::scene_named;
 using testing::scene_of;
+using testing::trials;
 
-constexpr glm::ivec2 size_px(128, 72);
-
-int trials(int usual) {
-    const char* const longer = std::getenv("VIEWING_LONG_TESTS");
-    return usual * std::max(longer ? std::atoi(longer) : 1, 1);
-}
+constexpr glm::ivec2 coarse_px(128, 72);
 
 GLint bits_of_depth(const View& view) {
     glBindFramebuffer(GL_FRAMEBUFFER, view.target().draw_framebuffer());
@@ -33,7 +29,7 @@ GLint bits_of_depth(const View& view) {
 
 /// Bodies without dents that do not touch each other or the plane: 16 bits tell apart what 24 do. The label lies in
 /// its board: there the stencil decides, not depth. The mirror shows neither's front.
-Scene floating() {
+Scene floating_with_decal() {
     SceneObject label = object("label", quad_mesh(), {1.0, 0.4, -1.7}, {0.35, 1.0, 0.45});
     label.description.decal = true;
     label.description.color = {200, 40, 30};
@@ -94,9 +90,9 @@ protected:
 
     static FramePlan plan_with(Params params, const char* format, const Scene& scene) {
         params.depth.format = std::string(format) == "d16" ? DepthFormat::d16 : DepthFormat::d24;
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, coarse_px);
         HiddenPictures pictures;
-        if (const auto question = hidden_question(params, derived, size_px)) {
+        if (const auto question = hidden_question(params, derived, coarse_px)) {
             HiddenSurfaceSolver solver(scene);
             pictures = answer_hidden_question(solver, *question).pictures;
         }
@@ -107,13 +103,13 @@ protected:
 };
 
 TEST_F(SixteenBits, AreReallyAllocated) {
-    const Scene scene = floating();
+    const Scene scene = floating_with_decal();
     const Params plain = params_with({"depth.format=d16", "shadow.enabled=false", "reflection.enabled=false"});
     for (const int samples : {0, 4}) {
-        FramePlan frame = plan(plain, derive_for(plain, scene, size_px));
+        FramePlan frame = plan(plain, derive_for(plain, scene, coarse_px));
         frame.samples = samples;
         View view;
-        draw(frame, scene, size_px, renderer(), view);
+        draw(frame, scene, coarse_px, renderer(), view);
         EXPECT_EQ(bits_of_depth(view), 16);
         GLint found = -1;
         glGetIntegerv(GL_SAMPLES, &found);
@@ -122,17 +118,17 @@ TEST_F(SixteenBits, AreReallyAllocated) {
     for (const char* const format : {"depth.format=d12", "depth.format=d24"}) {
         View view;
         const Params params = params_with({format});
-        draw(plan(params, derive_for(params, scene, size_px)), scene, size_px, renderer(), view);
+        draw(plan(params, derive_for(params, scene, coarse_px)), scene, coarse_px, renderer(), view);
         EXPECT_EQ(bits_of_depth(view), 24) << format;
     }
 }
 
 TEST_F(SixteenBits, GiveUpSamplesOnlyForTheStencil) {
-    const Scene scene = floating();
+    const Scene scene = floating_with_decal();
     const auto samples = [&](const std::vector<std::string>& settings) {
         Params params = params_with(settings);
         params.view.samples = 4;
-        return plan(params, derive_for(params, scene, size_px)).samples;
+        return plan(params, derive_for(params, scene, coarse_px)).samples;
     };
     const std::string format = "depth.format=d16", no_shadow = "shadow.enabled=false",
                       no_mirror = "reflection.enabled=false";
@@ -143,7 +139,7 @@ TEST_F(SixteenBits, GiveUpSamplesOnlyForTheStencil) {
 }
 
 TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
-    const Scene scene = floating();
+    const Scene scene = floating_with_decal();
     Result<Renderer> limited = Renderer::make({});  // clips by discarding
     ASSERT_TRUE(limited) << limited.error();
     int with_marks = 0, with_label = 0;
@@ -153,25 +149,25 @@ TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
         const Params params = any_params(what);
         SCOPED_TRACE(what);
         FramePlan frame_16 = plan_with(params, "d16", scene), frame_24 = plan_with(params, "d24", scene);
-        const Image picture_24 = draw(frame_24, scene, size_px, renderer(), view_24);
-        EXPECT_TRUE(draw(frame_16, scene, size_px, renderer(), view_16) == picture_24);
+        const Image picture_24 = draw(frame_24, scene, coarse_px, renderer(), view_24);
+        EXPECT_TRUE(draw(frame_16, scene, coarse_px, renderer(), view_16) == picture_24);
         EXPECT_FALSE(view_16.target().has_stencil());
         if (trial % 3 == 0 && !frame_16.clip_zero_to_one) {
-            const Image discarded = draw(frame_16, scene, size_px, *limited, limited_view);
+            const Image discarded = draw(frame_16, scene, coarse_px, *limited, limited_view);
             EXPECT_LE(pixels_beyond(discarded, picture_24, 2), 4);
         }
 
         FramePlan unlabelled = frame_16;
         std::erase_if(unlabelled.passes, [](const Pass& pass) { return pass.chosen == Chosen::decals; });
-        with_label += draw(unlabelled, scene, size_px) != picture_24 ? 1 : 0;
+        with_label += draw(unlabelled, scene, coarse_px) != picture_24 ? 1 : 0;
         frame_16.shows = frame_24.shows = Shows::stencil;
-        const Image stencil = draw(frame_24, scene, size_px, renderer(), view_24);
-        EXPECT_TRUE(draw(frame_16, scene, size_px, renderer(), view_16) == stencil);
-        with_marks += stencil != draw(frame_24, scene_of({}), size_px) ? 1 : 0;
+        const Image stencil = draw(frame_24, scene, coarse_px, renderer(), view_24);
+        EXPECT_TRUE(draw(frame_16, scene, coarse_px, renderer(), view_16) == stencil);
+        with_marks += stencil != draw(frame_24, scene_of({}), coarse_px) ? 1 : 0;
 
-        ASSERT_TRUE(renderer().draw_identities(frame_24, scene, size_px, view_24));
+        ASSERT_TRUE(renderer().draw_identities(frame_24, scene, coarse_px, view_24));
         const Image identities = renderer().read(view_24);
-        ASSERT_TRUE(renderer().draw_identities(frame_16, scene, size_px, view_16));
+        ASSERT_TRUE(renderer().draw_identities(frame_16, scene, coarse_px, view_16));
         EXPECT_TRUE(renderer().read(view_16) == identities);
     }
     EXPECT_GT(with_marks, trials(30) / 4) << "shadows have to mark pixels";
@@ -179,18 +175,18 @@ TEST_F(SixteenBits, WithMasksDrawWhatTheStencilDraws) {
 }
 
 TEST_F(SixteenBits, MaskIsWhatThePixelReportCallsStencil) {
-    const Scene scene = floating();
+    const Scene scene = floating_with_decal();
     int marked = 0;
     for (int trial = 0; trial < trials(8); ++trial) {
         std::string what = "seed " + std::to_string(seed) + " trial " + std::to_string(trial);
         const Params params = any_params(what);
         SCOPED_TRACE(what);
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, coarse_px);
         PixelProbe probe_16, probe_24;
-        ASSERT_TRUE(probe_16.prepare(renderer(), plan_with(params, "d16", scene), scene, derived, size_px));
-        ASSERT_TRUE(probe_24.prepare(renderer(), plan_with(params, "d24", scene), scene, derived, size_px));
+        ASSERT_TRUE(probe_16.prepare(renderer(), plan_with(params, "d16", scene), scene, derived, coarse_px));
+        ASSERT_TRUE(probe_24.prepare(renderer(), plan_with(params, "d24", scene), scene, derived, coarse_px));
         for (int pixel = 0; pixel < 200; ++pixel) {
-            const glm::ivec2 at(random.number(0, size_px.x), random.number(0, size_px.y));
+            const glm::ivec2 at(random.number(0, coarse_px.x), random.number(0, coarse_px.y));
             const int stencil = probe_24.at(at, scene).stencil;
             EXPECT_EQ(probe_16.at(at, scene).stencil, stencil) << at.x << " " << at.y;
             marked += stencil > 1 ? 1 : 0;
@@ -203,8 +199,8 @@ TEST_F(SixteenBits, KeepPolygonIdentities) {
     const Scene scene = scene_named("torus-and-boxes");
     const Params params = params_with({"visibility.method=painter", "reflection.enabled=true"});
     View view;
-    Result<IdImage> of_24 = renderer().read_polygon_ids(plan_with(params, "d24", scene), scene, size_px, view);
-    Result<IdImage> of_16 = renderer().read_polygon_ids(plan_with(params, "d16", scene), scene, size_px, view);
+    Result<IdImage> of_24 = renderer().read_polygon_ids(plan_with(params, "d24", scene), scene, coarse_px, view);
+    Result<IdImage> of_16 = renderer().read_polygon_ids(plan_with(params, "d16", scene), scene, coarse_px, view);
     ASSERT_TRUE(of_24 && of_16);
     EXPECT_EQ(of_16->ids, of_24->ids);
 }

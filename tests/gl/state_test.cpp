@@ -14,7 +14,7 @@ using testing::params_with;
 using testing::pixels_beyond;
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(160, 120);
+constexpr glm::ivec2 state_px(160, 120);
 
 class FrameState : public testing::GlTest {};
 
@@ -103,11 +103,11 @@ TEST_F(FrameState, IsGlsDefaultAfterEveryKindOfFrame) {
         for (const std::string& setting : settings) what += setting + " ";
         SCOPED_TRACE(what);
         const Params params = params_with(settings);
-        draw(params, scene, size_px);
+        draw(params, scene, state_px);
         expect_default_state(renderer().capabilities().clip_control);
         PixelProbe probe;
-        const Derived derived = derive_for(params, scene, size_px);
-        ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, size_px));
+        const Derived derived = derive_for(params, scene, state_px);
+        ASSERT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, state_px));
         probe.at({80, 60}, scene);
         expect_default_state(renderer().capabilities().clip_control);
     }
@@ -115,14 +115,14 @@ TEST_F(FrameState, IsGlsDefaultAfterEveryKindOfFrame) {
 
 TEST_F(FrameState, DoesNotDependOnWhatWasDrawnBefore) {
     const Scene scene = scene_named("torus-and-boxes");
-    const Image expected = draw(Params{}, scene, size_px);
+    const Image expected = draw(Params{}, scene, state_px);
     constexpr unsigned first_seed = 9300;
     for (unsigned run = 0; run < 20; ++run) {
         SCOPED_TRACE("seed " + std::to_string(first_seed + run));
         Params other = testing::RandomParams(first_seed + run).make();
         clamp_to_ranges(other);
-        draw(other, scene, size_px);
-        EXPECT_EQ(draw(Params{}, scene, size_px), expected);
+        draw(other, scene, state_px);
+        EXPECT_EQ(draw(Params{}, scene, state_px), expected);
     }
 }
 
@@ -130,12 +130,12 @@ TEST_F(FrameState, GivesTheSameBytesFromANewRenderer) {
     for (const char* const preset_like : {"view.samples=4", "view.samples=0", "view.shows=depth", "depth.format=d8"}) {
         const Scene scene = scene_named("curved");
         const Params params = params_with({preset_like});
-        const Image first = draw(params, scene, size_px);
-        EXPECT_EQ(draw(params, scene, size_px), first) << preset_like;
+        const Image first = draw(params, scene, state_px);
+        EXPECT_EQ(draw(params, scene, state_px), first) << preset_like;
         Result<Renderer> fresh = Renderer::make();
         ASSERT_TRUE(fresh);
         View view;
-        EXPECT_EQ(draw(plan(params, derive_for(params, scene, size_px)), scene, size_px, *fresh, view), first)
+        EXPECT_EQ(draw(plan(params, derive_for(params, scene, state_px)), scene, state_px, *fresh, view), first)
             << preset_like;
     }
 }
@@ -169,16 +169,16 @@ TEST_F(FrameState, FallbacksGiveNearlyTheSamePicture) {
         for (const std::string& setting : settings) what += setting + " ";
         const Params params = params_with(settings);
         View view;
-        const Derived without = derive(params, scene, {size_px, plain->capabilities().clip_control});
+        const Derived without = derive(params, scene, {state_px, plain->capabilities().clip_control});
         EXPECT_FALSE(without.clip_zero_to_one);
-        const Image fallback = draw(plan(params, without), scene, size_px, *plain, view);
+        const Image fallback = draw(plan(params, without), scene, state_px, *plain, view);
         // Cut per fragment in place of per sample, and depth rounded otherwise: edges may differ.
-        EXPECT_LE(pixels_beyond(draw(params, scene, size_px), fallback, 3), 120) << what;
+        EXPECT_LE(pixels_beyond(draw(params, scene, state_px), fallback, 3), 120) << what;
         Params unclipped = params;
         unclipped.reflection.clip = MirrorClip::none;
         unclipped.shadow.clip_casters = false;
         if (params.planes.front().equation.w != 0.0) {
-            EXPECT_GT(pixels_beyond(draw(unclipped, scene, size_px), fallback, 3), 120) << "nothing to clip: " << what;
+            EXPECT_GT(pixels_beyond(draw(unclipped, scene, state_px), fallback, 3), 120) << "nothing to clip: " << what;
         }
     }
 }
@@ -217,8 +217,8 @@ TEST_F(FrameState, IsDefinedForEveryDegenerateState) {
             std::string what;
             for (const std::string& setting : all) what += setting + " ";
             SCOPED_TRACE(what);
-            const Image image = draw(params_with(all), scene, size_px);
-            EXPECT_EQ(draw(params_with(all), scene, size_px), image);
+            const Image image = draw(params_with(all), scene, state_px);
+            EXPECT_EQ(draw(params_with(all), scene, state_px), image);
             bool opaque = true;
             for (std::size_t at = 3; at < image.rgba.size(); at += 4) opaque = opaque && image.rgba[at] == 255;
             EXPECT_TRUE(opaque);
@@ -232,10 +232,10 @@ TEST_F(FrameState, SingularMirrorByHandStaysLit) {
     const Params params = params_with({"overrides.mirror_from_world=[[1,0,0,0],[0,0,0,-1],[0,0,1,0],[0,0,0,1]]",
                                        "reflection.clip=none", "reflection.reflectance=1", "shadow.enabled=false",
                                        "light.position=[0,-5,0,1]", "reflection.reflect_light=false"});
-    const Derived derived = derive_for(params, scene, size_px);
+    const Derived derived = derive_for(params, scene, state_px);
     const glm::dvec3 below_box(1.4, -1.0, -0.65);
     const glm::ivec3 color =
-        testing::rgb_at(draw(params, scene, size_px), testing::pixel_of(below_box, derived, size_px));
+        testing::rgb_at(draw(params, scene, state_px), testing::pixel_of(below_box, derived, state_px));
     EXPECT_GT(color.b, 60);
     EXPECT_GT(color.b, color.r);  // the box's blue
 }

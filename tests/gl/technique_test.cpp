@@ -22,13 +22,14 @@ using testing::scene_named;
 using testing::scene_of;
 using testing::worst_channel;
 
-constexpr glm::ivec2 size_px(160, 120);
+constexpr glm::ivec2 technique_px(160, 120);
 
 class Technique : public testing::GlTest {
 protected:
     static Rgb color_at(const std::vector<std::string>& settings, const Scene& scene, const glm::dvec3& point) {
         const Params params = params_with(settings);
-        return rgb_at(draw(params, scene, size_px), pixel_of(point, derive_for(params, scene, size_px), size_px));
+        return rgb_at(draw(params, scene, technique_px),
+                      pixel_of(point, derive_for(params, scene, technique_px), technique_px));
     }
 };
 
@@ -51,10 +52,11 @@ glm::dvec3 shadow_end() {
 
 TEST_F(Technique, LightsAtOnePlaceAreAsBrightAsOne) {
     Params params = params_with(plain({"shadow.enabled=false"}));
-    const Image one = draw(params, box_scene(), size_px);
+    const Image one = draw(params, box_scene(), technique_px);
     while (params.lights.size() < most_lights) {
         params.lights.push_back(params.lights.front());
-        EXPECT_EQ(pixels_beyond(draw(params, box_scene(), size_px), one, 1), 0) << params.lights.size() << " lights";
+        EXPECT_EQ(pixels_beyond(draw(params, box_scene(), technique_px), one, 1), 0)
+            << params.lights.size() << " lights";
     }
 }
 
@@ -151,33 +153,37 @@ TEST_F(Technique, FalseShadowOfWhatLiesBehindTheReceiver) {
 
 TEST_F(Technique, NothingBeyondTheLightCasts) {
     const Scene above = scene_of({object("above", box_mesh(), {0, 12, 0})});
-    const Image without = draw(params_with(plain({"shadow.enabled=false"})), above, size_px);
-    EXPECT_EQ(draw(params_with(plain({})), above, size_px), without);
-    EXPECT_EQ(draw(params_with(plain({"shadow.clip_casters=false"})), above, size_px), without);
-    const Image parallel = draw(params_with(plain({"light.position=[0,1,0,0]"})), above, size_px);
-    EXPECT_GT(pixels_beyond(
-                  parallel,
-                  draw(params_with(plain({"light.position=[0,1,0,0]", "shadow.enabled=false"})), above, size_px), 20),
-              100);
+    const Image without = draw(params_with(plain({"shadow.enabled=false"})), above, technique_px);
+    EXPECT_EQ(draw(params_with(plain({})), above, technique_px), without);
+    EXPECT_EQ(draw(params_with(plain({"shadow.clip_casters=false"})), above, technique_px), without);
+    const Image parallel = draw(params_with(plain({"light.position=[0,1,0,0]"})), above, technique_px);
+    EXPECT_GT(
+        pixels_beyond(
+            parallel,
+            draw(params_with(plain({"light.position=[0,1,0,0]", "shadow.enabled=false"})), above, technique_px), 20),
+        100);
 }
 
 TEST_F(Technique, EveryOffsetThatMendsFightingGivesTheSameShadow) {
     const Params offset = params_with(plain({}));
-    const Image expected = draw(offset, box_scene(), size_px);
+    const Image expected = draw(offset, box_scene(), technique_px);
     for (const char* const way : {"shadow.offset=no_depth_test", "shadow.offset=lift"}) {
         for (const char* const mapping :
              {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"}) {
-            const Image other = draw(params_with(plain({way, mapping, "shadow.lift=0.001"})), box_scene(), size_px);
+            const Image other =
+                draw(params_with(plain({way, mapping, "shadow.lift=0.001"})), box_scene(), technique_px);
             EXPECT_LE(pixels_beyond(expected, other, 3), 20) << way << " " << mapping;
         }
     }
     // Without any, depths are equal but for rounding, and "less" leaves shadow out.
-    EXPECT_GT(pixels_beyond(expected, draw(params_with(plain({"shadow.offset=none"})), box_scene(), size_px), 3), 100);
+    EXPECT_GT(pixels_beyond(expected, draw(params_with(plain({"shadow.offset=none"})), box_scene(), technique_px), 3),
+              100);
     // In every format the offset is enough: none but the edge differs.
     for (const char* const format : {"depth.format=d16", "depth.format=d32f", "depth.format=d12"})
         for (const char* const mapping :
              {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"})
-            EXPECT_LE(pixels_beyond(expected, draw(params_with(plain({format, mapping})), box_scene(), size_px), 3), 60)
+            EXPECT_LE(
+                pixels_beyond(expected, draw(params_with(plain({format, mapping})), box_scene(), technique_px), 3), 60)
                 << format << " " << mapping;
 }
 
@@ -219,11 +225,11 @@ TEST_F(Technique, CullingBackFacesOfClosedObjectsDoesNotShow) {
             params.camera.pitch = angles.pitch_deg;
             Params culled = params;
             culled.cull.enabled = true;
-            const Image all = draw(params, scene, size_px);
+            const Image all = draw(params, scene, technique_px);
             // On an outline both faces may cover a pixel at depths that round alike.
-            EXPECT_LE(pixels_beyond(all, draw(culled, scene, size_px), 0), 4);
+            EXPECT_LE(pixels_beyond(all, draw(culled, scene, technique_px), 0), 4);
             culled.cull.face = CullFace::front;
-            EXPECT_GT(pixels_beyond(all, draw(culled, scene, size_px), 3), 200);
+            EXPECT_GT(pixels_beyond(all, draw(culled, scene, technique_px), 3), 200);
         }
     }
 }
@@ -246,15 +252,15 @@ TEST_F(Technique, PlaneTimesAnyFactorGivesTheSamePicture) {
         params.reflection.clip = trial % 2 == 0 ? MirrorClip::clip_distance : MirrorClip::oblique;
         params.shadow.offset = trial % 5 == 0 ? ShadowOffset::lift : ShadowOffset::polygon_offset;
         params.reflection.reflectance = random.number(0.1, 1.0);
-        const Image picture = draw(params, scene, size_px);
+        const Image picture = draw(params, scene, technique_px);
         for (const double factor : {-1.0, 2.0}) {
             Params same = params;
             same.planes.front().equation *= factor;
-            EXPECT_EQ(draw(same, scene, size_px), picture) << "times " << factor;
+            EXPECT_EQ(draw(same, scene, technique_px), picture) << "times " << factor;
         }
         Params without = params;
         without.shadow.enabled = false;
-        pictures_with_shadow += pixels_beyond(picture, draw(without, scene, size_px), 3) > 50 ? 1 : 0;
+        pictures_with_shadow += pixels_beyond(picture, draw(without, scene, technique_px), 3) > 50 ? 1 : 0;
     }
     EXPECT_GE(pictures_with_shadow, 8);
 }
@@ -285,7 +291,7 @@ std::vector<std::string> from_origin(std::vector<std::string> more) {
 enum class Seen { background, near_quad, far_quad };
 
 Seen seen(const Image& image) {
-    const Rgb center = rgb_at(image, size_px / 2);
+    const Rgb center = rgb_at(image, technique_px / 2);
     if (center == Rgb(0x1b, 0x1f, 0x27)) return Seen::background;
     return center.r > center.b ? Seen::near_quad : Seen::far_quad;
 }
@@ -309,14 +315,14 @@ TEST_F(Technique, EveryDepthFunctionInBothOrders) {
                                  {"always", Seen::far_quad, Seen::near_quad}}) {
             SCOPED_TRACE(std::string(mapping) + " " + each.func);
             const Params params = params_with(from_origin({mapping, std::string("depth.func=") + each.func}));
-            EXPECT_EQ(seen(draw(params, near_first, size_px)), each.near_first);
-            EXPECT_EQ(seen(draw(params, far_first, size_px)), each.far_first);
+            EXPECT_EQ(seen(draw(params, near_first, technique_px)), each.near_first);
+            EXPECT_EQ(seen(draw(params, far_first, technique_px)), each.far_first);
         }
         for (const char* const last_wins : {"depth.test=false", "depth.write=false", "visibility.method=none"}) {
             SCOPED_TRACE(std::string(mapping) + " " + last_wins);
             const Params params = params_with(from_origin({mapping, last_wins}));
-            EXPECT_EQ(seen(draw(params, near_first, size_px)), Seen::far_quad);
-            EXPECT_EQ(seen(draw(params, far_first, size_px)), Seen::near_quad);
+            EXPECT_EQ(seen(draw(params, near_first, technique_px)), Seen::far_quad);
+            EXPECT_EQ(seen(draw(params, far_first, technique_px)), Seen::near_quad);
         }
     }
 }
@@ -329,14 +335,14 @@ TEST_F(Technique, DepthThatIsNotClearedHidesWhatComesLater) {
             SCOPED_TRACE(std::string(mapping) + (clears ? " cleared" : " not cleared"));
             const Params params =
                 params_with(from_origin({mapping, clears ? "depth.clear=true" : "depth.clear=false"}));
-            const FramePlan frame = plan(params, derive_for(params, near_only, size_px));
+            const FramePlan frame = plan(params, derive_for(params, near_only, technique_px));
             View view;
             // A view's first frame has only itself: nothing undefined shows.
-            draw(frame, near_only, size_px, renderer(), view);
-            const Seen later = seen(draw(frame, far_only, size_px, renderer(), view));
+            draw(frame, near_only, technique_px, renderer(), view);
+            const Seen later = seen(draw(frame, far_only, technique_px, renderer(), view));
             EXPECT_EQ(later, clears ? Seen::far_quad : Seen::background);
             View fresh;
-            const Seen first = seen(draw(frame, far_only, size_px, renderer(), fresh));
+            const Seen first = seen(draw(frame, far_only, technique_px, renderer(), fresh));
             EXPECT_EQ(first,
                       clears ? Seen::far_quad : Seen::background);  // hidden by its own earlier frame: less, not lequal
         }
@@ -350,10 +356,11 @@ TEST_F(Technique, DecalsAreOffsetAndNothingElse) {
          {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"}) {
         const Params towards = params_with(from_origin({mapping, "depth.offset.units=-4", "depth.offset.factor=-1"}));
         const Params away = params_with(from_origin({mapping, "depth.offset.units=4", "depth.func=lequal"}));
-        EXPECT_EQ(seen(draw(towards, scene_of({wall, decal}), size_px)), Seen::far_quad) << "not marked: no offset";
+        EXPECT_EQ(seen(draw(towards, scene_of({wall, decal}), technique_px)), Seen::far_quad)
+            << "not marked: no offset";
         decal.description.decal = true;
-        EXPECT_EQ(seen(draw(towards, scene_of({wall, decal}), size_px)), Seen::near_quad) << mapping;
-        EXPECT_EQ(seen(draw(away, scene_of({wall, decal}), size_px)), Seen::far_quad) << mapping;
+        EXPECT_EQ(seen(draw(towards, scene_of({wall, decal}), technique_px)), Seen::near_quad) << mapping;
+        EXPECT_EQ(seen(draw(away, scene_of({wall, decal}), technique_px)), Seen::far_quad) << mapping;
         decal.description.decal = false;
     }
 }
@@ -363,7 +370,7 @@ TEST_F(Technique, FacingTellsFrontFromBack) {
     const auto center = [&](const std::vector<std::string>& more) {
         std::vector<std::string> settings = {"view.shows=facing"};
         settings.insert(settings.end(), more.begin(), more.end());
-        return rgb_at(draw(params_with(from_origin(settings)), ball, size_px), size_px / 2);
+        return rgb_at(draw(params_with(from_origin(settings)), ball, technique_px), technique_px / 2);
     };
     const Rgb front = center({}), back = center({"cull.enabled=true", "cull.face=front"});
     EXPECT_GT(front.b, front.r + 40);  // blue
@@ -387,7 +394,7 @@ TEST_F(Technique, FacingInTheMirrorNeedsTheFlippedWinding) {
         std::vector<std::string> settings = {"reflection.enabled=true", "reflection.reflectance=1",
                                              "shadow.enabled=false"};
         settings.insert(settings.end(), more.begin(), more.end());
-        return draw(params_with(plain(settings)), box_scene(), size_px);
+        return draw(params_with(plain(settings)), box_scene(), technique_px);
     };
     EXPECT_LE(pixels_beyond(picture({}), picture({"cull.enabled=true"}), 3), 10);
     EXPECT_GT(pixels_beyond(picture({}), picture({"cull.enabled=true", "reflection.flip_winding=false"}), 3), 100);
@@ -413,17 +420,17 @@ TEST_F(Technique, DepthViewIsBlackNearAndWhiteFar) {
     for (const char* const mapping :
          {"depth.mapping=standard", "depth.mapping=reversed", "depth.mapping=logarithmic"}) {
         SCOPED_TRACE(mapping);
-        const Image linear =
-            draw(params_with(from_origin({mapping, "view.shows=depth", "depth.format=d32f"})), ball_scene, size_px);
+        const Image linear = draw(params_with(from_origin({mapping, "view.shows=depth", "depth.format=d32f"})),
+                                  ball_scene, technique_px);
         const double grey = 255.0 * (10 - 0.5) / (40 - 0.5);
-        EXPECT_LE(worst_channel(rgb_at(linear, size_px / 2), Rgb(glm::round(glm::dvec3(grey)))), 1);
+        EXPECT_LE(worst_channel(rgb_at(linear, technique_px / 2), Rgb(glm::round(glm::dvec3(grey)))), 1);
         const Rgb unwritten = rgb_at(linear, {2, 2});
         EXPECT_GT(unwritten.b, unwritten.r + 20);  // tinted
         const Image window = draw(params_with(from_origin({mapping, "view.shows=depth", "view.depth_scale=window"})),
-                                  ball_scene, size_px);
+                                  ball_scene, technique_px);
         const bool logarithmic = std::string(mapping) == "depth.mapping=logarithmic";
         const double depth = logarithmic ? std::log(20.0) / std::log(80.0) : 40.0 / 39.5 * (1.0 - 0.5 / 10.0);
-        EXPECT_LE(worst_channel(rgb_at(window, size_px / 2), Rgb(glm::round(glm::dvec3(255.0 * depth)))), 1);
+        EXPECT_LE(worst_channel(rgb_at(window, technique_px / 2), Rgb(glm::round(glm::dvec3(255.0 * depth)))), 1);
     }
 }
 
@@ -457,7 +464,7 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         const Angles angles = angles_looking_at(params.camera.position, {0, 0, 0});
         params.camera.yaw = angles.yaw_deg;
         params.camera.pitch = angles.pitch_deg;
-        const Derived derived = derive_for(params, scene, size_px);
+        const Derived derived = derive_for(params, scene, technique_px);
         FramePlan image = plan(params, derived);
         std::erase_if(image.passes,
                       [](const Pass& pass) { return pass.subject != Subject::objects || !pass.is_mirror_image; });
@@ -474,17 +481,17 @@ TEST_F(Technique, MirrorImageIsWhatTheMirroredCameraSees) {
         from_behind.camera.yaw = mirrored_angles.yaw_deg;
         from_behind.camera.pitch = mirrored_angles.pitch_deg;
         from_behind.camera.roll = mirrored_angles.roll_deg;
-        FramePlan direct = plan(from_behind, derive_for(from_behind, scene, size_px));
+        FramePlan direct = plan(from_behind, derive_for(from_behind, scene, technique_px));
         std::erase_if(direct.passes,
                       [](const Pass& pass) { return pass.subject != Subject::objects || pass.is_mirror_image; });
 
-        Image flipped = draw(direct, scene, size_px);
+        Image flipped = draw(direct, scene, technique_px);
         for (int y = 0; y < flipped.height; ++y)
             for (int x = 0; x < flipped.width / 2; ++x)
                 std::swap_ranges(flipped.row(y) + 4 * x, flipped.row(y) + 4 * x + 4,
                                  flipped.row(y) + 4 * (flipped.width - 1 - x));
-        const Image mirrored = draw(image, scene, size_px);
-        const Image background(draw(params, scene_of({}), size_px));
+        const Image mirrored = draw(image, scene, technique_px);
+        const Image background(draw(params, scene_of({}), technique_px));
         EXPECT_GT(pixels_beyond(mirrored, background, 10), 300);
         EXPECT_LE(pixels_beyond(mirrored, flipped, 2), 60);  // edges: rasterisation is not symmetric
     }
@@ -503,11 +510,11 @@ TEST_F(Technique, ObliqueNearPlaneAndClipDistanceCutAlike) {
         const Angles angles = angles_looking_at(params.camera.position, {0, 0.3, 0});
         params.camera.yaw = angles.yaw_deg;
         params.camera.pitch = angles.pitch_deg;
-        const Image by_distance = draw(params, scene, size_px);
+        const Image by_distance = draw(params, scene, technique_px);
         params.reflection.clip = MirrorClip::oblique;
-        EXPECT_LE(pixels_beyond(by_distance, draw(params, scene, size_px), 3), 80);
+        EXPECT_LE(pixels_beyond(by_distance, draw(params, scene, technique_px), 3), 80);
         params.reflection.clip = MirrorClip::none;
-        cut += pixels_beyond(by_distance, draw(params, scene, size_px), 3) > 200 ? 1 : 0;
+        cut += pixels_beyond(by_distance, draw(params, scene, technique_px), 3) > 200 ? 1 : 0;
     }
     EXPECT_GE(cut, 6) << "the planes have to cut through the scene";
 }
@@ -535,8 +542,8 @@ TEST_F(Technique, OrthographicFacesAreLitByTheDirectionOfSight) {
         Params params = params_with(
             from_origin({"projection.type=orthographic", "projection.height=4", "light.position=[1,0,0.3,0]"}));
         params.camera.position.x = camera_x;
-        const Derived derived = derive_for(params, scene, size_px);
-        return rgb_at(draw(params, scene, size_px), pixel_of({3, 0, -5}, derived, size_px));
+        const Derived derived = derive_for(params, scene, technique_px);
+        return rgb_at(draw(params, scene, technique_px), pixel_of({3, 0, -5}, derived, technique_px));
     };
     EXPECT_GT(color_from(5.0).b, 150);
     EXPECT_LE(worst_channel(color_from(5.0), color_from(1.0)), 1);

@@ -10,14 +10,14 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 inspected_px(160, 90);
 
 class Inspector : public testing::GlTest {
 protected:
     const DepthData& tell(const DepthWishes& wishes) {
-        const Derived derived = derive(params, scene, Viewport{size_px});
+        const Derived derived = derive(params, scene, Viewport{inspected_px});
         const Status done =
-            inspector.update(renderer(), plan(params, derived), scene, version, derived, size_px, wishes);
+            inspector.update(renderer(), plan(params, derived), scene, version, derived, inspected_px, wishes);
         EXPECT_TRUE(done) << done.error();
         return inspector.data();
     }
@@ -39,7 +39,7 @@ TEST_F(Inspector, TellsWhatIsWantedAndNothingElse) {
     const DepthData& counted = tell({.counts = true});
     const auto& counts = counted.depth_counts;
     EXPECT_EQ(std::accumulate(counts.counts.begin(), counts.counts.end(), std::uint64_t{0}) + counts.unwritten,
-              static_cast<std::uint64_t>(size_px.x * size_px.y));
+              static_cast<std::uint64_t>(inspected_px.x * inspected_px.y));
     EXPECT_FALSE(counted.pixel);
     EXPECT_EQ(tell({.calls = true}).calls.size(), 4U);  // the patch and three objects
 }
@@ -68,14 +68,14 @@ TEST_F(Inspector, TouchesAreTheTrianglesThatSendThePixelAFragment) {
     const std::vector<DrawCall> calls = tell(wishes).calls;
     const std::vector<DrawLimit> touches = tell(wishes).touches;
     const FragmentFinder finder(scene);
-    const Derived derived = derive(params, scene, Viewport{size_px});
+    const Derived derived = derive(params, scene, Viewport{inspected_px});
     std::vector<DrawLimit> expected;
     std::size_t before = 0;
     for (int call = 0; call < static_cast<int>(calls.size()); ++call)
         for (int triangle = 1; triangle <= calls[static_cast<std::size_t>(call)].triangles; ++triangle) {
             FramePlan frame = plan(params, derived);
             frame.limit = {call, triangle};
-            const std::size_t now = finder.at(frame, pixel, size_px).size();
+            const std::size_t now = finder.at(frame, pixel, inspected_px).size();
             if (now > before) expected.push_back({call, triangle});
             before = now;
         }
@@ -116,9 +116,9 @@ TEST_F(Inspector, KeepsTheBlockInsideThePicture) {
         EXPECT_EQ(block.size, glm::ivec2(11, 5));
         EXPECT_TRUE(glm::all(glm::lessThanEqual(block.first_pixel, pixel)));
         EXPECT_TRUE(glm::all(glm::lessThan(pixel, block.first_pixel + block.size)));
-        EXPECT_TRUE(glm::all(glm::lessThanEqual(block.first_pixel + block.size, size_px)));
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(block.first_pixel + block.size, inspected_px)));
     }
-    EXPECT_EQ(tell({.pixel = glm::ivec2(5, 5), .cells = glm::ivec2(500, 400)}).now.size, size_px);
+    EXPECT_EQ(tell({.pixel = glm::ivec2(5, 5), .cells = glm::ivec2(500, 400)}).now.size, inspected_px);
 }
 
 }  // namespace

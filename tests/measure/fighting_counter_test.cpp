@@ -11,13 +11,13 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(320, 180);
+constexpr glm::ivec2 counted_px(320, 180);
 constexpr bool may_wait = true, is_at_rest = true;
 
 class Counter : public testing::GlTest {
 protected:
     std::shared_ptr<const FightingReport> update(bool waits, bool rests) {
-        return counter.update(renderer(), params, scene, version, size_px, waits, rests);
+        return counter.update(renderer(), params, scene, version, counted_px, waits, rests);
     }
     /// Frame after frame, as a window does it.
     std::shared_ptr<const FightingReport> finish() {
@@ -40,7 +40,7 @@ TEST_F(Counter, GivesWhatIsCountedAndSearchedAtOnce) {
     ASSERT_TRUE(report);
     EXPECT_FALSE(counter.wants_frames());
     EXPECT_FALSE(report->counts_are_behind || report->gap_is_behind);
-    const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), size_px);
+    const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), counted_px);
     ASSERT_TRUE(counts);
     ASSERT_EQ(report->rows.size(), counts->pairs.size());
     for (std::size_t i = 0; i < counts->pairs.size(); ++i) {
@@ -48,7 +48,7 @@ TEST_F(Counter, GivesWhatIsCountedAndSearchedAtOnce) {
         EXPECT_EQ(report->counts.pairs[i].pixels, counts->pairs[i].pixels);
     }
     EXPECT_EQ(report->rows[0].first, "back quad at 4");
-    const Derived derived = derive_for(params, scene, size_px);
+    const Derived derived = derive_for(params, scene, counted_px);
     const auto found = find_minimum_gap(renderer(), params, derived.facts.target_distance);
     ASSERT_TRUE(found && report->minimum_gap);
     EXPECT_EQ(report->minimum_gap->gap, found->gap);
@@ -59,7 +59,7 @@ TEST_F(Counter, ComesToTheSameFrameByFrame) {
     const auto report = finish();
     ASSERT_TRUE(report);
     FightingCounter other;
-    const auto at_once = other.update(renderer(), params, scene, version, size_px, may_wait, is_at_rest);
+    const auto at_once = other.update(renderer(), params, scene, version, counted_px, may_wait, is_at_rest);
     EXPECT_EQ(report->counts.wrong_fraction(), at_once->counts.wrong_fraction());
     EXPECT_EQ(report->minimum_gap->gap, at_once->minimum_gap->gap);
     EXPECT_FALSE(report->counts_are_behind || report->gap_is_behind);

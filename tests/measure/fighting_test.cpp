@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(640, 360);
+constexpr glm::ivec2 fighting_px(640, 360);
 
 /// How many codes lie between the near plane and a distance; many for a float.
 double codes_before(const Params& params, double z) {
@@ -40,7 +40,7 @@ protected:
         return count(state->params, scene);
     }
     static FightingCounts count(const Params& params, const Scene& scene) {
-        const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), size_px);
+        const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), fighting_px);
         EXPECT_TRUE(counts) << counts.error();
         return *counts;
     }
@@ -175,7 +175,7 @@ TEST_F(Fighting, IsCountedWithEachCureAsIfItWereSetByHand) {
     const Params params = load_state("depth-fighting")->params;
     const Scene scene = testing::scene_named("coplanar");
     FightingReport report =
-        fighting_report(count(params, scene), params, derive_for(params, scene, size_px), scene, size_px);
+        fighting_report(count(params, scene), params, derive_for(params, scene, fighting_px), scene, fighting_px);
     ASSERT_EQ(report.cured.size(), std::size(settings));
     ASSERT_TRUE(count_cures(report, renderer(), scene));
     for (std::size_t i = 0; i < std::size(settings); ++i) {
@@ -214,7 +214,7 @@ TEST_F(Fighting, IsAsPredictedWhereverAShareIsPredictedOfCodesAlone) {
         Params params = state->params;
         params.depth.format = DepthFormat::d12;
         const Scene scene = testing::scene_named(std::get<std::string>(params.scene));
-        const glm::ivec2 large_px = 2 * size_px;  // so that the stripes are many pixels wide
+        const glm::ivec2 large_px = 2 * fighting_px;  // so that the stripes are many pixels wide
         const Derived derived = derive(params, scene, {large_px, renderer().capabilities().clip_control});
         const auto counts = count_fighting(renderer(), params, scene, near_coplanar_pairs(scene), large_px);
         int said = 0;
@@ -253,9 +253,9 @@ TEST_F(Fighting, IsWithinWhatIsSaidFromEveryCamera) {
         ASSERT_TRUE(scene) << scene.error();
         const Params trembled = trembling(params, trial % spread_cameras);
         const FightingCounts counts = count(trembled, *scene);
-        const Derived derived = derive(trembled, *scene, {size_px, renderer().capabilities().clip_control});
+        const Derived derived = derive(trembled, *scene, {fighting_px, renderer().capabilities().clip_control});
         for (const CountedPair& counted : counts.pairs) {
-            const auto share = predict_pair(counted.pair, trembled, derived, size_px).wrong_share;
+            const auto share = predict_pair(counted.pair, trembled, derived, fighting_px).wrong_share;
             if (!share || counted.pixels < 300) continue;
             ++said;
             said_between += share->most > 0.02 && share->least < 0.98 ? 1 : 0;
@@ -272,8 +272,8 @@ TEST_F(Fighting, IsWithinWhatIsSaidFromEveryCamera) {
 TEST_F(Fighting, Of24BitsIsSaidOnlyWhereItIsSureAndSpreadsOverCameras) {
     const Params params = load_state("depth-fighting")->params;
     const Scene scene = testing::scene_named("coplanar");
-    const Derived derived = derive(params, scene, {size_px, true});
-    FightingReport report = fighting_report(count(params, scene), params, derived, scene, size_px);
+    const Derived derived = derive(params, scene, {fighting_px, true});
+    FightingReport report = fighting_report(count(params, scene), params, derived, scene, fighting_px);
     ASSERT_TRUE(count_spread(report, renderer(), params, scene));
     for (const FightingReport::Row& row : report.rows) {
         EXPECT_EQ(row.spread.cameras, spread_cameras);
@@ -337,7 +337,7 @@ TEST_F(Fighting, CanBeCancelled) {
     progress.cancelled = true;
     EXPECT_FALSE(find_minimum_gap(renderer(), Params{}, 5.0, &progress));
     const Scene scene = testing::scene_named("coplanar");
-    EXPECT_FALSE(count_fighting(renderer(), Params{}, scene, near_coplanar_pairs(scene), size_px, &progress));
+    EXPECT_FALSE(count_fighting(renderer(), Params{}, scene, near_coplanar_pairs(scene), fighting_px, &progress));
 }
 
 }  // namespace

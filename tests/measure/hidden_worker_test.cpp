@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 worked_px(160, 90);
 
 Params params_with(const std::vector<std::string>& settings) {
     const Result<Params> params = apply_settings(Params{}, settings);
@@ -22,7 +22,7 @@ Params params_with(const std::vector<std::string>& settings) {
 
 HiddenQuestion question_for(const Params& params, const Scene& scene) {
     const std::optional<HiddenQuestion> question =
-        hidden_question(params, derive(params, scene, {size_px, true}), size_px);
+        hidden_question(params, derive(params, scene, {worked_px, true}), worked_px);
     EXPECT_TRUE(question);
     return *question;
 }

@@ -10,7 +10,7 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 size_px(160, 90);
+constexpr glm::ivec2 hovered_px(160, 90);
 
 bool is_slow = false;  ///< no fence passes
 int waits = 0;         ///< reads that wait for GL
@@ -64,8 +64,8 @@ protected:
     }
 
     std::optional<PixelReport> frame(glm::ivec2 pixel) {
-        const Derived derived = derive(params, scene, Viewport{size_px});
-        const auto told = inspector.follow(renderer(), plan(params, derived), scene, derived, size_px, pixel);
+        const Derived derived = derive(params, scene, Viewport{hovered_px});
+        const auto told = inspector.follow(renderer(), plan(params, derived), scene, derived, hovered_px, pixel);
         EXPECT_TRUE(told) << told.error();
         return told ? *told : std::nullopt;
     }
@@ -80,10 +80,10 @@ protected:
         return told;
     }
     PixelReport at_once(glm::ivec2 pixel) {
-        const Derived derived = derive(params, scene, Viewport{size_px});
+        const Derived derived = derive(params, scene, Viewport{hovered_px});
         const int before = waits;
         PixelProbe probe;
-        EXPECT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, size_px));
+        EXPECT_TRUE(probe.prepare(renderer(), plan(params, derived), scene, derived, hovered_px));
         PixelReport report = probe.at(pixel, scene);
         EXPECT_GT(waits, before) << "what waits is not counted";
         waits = before;
@@ -149,8 +149,8 @@ TEST_P(Hovering, OneReadIsUnderWayAndTheNewestPlaceWins) {
 /// Views below the camera's that tell of the pixel keep what they told of this picture until the next one has come.
 TEST_P(Hovering, ViewsWaitForNothingEither) {
     const auto tell = [this](glm::ivec2 pixel) {
-        const Derived derived = derive(params, scene, Viewport{size_px});
-        EXPECT_TRUE(inspector.update(renderer(), plan(params, derived), scene, 1, derived, size_px,
+        const Derived derived = derive(params, scene, Viewport{hovered_px});
+        EXPECT_TRUE(inspector.update(renderer(), plan(params, derived), scene, 1, derived, hovered_px,
                                      {.pixel = pixel, .fragments = true}, false));
         EXPECT_TRUE(inspector.data().pixel);
         return *inspector.data().pixel;

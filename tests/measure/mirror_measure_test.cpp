@@ -11,7 +11,7 @@ namespace {
 
 using testing::scene_named;
 
-constexpr glm::ivec2 size_px(480, 270);
+constexpr glm::ivec2 mirror_px(480, 270);
 
 class MirrorMeasure : public testing::GlTest {
 protected:
@@ -24,7 +24,7 @@ protected:
     }
     static MirrorWays measure(const Params& params, std::array<View, mirror_way_count>* pictures = nullptr) {
         const Scene scene = scene_named(std::get<std::string>(params.scene));
-        const Result<MirrorWays> ways = compare_mirror_ways(renderer(), params, scene, size_px, pictures);
+        const Result<MirrorWays> ways = compare_mirror_ways(renderer(), params, scene, mirror_px, pictures);
         EXPECT_TRUE(ways) << ways.error();
         return *ways;
     }
@@ -49,8 +49,8 @@ protected:
 
 TEST_F(MirrorMeasure, OnlyTheUnclippedImageDiffers) {
     const MirrorWays ways = measure(std::vector<std::string>{});
-    const std::int64_t pixels = size_px.x * size_px.y;
-    EXPECT_EQ(ways.size_px, size_px);
+    const std::int64_t pixels = mirror_px.x * mirror_px.y;
+    EXPECT_EQ(ways.size_px, mirror_px);
     for (const MirrorWayReport& report : ways.reports) EXPECT_EQ(report.compared, pixels);
     EXPECT_GT(of(ways, MirrorWay::none).different, pixels / 20);
     EXPECT_GT(of(ways, MirrorWay::none).worst, 40);
@@ -104,7 +104,7 @@ TEST_F(MirrorMeasure, NothingIsComparedWithoutAnImage) {
             EXPECT_EQ(report.first_depth, 0.0) << empty.what;
             EXPECT_EQ(report.last_depth, 0.0) << empty.what;
         }
-        for (const View& picture : pictures) EXPECT_EQ(picture.size_px(), size_px);
+        for (const View& picture : pictures) EXPECT_EQ(picture.size_px(), mirror_px);
     }
 }
 
@@ -207,7 +207,7 @@ TEST_F(MirrorMeasure, MarksInRedWhatItCounts) {
     for (std::size_t way = 0; way < mirror_way_count; ++way)
         EXPECT_EQ(red_pixels(pictures[way]), ways.reports[way].different) << name_of(static_cast<MirrorWay>(way));
     Params reference = params_of("mirror-unclipped", {"reflection.clip=clip_distance", "view.samples=0"});
-    EXPECT_EQ(renderer().read(pictures[0]), draw(reference, scene_named("torus-and-boxes"), size_px))
+    EXPECT_EQ(renderer().read(pictures[0]), draw(reference, scene_named("torus-and-boxes"), mirror_px))
         << "the first one is the camera's picture itself";
 }
 

@@ -98,9 +98,9 @@ std::vector<std::string> cut_texts(const std::vector<Letter>& letters, bool scro
     return cut;
 }
 
-using Case = std::tuple<ImVec2, double, Theme>;
+using Looks = std::tuple<ImVec2, double, Theme>;
 
-class LanguageTest : public ::testing::TestWithParam<Case> {
+class LanguageTest : public ::testing::TestWithParam<Looks> {
 protected:
     LanguageTest() { speak_pseudo(catalogue()); }
     ~LanguageTest() override { speak_english(); }
@@ -142,10 +142,10 @@ TEST_P(LanguageTest, EveryTextIsLookedUpAndHasRoom) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, LanguageTest,
-                         ::testing::Values(Case{{1600, 900}, 1.0, Theme::dark}, Case{{800, 600}, 1.0, Theme::dark},
-                                           Case{{1600, 900}, 1.0, Theme::projector},
-                                           Case{{1280, 720}, 1.0, Theme::light},
-                                           Case{{1600, 3000}, 1.0, Theme::dark}));  // the whole panel
+                         ::testing::Values(Looks{{1600, 900}, 1.0, Theme::dark}, Looks{{800, 600}, 1.0, Theme::dark},
+                                           Looks{{1600, 900}, 1.0, Theme::projector},
+                                           Looks{{1280, 720}, 1.0, Theme::light},
+                                           Looks{{1600, 3000}, 1.0, Theme::dark}));  // the whole panel
 
 }  // namespace
 }  // namespace viewing::test

@@ -203,7 +203,7 @@ class Page:
         self.open_link(fragment)
         self.settle()
 
-    def settle(self, quiet_s=0.2):
+    def settle(self, quiet_s=0.08):
         trouble = self.driver.execute_async_script(SETTLE, 1000 * quiet_s, 1000 * PATIENCE_S)
         if trouble:
             raise AssertionError(f"the page does not come to rest: {trouble}; {self.complaints() or self.notice()}")

@@ -1,5 +1,7 @@
 """Long work: it goes on between frames while the page stays usable, and comes to its end."""
 import csv
+import re
+import time
 import unittest
 
 import browser
@@ -35,6 +37,25 @@ class Work(browser.Test):
         rows = list(csv.reader(self.page.downloaded("viewing-growth*.csv").read_text().splitlines()))
         self.assertGreater(len(rows), 10)
         self.assertEqual({len(row) for row in rows}, {len(rows[0])})
+
+
+class InOneGo(browser.Test):
+    """Browsers without JavaScript Promise Integration: the same result, and why the page did not answer."""
+    options = {"size": (1280, 1300)}
+
+    def test_what_the_page_stood_still_for_is_told(self):
+        self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source="delete WebAssembly.Suspending; delete WebAssembly.promising")
+        self.page.open(native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
+        self.assertNotIn("stood still", self.page.told(), "what is short is not told")
+        begun = time.monotonic()
+        self.page.click("Measure")
+        took = time.monotonic() - begun
+        told = re.search(r"This took ([0-9.]+) s, and the page stood still", self.page.told())
+        self.assertIsNotNone(told, self.page.told())
+        self.assertGreaterEqual(float(told[1]), 0.5)
+        self.assertLess(float(told[1]), took)
+        self.page.click("Save CSV")
+        self.assertGreater(len(self.page.downloaded("viewing-growth*.csv").read_text().splitlines()), 10)
 
 
 if __name__ == "__main__":

@@ -10,8 +10,6 @@
 namespace widgets::test {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-
 class PrecisionChartTest : public WidgetTest {
 protected:
     double near = 0.1, far = 100.0;

@@ -14,6 +14,22 @@
 
 namespace widgets::test {
 
+inline constexpr double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+
+/// As WCAG 2 defines it, from 0 to 1.
+inline double luminance(ImU32 color) {
+    const auto linear = [color](int shift) {
+        const double c = ((color >> shift) & 0xFF) / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(IM_COL32_R_SHIFT) + 0.7152 * linear(IM_COL32_G_SHIFT) + 0.0722 * linear(IM_COL32_B_SHIFT);
+}
+
+inline double contrast(ImU32 a, ImU32 b) {
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+    return (high + 0.05) / (low + 0.05);
+}
+
 class Harness {
 public:
     /// `draw` draws one whole frame between ImGui::NewFrame and ImGui::Render and calls widgets::NewFrame(context)

@@ -147,19 +147,6 @@ TEST_F(TextTest, JunkIsDrawnWithoutACrash) {
     EXPECT_GT(size_of("_").x, 0.0F) << "a lone sign is shown as it is";
 }
 
-double luminance(ImU32 color) {
-    const auto linear = [color](int shift) {
-        const double c = ((color >> shift) & 0xFF) / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(IM_COL32_R_SHIFT) + 0.7152 * linear(IM_COL32_G_SHIFT) + 0.0722 * linear(IM_COL32_B_SHIFT);
-}
-
-double contrast(ImU32 a, ImU32 b) {
-    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-    return (high + 0.05) / (low + 0.05);
-}
-
 float hue_deg(ImU32 color) {
     const ImVec4 c = ImGui::ColorConvertU32ToFloat4(color);
     float h = 0, s = 0, v = 0;

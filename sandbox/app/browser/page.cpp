@@ -18,12 +18,14 @@
 #include "gl/gl.h"
 #include "image/png.h"
 #include "measure/camera_picture.h"
+#include "platform/browser/standstill.h"
 #include "platform/file.h"
 #include "report/matrices_report.h"
 #include "state/json.h"
 #include "state/language.h"
 #include "state/link.h"
 #include "text/catalogue.h"
+#include "text/numbers.h"
 
 EM_JS(void, page_tell_trouble, (const char* text), { page.tellTrouble(UTF8ToString(text)); });
 EM_JS(void, page_wake, (), { page.wake(); });
@@ -170,6 +172,19 @@ void refuse_what_is_not_there() {
     page->studio.session.message.is_error = true;  // it stays
 }
 
+/// Shorter, nobody asks why nothing moves.
+constexpr double noticed_ms = 500.0;
+
+/// Why the page did not answer, after it.
+void tell_standstill() {
+    const double ms = take_standstill_ms();
+    Message& message = page->studio.session.message;
+    if (ms < noticed_ms || message.is_error) return;
+    message = {
+        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome and Edge can.",
+            "time"_a = figures(ms / 1000.0))};
+}
+
 const char* given(std::string text) {
     page->returned = std::move(text);
     return page->returned.c_str();
@@ -218,6 +233,7 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     constexpr int frames_after_an_event = 3;
     page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
     refuse_what_is_not_there();
+    tell_standstill();
     const InputFrame& frame = page->queue.next_frame(now_s());
     feed_imgui(frame, static_cast<float>(scale));
     ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};

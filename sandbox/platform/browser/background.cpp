@@ -5,17 +5,20 @@
 
 #include <emscripten.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <memory>
 #include <utility>
 
+#include "platform/browser/standstill.h"
 #include "platform/threads.h"
 #include "text/catalogue.h"
 
 EM_JS(void, page_begin_work, (void* run, void* stack_end), { page.beginWork(run, stack_end); });
 // Replaced by one that suspends where there is such a thing: the name is known to page.js.
 EM_JS(void, page_pause, (), {});
+EM_JS(int, page_can_pause, (), { return page.canPause ? 1 : 0; });
 
 namespace viewing {
 namespace {
@@ -26,6 +29,7 @@ constexpr std::size_t stack_bytes = 1U << 20U;
 void (*wake_at_end)() = nullptr;
 double slice_began_ms = 0.0;
 bool is_at_work = false;
+double longest_standstill_ms = 0.0;
 
 }  // namespace
 
@@ -35,7 +39,10 @@ struct BackgroundCall::State {
 
     void run() {
         has_begun = true;
+        const double began_ms = emscripten_get_now();
         work();
+        if (!page_can_pause())
+            longest_standstill_ms = std::max(longest_standstill_ms, emscripten_get_now() - began_ms);
         is_done = true;
         if (wake_at_end) wake_at_end();
     }
@@ -72,6 +79,10 @@ void give_way() {
     page_pause();
     is_at_work = true;
     slice_began_ms = emscripten_get_now();
+}
+
+double take_standstill_ms() {
+    return std::exchange(longest_standstill_ms, 0.0);
 }
 
 void wake_when_work_ends(void (*wake)()) {

@@ -50,7 +50,7 @@ Scene random_scene(Random& random) {
     return scene_of(std::move(objects));
 }
 
-glm::dvec4 random_plane(Random& random) {
+glm::dvec4 cutting_plane(Random& random) {
     return {random.direction(), random.number(-4.0, 4.0)};
 }
 
@@ -118,7 +118,7 @@ TEST(BoxForm, BoundsWhatIsComputedAtVertices) {
     Random random(seed + 1);
     for (int i = 0; i < 200; ++i) {
         const SceneObject object = placed("mesh", random_mesh(random, 20), random);
-        const glm::dvec4 form = random_plane(random) * std::pow(10.0, random.number(-6.0, 6.0));
+        const glm::dvec4 form = cutting_plane(random) * std::pow(10.0, random.number(-6.0, 6.0));
         const BoxForm in_box(form, object.world_from_model);
         const Bounds box = bounds_of(*object.mesh);
         const double width = in_box.greatest(box) - in_box.least(box);
@@ -139,7 +139,7 @@ TEST(ObjectReach, SaysWhatLookingAtEveryVertexSays) {
     int some = 0, across = 0;
     for (int i = 0; i < 300; ++i) {
         const Scene scene = random_scene(random);
-        glm::dvec4 plane = random_plane(random);
+        glm::dvec4 plane = cutting_plane(random);
         double limit = random.number(0, 1) < 0.5 ? 0.0 : -standing;
         if (i % 3 == 0) {  // exactly through a vertex
             const SceneObject& object = scene.objects[static_cast<std::size_t>(i) % scene.objects.size()];
@@ -170,7 +170,7 @@ TEST(ObjectReach, LandsWhereEveryVertexIsSent) {
     int beyond = 0, inside = 0;
     for (int i = 0; i < 400; ++i) {
         const Scene scene = random_scene(random);
-        const glm::dvec4 plane = random_plane(random);
+        const glm::dvec4 plane = cutting_plane(random);
         const PlanePatch patch = plane_patch(plane, random.number(0.5, 30.0));
         const glm::dvec4 light(6.0 * random.direction(), i % 4 == 0 ? 0.0 : 1.0);
         const double side = glm::dot(plane, light) < 0.0 ? -1.0 : 1.0;

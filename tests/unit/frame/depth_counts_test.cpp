@@ -26,20 +26,20 @@ double place_of(double depth, const FramePlan& plan) {
     return (n * f / (f - standard * (f - n)) - n) / (f - n);
 }
 
-struct Case {
+struct CountCase {
     FramePlan plan;
     DepthPrecision read_as;
     std::string name;
 };
 
-std::vector<Case> cases() {
-    std::vector<Case> all;
+std::vector<CountCase> count_cases() {
+    std::vector<CountCase> all;
     for (const bool linear : {true, false})
         for (const bool orthographic : {false, true})
             for (const int mapping : {0, 1, 2})
                 for (const DepthPrecision read_as : {DepthPrecision{16, false}, {24, false}, {24, true}})
                     for (const glm::dvec2 range : {glm::dvec2(0.5, 40), glm::dvec2(0.001, 10000), glm::dvec2(20, 21)}) {
-                        Case made;
+                        CountCase made;
                         made.plan.depth_scale = linear ? DepthScale::linear : DepthScale::window;
                         made.plan.depth_mapping = static_cast<DepthMapping>(mapping);
                         made.plan.clear_depth_value = mapping == 1 ? 0.0 : 1.0;
@@ -57,7 +57,7 @@ std::vector<Case> cases() {
 
 TEST(DepthCounts, AreThoseOfEveryDepthByItself) {
     Random random(seed);
-    for (const Case& each : cases()) {
+    for (const CountCase& each : count_cases()) {
         const double levels = std::exp2(each.read_as.bits) - 1.0;
         std::vector<std::uint32_t> stored;
         std::uint64_t unwritten = 0;

@@ -15,7 +15,7 @@ using testing::params_with;
 
 constexpr glm::dvec4 ground(0.0, 1.0, 0.0, 0.0);
 
-glm::dvec4 tilted_plane() {
+glm::dvec4 slanted_plane() {
     return {glm::dvec3(1.0 / std::sqrt(3.0)), -2.0};
 }
 
@@ -45,7 +45,7 @@ TEST(ShadowDerivation, WorkedNumbers) {
     expect_point(*parallel.shadow_world, {-6, 0, 0}, 1e-12);
     EXPECT_DOUBLE_EQ(parallel.t, -0.5);
 
-    const ShadowDerivation tilted = derive_shadow(tilted_plane(), {5, 9, 7, 1}, {1, 2, 3});
+    const ShadowDerivation tilted = derive_shadow(slanted_plane(), {5, 9, 7, 1}, {1, 2, 3});
     ASSERT_TRUE(tilted.shadow_world);
     expect_point(*tilted.shadow_world, {0.323760, 0.816581, 2.323760}, 1e-6);
 }
@@ -152,7 +152,7 @@ TEST(ShadowForms, AreOneMatrix) {
 }
 
 TEST(MirrorDerivation, WorkedNumbers) {
-    const MirrorDerivation found = derive_mirror(tilted_plane(), {1, 2, 3});
+    const MirrorDerivation found = derive_mirror(slanted_plane(), {1, 2, 3});
     expect_point(found.mirrored_world, {-0.690599, 0.309401, 1.309401}, 1e-6);
     EXPECT_NEAR(found.k, 6.0 / std::sqrt(3.0) - 2.0, 1e-12);
 }

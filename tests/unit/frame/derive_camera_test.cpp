@@ -14,7 +14,7 @@ namespace {
 using testing::box_scene;
 using testing::params_with;
 
-Derived derived_of(const Params& params, bool clip_control = true) {
+Derived derived_camera(const Params& params, bool clip_control = true) {
     return derive(params, box_scene(), Viewport{{160, 90}, clip_control});
 }
 
@@ -45,7 +45,7 @@ TEST(DeriveCamera, ViewIsTheInverseOfTheLecturesCamera) {
     for (int trial = 0; trial < 100; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         const Params params = random_pose(random);
-        const Derived derived = derived_of(params);
+        const Derived derived = derived_camera(params);
         EXPECT_LT(worst_difference(derived.world_from_view, lecture_camera(params.camera)), 1e-12);
         EXPECT_LT(worst_difference(derived.view_from_world * lecture_camera(params.camera), glm::dmat4(1.0)), 1e-12);
         EXPECT_LT(worst_difference(derived.clip_from_world, derived.clip_from_view * derived.view_from_world), 1e-12);
@@ -56,14 +56,14 @@ TEST(DeriveCamera, ViewIsTheInverseOfTheLecturesCamera) {
 
 TEST(DeriveCamera, ParallelLinesOfSightComeFromADirection) {
     Params params = params_with({"projection.type=orthographic", "camera.pitch=-30", "camera.yaw=0"});
-    Derived derived = derived_of(params);
+    Derived derived = derived_camera(params);
     EXPECT_EQ(derived.eye_world.w, 0.0);
     EXPECT_NEAR(derived.eye_world.y, 0.5, 1e-12);
     EXPECT_NEAR(derived.eye_world.z, std::sqrt(0.75), 1e-12);
     EXPECT_NEAR(derived.planes[0].eye_side, 0.5, 1e-12);
     // Looking up from above the plane shows its lower side, wherever the camera stands.
     params.camera.pitch = 30.0;
-    derived = derived_of(params);
+    derived = derived_camera(params);
     EXPECT_NEAR(derived.planes[0].eye_side, -0.5, 1e-12);
     EXPECT_FALSE(derived.planes[0].shadows[0].reaches(derived.planes[0].eye_side));
 }
@@ -74,7 +74,7 @@ TEST(DeriveCamera, SwappedOrderTurnsThePositionToo) {
     params.camera.yaw = 90.0;
     params.camera.pitch = params.camera.roll = 0.0;
     params.slips.swapped_order = true;
-    const glm::dvec3 eye = divided(derived_of(params).world_from_view[3]);
+    const glm::dvec3 eye = divided(derived_camera(params).world_from_view[3]);
     EXPECT_NEAR(eye.x, 3.0, 1e-12);  // Ry(90°) sends z to x and x to −z
     EXPECT_NEAR(eye.y, 2.0, 1e-12);
     EXPECT_NEAR(eye.z, -1.0, 1e-12);
@@ -85,7 +85,7 @@ TEST(DeriveCamera, CameraAsViewUploadsC) {
     for (int trial = 0; trial < 20; ++trial) {
         Params params = random_pose(random);
         params.slips.camera_as_view = true;
-        const Derived derived = derived_of(params);
+        const Derived derived = derived_camera(params);
         EXPECT_LT(worst_difference(derived.view_from_world, lecture_camera(params.camera)), 1e-12);
         // The eye is where the picture is taken from: the point that the uploaded matrix sends to the origin.
         const glm::dvec4 eye_view = derived.view_from_world * derived.eye_world;
@@ -112,7 +112,7 @@ TEST(DeriveProjection, NearAndFarLandOnTheClipRange) {
                          " clip control");
             const Params params =
                 params_with({std::string("projection.type=") + type, std::string("depth.mapping=") + each.mapping});
-            const Derived derived = derived_of(params, each.clip_control);
+            const Derived derived = derived_camera(params, each.clip_control);
             EXPECT_EQ(derived.clip_zero_to_one, each.zero_to_one);
             EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -0.5, 1.0)).z, each.near_ndc, 1e-12);
             EXPECT_NEAR(divided(derived.clip_from_view * glm::dvec4(0.1, 0.2, -40.0, 1.0)).z, each.far_ndc, 1e-12);
@@ -122,11 +122,11 @@ TEST(DeriveProjection, NearAndFarLandOnTheClipRange) {
 
 TEST(DeriveProjection, MappingLeavesThePictureWhereItIs) {
     const glm::dvec4 point(0.3, -0.7, -5.0, 1.0);
-    const glm::dvec3 standard = divided(derived_of(Params{}).clip_from_view * point);
+    const glm::dvec3 standard = divided(derived_camera(Params{}).clip_from_view * point);
     EXPECT_NEAR(standard.y, -0.7 / (5.0 * std::tan(glm::radians(20.0))), 1e-12);
     EXPECT_NEAR(standard.x, 0.3 / (5.0 * std::tan(glm::radians(20.0))) * 90.0 / 160.0, 1e-12);
     for (const bool clip_control : {true, false}) {
-        const Derived reversed = derived_of(params_with({"depth.mapping=reversed"}), clip_control);
+        const Derived reversed = derived_camera(params_with({"depth.mapping=reversed"}), clip_control);
         const glm::dvec3 found = divided(reversed.clip_from_view * point);
         EXPECT_NEAR(found.x, standard.x, 1e-12);
         EXPECT_NEAR(found.y, standard.y, 1e-12);
@@ -140,7 +140,7 @@ TEST(DeriveFrustum, CornersProjectToTheCube) {
             SCOPED_TRACE(std::string(type) + " seed " + std::to_string(seed) + " trial " + std::to_string(trial));
             Params params = random_pose(random);
             params.projection = params_with({std::string("projection.type=") + type}).projection;
-            const Derived derived = derived_of(params);
+            const Derived derived = derived_camera(params);
             const auto corners = frustum_corners(params, derived);
             // Near then far, each counter-clockwise from bottom left as the camera sees them.
             const glm::dvec2 order[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
@@ -158,7 +158,7 @@ TEST(DeriveFrustum, CornersProjectToTheCube) {
 TEST(DeriveFrustum, ShowsTheCameraEvenWhileASlipBreaksTheView) {
     const Params right = params_with({"camera.position=[1,2,3]"});
     const Params broken = params_with({"camera.position=[1,2,3]", "slips.camera_as_view=true"});
-    EXPECT_EQ(frustum_corners(right, derived_of(right)), frustum_corners(broken, derived_of(broken)));
+    EXPECT_EQ(frustum_corners(right, derived_camera(right)), frustum_corners(broken, derived_camera(broken)));
 }
 
 TEST(DeriveObserver, LooksAtItsTargetFromItsDistance) {
@@ -186,11 +186,11 @@ TEST(DeriveMovingWorld, WhatIsFixedToTheCameraStays) {
     const ObserverParams observer;
     const glm::dvec4 fixed_to_camera[] = {{0, 0, 0, 1}, {0, 0, -2, 1}, {0.4, -0.3, -1, 1}};
     const Params somewhere = random_pose(random);
-    const ObserverView first = derive_moving_world(observer, derived_of(somewhere), Viewport{});
+    const ObserverView first = derive_moving_world(observer, derived_camera(somewhere), Viewport{});
     for (int trial = 0; trial < 50; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
         const Params params = random_pose(random);
-        const ObserverView view = derive_moving_world(observer, derived_of(params), Viewport{});
+        const ObserverView view = derive_moving_world(observer, derived_camera(params), Viewport{});
         for (const glm::dvec4& point : fixed_to_camera) {
             const glm::dvec3 there = divided(first.clip_from_world * lecture_camera(somewhere.camera) * point);
             const glm::dvec3 here = divided(view.clip_from_world * lecture_camera(params.camera) * point);

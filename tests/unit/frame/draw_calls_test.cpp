@@ -18,7 +18,7 @@ Scene two_boxes_and_a_decal() {
     return scene_of({object("left", box_mesh(), {-2, 1, 0}), decal, object("right", box_mesh(), {2, 1, 0})});
 }
 
-FramePlan plan_of(const std::vector<std::string>& settings, const Scene& scene) {
+FramePlan planned(const std::vector<std::string>& settings, const Scene& scene) {
     const Params params = params_with(settings);
     return plan(params, derive(params, scene, {{160, 90}, true}));
 }
@@ -31,7 +31,7 @@ std::vector<std::string> names(const FramePlan& frame, const Scene& scene) {
 
 TEST(DrawCalls, AreOneForEachObjectOfEachPass) {
     const Scene scene = two_boxes_and_a_decal();
-    const FramePlan frame = plan_of({"reflection.enabled=false"}, scene);
+    const FramePlan frame = planned({"reflection.enabled=false"}, scene);
     EXPECT_EQ(names(frame, scene),
               (std::vector<std::string>{"plane, pass 1: Patch", "left, pass 2: Shadow", "poster, pass 2: Shadow",
                                         "right, pass 2: Shadow", "left, pass 3: Objects", "poster, pass 3: Objects",
@@ -61,7 +61,7 @@ TEST(DrawCalls, OfAPassAreItsChosenObjects) {
 
 TEST(DrawCalls, AreNoneWhereAMethodFindsTheSurfaces) {
     const Scene scene = two_boxes_and_a_decal();
-    FramePlan frame = plan_of({}, scene);
+    FramePlan frame = planned({}, scene);
     for (const Subject subject : {Subject::ordered, Subject::pixels}) {
         frame.passes.back().subject = subject;
         EXPECT_TRUE(draw_calls(frame, scene).empty());

@@ -19,7 +19,7 @@ using testing::object;
 using testing::params_with;
 using testing::scene_of;
 
-constexpr glm::ivec2 size_px(64, 48), center_px(32, 24);
+constexpr glm::ivec2 fragment_px(64, 48), center_px(32, 24);
 
 /// Looks along −z from the origin; no patch, no shadow, no mirror image.
 std::vector<std::string> at_origin(std::vector<std::string> more = {}) {
@@ -38,7 +38,7 @@ SceneObject facing_quad(const std::string& name, double distance, bool back = fa
 }
 
 std::vector<Fragment> fragments_of(const Params& params, const Scene& scene, glm::ivec2 pixel = center_px,
-                                   glm::ivec2 size = size_px) {
+                                   glm::ivec2 size = fragment_px) {
     return fragments_at(params, derive(params, scene, {size, true}), scene, pixel, size);
 }
 
@@ -233,7 +233,7 @@ TEST(Fragments, AreWhatARayInTheWorldMeets) {
         params.camera.pitch = random.number(-80, 80);
         params.projection.near = random.number(0.1, 2.0);
         params.projection.far = random.number(4.0, 12.0);
-        const Derived derived = derive(params, scene, {size_px, true});
+        const Derived derived = derive(params, scene, {fragment_px, true});
         const glm::ivec2 pixel(random.number(0, 64), random.number(0, 48));
         const glm::dvec2 ndc((pixel.x + 0.5) / 32.0 - 1.0, 1.0 - (pixel.y + 0.5) / 24.0);
         const Ray ray = ray_through_pixel(derived.clip_from_world, ndc);

@@ -53,6 +53,13 @@ inline std::vector<Problem> problems_of(const Params& params, const Scene& scene
     return find_problems(params, derived, scene, plan(params, derived));
 }
 
+using Names = std::vector<std::string>;
+inline Names names_of_passes(const FramePlan& frame) {
+    Names names;
+    for (const Pass& pass : frame.passes) names.push_back(pass.name);
+    return names;
+}
+
 inline bool says(const std::vector<Problem>& problems, std::string_view group, const std::string& words) {
     return std::any_of(problems.begin(), problems.end(), [&](const Problem& problem) {
         return problem.group == group && problem.sentence.find(words) != std::string::npos;

@@ -21,7 +21,7 @@ using testing::random_view;
 using testing::request_of;
 using testing::scene_of;
 
-constexpr glm::ivec2 size_px(48, 36);
+constexpr glm::ivec2 hidden_px(48, 36);
 constexpr std::array software_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
                                       VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
 
@@ -80,7 +80,7 @@ TEST(HiddenOrders, DrawEveryPolygonOrFragmentOnce) {
         HiddenSurfaceSolver solver(scene);
         const std::size_t polygons = solver.surface()->polygons.size();
         const double whole = total_area(solver.surface()->polygons);
-        const HiddenRequest request = request_of(random_view(random), scene, size_px);
+        const HiddenRequest request = request_of(random_view(random), scene, hidden_px);
         for (const VisibilityMethod method : {VisibilityMethod::depth_buffer, VisibilityMethod::none,
                                               VisibilityMethod::painter, VisibilityMethod::software_depth_buffer}) {
             const auto result = solver.solve(with_method(request, method));
@@ -106,7 +106,7 @@ TEST(HiddenOrders, ReachTheSamePictureAsRayCasting) {
         Random random(seed + run);
         const Scene scene = random_scene(random);
         HiddenSurfaceSolver solver(scene);
-        const HiddenRequest request = request_of(random_view(random), scene, size_px);
+        const HiddenRequest request = request_of(random_view(random), scene, hidden_px);
         const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
         for (const VisibilityMethod method :
              {VisibilityMethod::newell, VisibilityMethod::bsp, VisibilityMethod::software_depth_buffer}) {
@@ -129,7 +129,7 @@ protected:
         const Angles angles = angles_looking_at(params.camera.position, {0, 0, 0});
         params.camera.yaw = angles.yaw_deg;
         params.camera.pitch = angles.pitch_deg;
-        request = request_of(params, scene, size_px);
+        request = request_of(params, scene, hidden_px);
     }
 
     std::shared_ptr<const HiddenResult> at(VisibilityMethod method, int step) {
@@ -159,7 +159,7 @@ TEST_F(HiddenSteps, OfThePainterDrawOnePolygonEach) {
         const RasterResult painted =
             rasterise(*whole->fragments, std::span(whole->order.data(), static_cast<std::size_t>(step)),
                       request.viewpoint.clip_from_world(),
-                      {.rule = PaintRule::overwrite, .width = size_px.x, .height = size_px.y});
+                      {.rule = PaintRule::overwrite, .width = hidden_px.x, .height = hidden_px.y});
         EXPECT_EQ(result->image.ids, painted.image.ids);
         EXPECT_EQ(result->counters.pixels_written, painted.counters.pixels_written);
     }
@@ -238,7 +238,7 @@ TEST_F(HiddenSteps, OfTheDepthBufferCompareOneFragmentEach) {
     std::vector<int> tested{0};  // before each polygon
     for (std::size_t i = 0; i < polygons.size(); ++i) {
         alone.push_back(rasterise(std::span(&polygons[i], 1), request.viewpoint.clip_from_world(),
-                                  {.width = size_px.x, .height = size_px.y})
+                                  {.width = hidden_px.x, .height = hidden_px.y})
                             .image);
         const auto covered = std::ranges::count_if(alone.back().ids, [](int id) { return id >= 0; });
         tested.push_back(tested.back() + static_cast<int>(covered));
@@ -287,7 +287,7 @@ bool meets(const Polygon& polygon, const Ray& ray, double max_t, bool& meets_it)
 
 TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllThatItMeets) {
     const auto whole = at(VisibilityMethod::ray_cast, -1);
-    EXPECT_EQ(whole->step_count, size_px.x * size_px.y);
+    EXPECT_EQ(whole->step_count, hidden_px.x * hidden_px.y);
     EXPECT_FALSE(whole->traced);
     int hits = 0, sure = 0;
     for (int step = 1; step < whole->step_count; step += 7) {
@@ -295,7 +295,7 @@ TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllThatItMeets) {
         EXPECT_EQ(result->counters.rays, step);
         ASSERT_TRUE(result->traced);
         const TracedRay& traced = *result->traced;
-        EXPECT_EQ(traced.pixel, glm::ivec2((step - 1) % size_px.x, (step - 1) / size_px.x));
+        EXPECT_EQ(traced.pixel, glm::ivec2((step - 1) % hidden_px.x, (step - 1) / hidden_px.x));
         for (int pixel = 0; pixel < whole->step_count; ++pixel) {
             const auto at_pixel = static_cast<std::size_t>(pixel);
             EXPECT_EQ(result->image.ids[at_pixel], pixel < step ? whole->image.ids[at_pixel] : IdImage::background);
@@ -304,7 +304,7 @@ TEST_F(HiddenSteps, OfRayCastingAreOneRayEachWithAllThatItMeets) {
         EXPECT_EQ(traced.hits.empty() ? IdImage::background : traced.hits.front().source, seen);
         EXPECT_TRUE(std::ranges::is_sorted(traced.hits, {}, &RayCastHit::t));
 
-        const double max_t = PixelRays(request.viewpoint.clip_from_world(), size_px.x, size_px.y)
+        const double max_t = PixelRays(request.viewpoint.clip_from_world(), hidden_px.x, hidden_px.y)
                                  .through(traced.pixel.x, traced.pixel.y)
                                  .max_t;
         std::size_t expected = 0;
@@ -354,10 +354,10 @@ TEST(HiddenCulling, IsThatOfTheScreenAlsoInTheMirror) {
         params.cull = {true, static_cast<CullFace>(run % 3), static_cast<FrontFace>(run / 3 % 2)};
         params.reflection.flip_winding = run % 5 != 0;
         params.planes.front().equation = glm::dvec4(random.direction(), 2.6);
-        const Derived derived = derive(params, scene, Viewport{size_px});
+        const Derived derived = derive(params, scene, Viewport{hidden_px});
         HiddenSurfaceSolver solver(scene);
         for (const HiddenRequest& asked :
-             {hidden_request(params, derived, size_px), mirrored_request(params, derived, size_px)}) {
+             {hidden_request(params, derived, hidden_px), mirrored_request(params, derived, hidden_px)}) {
             const auto result = solver.solve(with_method(asked, VisibilityMethod::painter));
             std::set<int> left;
             for (const Polygon& polygon : *result->fragments) left.insert(polygon.source);
@@ -403,7 +403,7 @@ TEST(HiddenSolver, GivesWhatAFreshOneGives) {
 TEST(HiddenSolver, SaysThatItWasCancelledAndForgetsIt) {
     Random random(seed + 4);
     const Scene scene = random_scene(random);
-    const HiddenRequest request = request_of(random_view(random), scene, size_px);
+    const HiddenRequest request = request_of(random_view(random), scene, hidden_px);
     HiddenSurfaceSolver solver(scene);
     for (const VisibilityMethod method : software_methods) {
         WorkProgress progress;
@@ -450,7 +450,7 @@ TEST(HiddenDegenerate, AnEmptySceneHasEmptyPictures) {
     for (int step = -1; step < 3; ++step)
         for (int method = 0; method <= static_cast<int>(VisibilityMethod::ray_cast); ++method) {
             const auto result = solver.solve(
-                with_method(request_of(Params{}, empty, size_px), static_cast<VisibilityMethod>(method), step));
+                with_method(request_of(Params{}, empty, hidden_px), static_cast<VisibilityMethod>(method), step));
             EXPECT_TRUE(result->order.empty());
             EXPECT_EQ(result->problem, "");
             EXPECT_EQ(result->drawn, 0);
@@ -466,7 +466,7 @@ TEST(HiddenDegenerate, TrianglesWithoutAreaAreLeftOutAndKeepTheirNumbers) {
     HiddenSurfaceSolver solver(scene);
     EXPECT_EQ(solver.surface()->dropped, 2);
     EXPECT_EQ(solver.surface()->source_count(), 14);
-    const HiddenRequest request = request_of(Params{}, scene, size_px);
+    const HiddenRequest request = request_of(Params{}, scene, hidden_px);
     const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
     EXPECT_TRUE(std::ranges::any_of(rays->image.ids, [](int id) { return id >= 0; }));
     for (const VisibilityMethod method : software_methods) {
@@ -482,7 +482,7 @@ TEST(HiddenDegenerate, AnObjectTurnedInsideOutIsDrawnByEveryMethod) {
                                   object("plain", box_mesh(), {1.2, 0.7, 0.4}, {0.7, 0.7, 0.7})});
     HiddenSurfaceSolver solver(scene);
     for (const bool culls : {false, true}) {
-        HiddenRequest request = request_of(Params{}, scene, size_px);
+        HiddenRequest request = request_of(Params{}, scene, hidden_px);
         request.cull.enabled = culls;
         const auto rays = solver.solve(with_method(request, VisibilityMethod::ray_cast));
         for (const VisibilityMethod method : software_methods) {
@@ -496,7 +496,7 @@ TEST(HiddenDegenerate, AMirrorMadeByHandIsNoEyeForAMethod) {
     const Scene scene = testing::box_scene();
     const auto asks_for_mirrored = [&](const std::vector<std::string>& settings) {
         const Params params = params_with(settings);
-        return hidden_question(params, derive(params, scene, Viewport{size_px}), size_px)->mirrored.has_value();
+        return hidden_question(params, derive(params, scene, Viewport{hidden_px}), hidden_px)->mirrored.has_value();
     };
     EXPECT_TRUE(asks_for_mirrored({"visibility.method=bsp"}));
     EXPECT_FALSE(asks_for_mirrored({"visibility.method=bsp", "reflection.enabled=false"}));
@@ -511,7 +511,7 @@ TEST(HiddenRays, MeetExactCurvesUnlessASideIsLeftOut) {
     HiddenSurfaceSolver solver(scene);
     const int triangles = static_cast<int>(ball.mesh->triangle_count()) + 12;
     EXPECT_EQ(solver.surface()->source_count(), triangles + 1);
-    HiddenRequest request = with_method(request_of(Params{}, scene, size_px), VisibilityMethod::ray_cast);
+    HiddenRequest request = with_method(request_of(Params{}, scene, hidden_px), VisibilityMethod::ray_cast);
     request.visibility.exact_curves = true;
     const auto exact = solver.solve(request);
     const std::vector<int> object_of = solver.surface()->object_of_source();

@@ -14,7 +14,7 @@ ObserverView light_view(const glm::dvec4& light, const glm::dvec4& plane, glm::i
     return derive_light_view(derive(params, testing::box_scene(), {}), testing::box_scene(), {size_px});
 }
 
-bool is_finite(const ObserverView& view) {
+bool is_finite_view(const ObserverView& view) {
     for (const glm::dmat4& matrix : {view.world_from_view, view.view_from_world, view.clip_from_world})
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 4; ++row)
@@ -29,7 +29,7 @@ TEST(LightView, HidesEveryShadowBehindItsCaster) {
         const glm::dvec4 plane(random.direction() * (i % 2 ? 1.0 : -2.0), random.number(-3, 3));
         glm::dvec4 light(random.vec3(9.0), i % 3 == 0 ? 0.0 : i % 3 == 1 ? 1.0 : random.number(0.2, 0.9));
         const ObserverView view = light_view(light, plane);
-        ASSERT_TRUE(is_finite(view));
+        ASSERT_TRUE(is_finite_view(view));
         const glm::dvec3 n = glm::dvec3(plane);
         // A caster on the way from the light to a point of the plane.
         const glm::dvec3 across = glm::cross(n, random.vec3(2.0));
@@ -79,7 +79,7 @@ TEST(LightView, IsDefinedWhereverASliderLeads) {
         for (const glm::dvec4& light : lights)
             for (const glm::ivec2 size_px : {glm::ivec2(400, 300), glm::ivec2(100, 700), glm::ivec2(900, 1)}) {
                 const ObserverView view = light_view(light, plane, size_px);
-                EXPECT_TRUE(is_finite(view)) << light.x << " " << light.y << " " << light.z << " " << light.w;
+                EXPECT_TRUE(is_finite_view(view)) << light.x << " " << light.y << " " << light.z << " " << light.w;
                 const glm::dmat4 product = view.world_from_view * view.view_from_world;
                 EXPECT_LT(worst_difference(product, glm::dmat4(1.0)), 1e-6);
             }

@@ -13,7 +13,7 @@ using testing::object;
 using testing::scene_of;
 
 /// From the origin along −z, with the plane out of sight.
-Params looking(double near, double far = 100.0) {
+Params looking_from(double near, double far = 100.0) {
     Params params;
     params.camera.position = {0.0, 0.0, 0.0};
     params.camera.yaw = params.camera.pitch = 0.0;
@@ -33,7 +33,7 @@ std::optional<NearAdvice> advice(const Params& params, const Scene& scene) {
 }
 
 TEST(SeenThings, ReachAsFarAsWhatIsInView) {
-    const Params params = looking(0.1);
+    const Params params = looking_from(0.1);
     const Scene scene = scene_of({box_at(4.0), box_at(-9.0, 0.0, "behind"), box_at(4.0, 30.0, "beside"),
                                   box_at(120.0, 0.0, "beyond far"), box_at(99.0, 0.0, "across far")});
     const std::vector<SeenThing> seen = seen_things(params, derive(params, scene, {}), scene);
@@ -47,7 +47,7 @@ TEST(SeenThings, ReachAsFarAsWhatIsInView) {
 }
 
 TEST(SeenThings, OfThePlaneIsItsPatch) {
-    Params params = looking(0.1);
+    Params params = looking_from(0.1);
     params.projection.fovy = 90.0;
     params.planes.front() = {{0.0, 1.0, 0.0, 2.0}, 10.0};  // 2 below the eye, from 10 behind to 10 before it
     const Scene scene;
@@ -67,7 +67,7 @@ TEST(SeenThings, HoldEveryPointOfTheirTrianglesInView) {
             return glm::dvec3{random.number(-8, 8), random.number(-8, 8), random.number(-20, 6)};
         };
         const std::array<glm::dvec3, 3> corners{corner(), corner(), corner()};
-        Params params = looking(0.1, 15.0);
+        Params params = looking_from(0.1, 15.0);
         params.projection.type = trial % 3 == 0 ? ProjectionType::orthographic : ProjectionType::perspective;
         const Scene scene = scene_of({object("triangle", triangle_mesh(corners), glm::dvec3(0.0))});
         const Derived derived = derive(params, scene, {});
@@ -110,7 +110,7 @@ TEST(DistanceMarks, AreGroupedWhereTheyAreClosest) {
 }
 
 TEST(NearAdvice, SaysWhatIsToBeWon) {
-    const std::optional<NearAdvice> found = advice(looking(0.01), scene_of({box_at(4.0), box_at(78.0)}));
+    const std::optional<NearAdvice> found = advice(looking_from(0.01), scene_of({box_at(4.0), box_at(78.0)}));
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
@@ -124,16 +124,16 @@ TEST(NearAdvice, SaysWhatIsToBeWon) {
 
 TEST(NearAdvice, IsNoneWhereNearIsFine) {
     const Scene scene = scene_of({box_at(4.0)});
-    EXPECT_FALSE(advice(looking(3.0), scene));
-    EXPECT_FALSE(advice(looking(2.0), scene)) << "a factor 2";
-    EXPECT_TRUE(advice(looking(0.7), scene)) << "a factor 5.3";
-    EXPECT_FALSE(advice(looking(0.001), Scene{})) << "nothing in view";
-    EXPECT_FALSE(advice(looking(0.001), scene_of({box_at(-9.0)}))) << "behind the eye";
+    EXPECT_FALSE(advice(looking_from(3.0), scene));
+    EXPECT_FALSE(advice(looking_from(2.0), scene)) << "a factor 2";
+    EXPECT_TRUE(advice(looking_from(0.7), scene)) << "a factor 5.3";
+    EXPECT_FALSE(advice(looking_from(0.001), Scene{})) << "nothing in view";
+    EXPECT_FALSE(advice(looking_from(0.001), scene_of({box_at(-9.0)}))) << "behind the eye";
 
-    Params params = looking(0.001);
+    Params params = looking_from(0.001);
     params.projection.type = ProjectionType::orthographic;
     EXPECT_FALSE(advice(params, scene));
-    params = looking(0.001);
+    params = looking_from(0.001);
     params.depth.mapping = DepthMapping::logarithmic;
     EXPECT_FALSE(advice(params, scene)) << "near costs little";
     params.projection.near = 5.0;
@@ -147,16 +147,17 @@ TEST(NearAdvice, IsNoneWhereNearIsFine) {
 }
 
 TEST(NearAdvice, SaysWhatIsCut) {
-    const std::optional<NearAdvice> found = advice(looking(5.0), scene_of({box_at(4.0)}));
+    const std::optional<NearAdvice> found = advice(looking_from(5.0), scene_of({box_at(4.0)}));
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->cuts);
     EXPECT_EQ(found->near, 3.6);
     EXPECT_EQ(found->sentence.substr(0, 52), "near = 5 cuts into box, which comes as near as 4: ne");
     EXPECT_NE(found->sentence.find("1.4 times coarser."), std::string::npos) << found->sentence;
 
-    const std::optional<NearAdvice> inside = advice(looking(0.5), scene_of({box_at(-1.0)}));
+    const std::optional<NearAdvice> inside = advice(looking_from(0.5), scene_of({box_at(-1.0)}));
     EXPECT_FALSE(inside) << "in the middle of a box all of its faces are a step away";
-    const std::optional<NearAdvice> through = advice(looking(0.5), scene_of({object("wall", box_mesh(), {1, 0, 0})}));
+    const std::optional<NearAdvice> through =
+        advice(looking_from(0.5), scene_of({object("wall", box_mesh(), {1, 0, 0})}));
     ASSERT_TRUE(through);
     EXPECT_FALSE(through->near);
     EXPECT_EQ(through->sentence,
@@ -168,7 +169,7 @@ TEST(NearAdvice, NeverCutsWhatIsInView) {
     int given = 0;
     for (int trial = 0; trial < 300; ++trial) {
         SCOPED_TRACE("seed " + std::to_string(seed) + " trial " + std::to_string(trial));
-        Params params = looking(std::exp(random.number(std::log(1e-5), std::log(20.0))), 60.0);
+        Params params = looking_from(std::exp(random.number(std::log(1e-5), std::log(20.0))), 60.0);
         params.camera.yaw = random.number(-180, 180);
         params.camera.pitch = random.number(-80, 80);
         params.planes.front() = {{0.0, 1.0, 0.0, 1.5}, 6.0};

@@ -9,7 +9,7 @@ namespace {
 
 using testing::object;
 
-const glm::dvec4 ground(0, 1, 0, 0);
+const glm::dvec4 level(0, 1, 0, 0);
 
 /// Where the line from the light through a point meets the plane, by solving n·(l + t (p − l)) + d = 0; nothing when
 /// the point is not between the two.
@@ -43,36 +43,36 @@ double outside(const std::vector<OutlineVertex>& outline, const glm::dvec3& poin
 
 TEST(Outline, OfABoxUnderALightStraightAboveIsItsTop) {
     const SceneObject box = object("box", box_mesh(), {0, 1, 0});
-    const std::vector<OutlineVertex> outline = shadow_outline(box, ground, {0, 6, 0, 1});
+    const std::vector<OutlineVertex> outline = shadow_outline(box, level, {0, 6, 0, 1});
     ASSERT_EQ(outline.size(), 4U);
     for (const OutlineVertex& corner : outline) {
         EXPECT_NEAR(corner.vertex_world.y, 2.0, 1e-12);
         EXPECT_NEAR(std::abs(corner.shadow_world.x), 1.5, 1e-12);  // 6 / (6 − 2) times the half width
         EXPECT_NEAR(std::abs(corner.shadow_world.z), 1.5, 1e-12);
     }
-    EXPECT_EQ(shadow_outline(box, ground, {0, 1, 0, 0}).size(), 4U);
+    EXPECT_EQ(shadow_outline(box, level, {0, 1, 0, 0}).size(), 4U);
 }
 
 TEST(Outline, OfABoxInSlantingLightHasSixCorners) {
     const SceneObject box = object("box", box_mesh(), {0, 1, 0});
-    EXPECT_EQ(shadow_outline(box, ground, {1, 2, 1.3, 0}).size(), 6U);
-    EXPECT_EQ(shadow_outline(box, -ground, {1, 2, 1.3, 0}).size(), 6U) << "the plane's other sign";
-    EXPECT_EQ(shadow_outline(box, ground, {1, 0, 1.3, 0}).size(), 0U) << "the light lies in the plane";
+    EXPECT_EQ(shadow_outline(box, level, {1, 2, 1.3, 0}).size(), 6U);
+    EXPECT_EQ(shadow_outline(box, -level, {1, 2, 1.3, 0}).size(), 6U) << "the plane's other sign";
+    EXPECT_EQ(shadow_outline(box, level, {1, 0, 1.3, 0}).size(), 0U) << "the light lies in the plane";
 }
 
 TEST(Outline, LeavesOutWhatIsNotBetweenLightAndPlane) {
     const SceneObject high = object("high", box_mesh(), {0, 9, 0}), low = object("low", box_mesh(), {0, -3, 0});
-    EXPECT_TRUE(shadow_outline(high, ground, {0, 5, 0, 1}).empty());
-    EXPECT_TRUE(shadow_outline(low, ground, {0, 5, 0, 1}).empty());
-    EXPECT_EQ(shadow_outline(low, ground, {0.4, -7, 0.3, 1}).size(), 4U) << "a light below has its own side";
+    EXPECT_TRUE(shadow_outline(high, level, {0, 5, 0, 1}).empty());
+    EXPECT_TRUE(shadow_outline(low, level, {0, 5, 0, 1}).empty());
+    EXPECT_EQ(shadow_outline(low, level, {0.4, -7, 0.3, 1}).size(), 4U) << "a light below has its own side";
     // A box that reaches through the light's own plane: the upper half throws no shadow.
-    for (const OutlineVertex& corner : shadow_outline(object("tall", box_mesh(), {3, 2, 0}), ground, {0, 2.5, 0, 1}))
+    for (const OutlineVertex& corner : shadow_outline(object("tall", box_mesh(), {3, 2, 0}), level, {0, 2.5, 0, 1}))
         EXPECT_LT(corner.vertex_world.y, 2.5);
     SceneObject nothing = high;
     nothing.mesh = nullptr;
-    EXPECT_TRUE(shadow_outline(nothing, ground, {0, 12, 0, 1}).empty());
+    EXPECT_TRUE(shadow_outline(nothing, level, {0, 12, 0, 1}).empty());
     nothing.mesh = std::make_shared<const Mesh>();
-    EXPECT_TRUE(shadow_outline(nothing, ground, {0, 12, 0, 1}).empty());
+    EXPECT_TRUE(shadow_outline(nothing, level, {0, 12, 0, 1}).empty());
 }
 
 TEST(Outline, HoldsEveryShadowOfEveryVertex) {
@@ -108,7 +108,7 @@ TEST(Outline, HoldsEveryShadowOfEveryVertex) {
 
 TEST(Outline, IsThinnedEvenly) {
     const SceneObject ball = object("ball", sphere_mesh(), {0, 2, 0});
-    const std::vector<OutlineVertex> outline = shadow_outline(ball, ground, {1, 6, 2, 1});
+    const std::vector<OutlineVertex> outline = shadow_outline(ball, level, {1, 6, 2, 1});
     ASSERT_GT(outline.size(), 24U);
     const std::vector<OutlineVertex> few = thinned(outline, 12);
     ASSERT_EQ(few.size(), 12U);

@@ -8,12 +8,14 @@
 namespace viewing {
 namespace {
 
+using testing::Names;
+using testing::names_of_passes;
 using testing::object;
 using testing::params_with;
 using testing::scene_of;
 
 constexpr glm::ivec2 size_px(32, 24);
-constexpr std::array software_methods{"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"};
+constexpr std::array methods_by_hand{"painter", "newell", "bsp", "software_depth_buffer", "ray_cast"};
 
 /// A box on the ground, and one that reaches through it.
 Scene scene_above() {
@@ -23,7 +25,7 @@ Scene scene_through() {
     return scene_of({object("box", box_mesh(), {0, 0.2, 0})});
 }
 
-FramePlan plan_with(std::vector<std::string> settings, const Scene& scene, const std::string& method = "painter") {
+FramePlan plan_by(std::vector<std::string> settings, const Scene& scene, const std::string& method = "painter") {
     settings.insert(settings.begin(), "visibility.method=" + method);
     const Params params = params_with(settings);
     const Derived derived = derive(params, scene, Viewport{size_px});
@@ -33,20 +35,13 @@ FramePlan plan_with(std::vector<std::string> settings, const Scene& scene, const
     return plan(params, derived, answer_hidden_question(solver, *question).pictures);
 }
 
-std::vector<std::string> names_of_passes(const FramePlan& frame) {
-    std::vector<std::string> names;
-    for (const Pass& pass : frame.passes) names.push_back(pass.name);
-    return names;
-}
-using Names = std::vector<std::string>;
-
 /// What GL is sent in order is not tested; pixels that a method found pass always, and leave its depth.
 TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
     for (const Scene& scene : {scene_above(), scene_through()})
-        for (const char* method : software_methods)
+        for (const char* method : methods_by_hand)
             for (const char* shows : {"color", "facing", "overdraw", "difference"}) {
                 SCOPED_TRACE(std::string(method) + " " + shows);
-                const FramePlan frame = plan_with({std::string("view.shows=") + shows}, scene, method);
+                const FramePlan frame = plan_by({std::string("view.shows=") + shows}, scene, method);
                 for (const Pass& pass : frame.passes) {
                     EXPECT_EQ(pass.depth.test, pass.subject == Subject::pixels) << pass.name;
                     if (!pass.depth.test) continue;
@@ -54,33 +49,33 @@ TEST(PlanHidden, SoftwareMethodsDrawWithoutTheDepthTest) {
                     EXPECT_TRUE(pass.depth.write) << pass.name;
                 }
             }
-    for (const Pass& pass : plan_with({}, scene_above(), "depth_buffer").passes) EXPECT_TRUE(pass.depth.test);
+    for (const Pass& pass : plan_by({}, scene_above(), "depth_buffer").passes) EXPECT_TRUE(pass.depth.test);
 }
 
 TEST(PlanHidden, TheSceneIsDividedByThePatchOnlyWhereItReachesBeyond) {
     const Names plain{"Mirror mask", "Mirror image", "Patch", "Shadow", "Objects"};
     const Names divided{"Mirror mask", "Objects beyond the plane", "Mirror image", "Patch",
                         "Shadow",      "Objects before the plane"};
-    for (const char* method : software_methods) {
+    for (const char* method : methods_by_hand) {
         SCOPED_TRACE(method);
-        EXPECT_EQ(names_of_passes(plan_with({}, scene_above(), method)), plain);
-        EXPECT_EQ(names_of_passes(plan_with({}, scene_through(), method)), divided);
+        EXPECT_EQ(names_of_passes(plan_by({}, scene_above(), method)), plain);
+        EXPECT_EQ(names_of_passes(plan_by({}, scene_through(), method)), divided);
     }
     for (const char* method : {"depth_buffer", "none"})
-        EXPECT_EQ(names_of_passes(plan_with({}, scene_through(), method)), plain) << method;
-    const FramePlan mirrors = plan_with({}, scene_through());
+        EXPECT_EQ(names_of_passes(plan_by({}, scene_through(), method)), plain) << method;
+    const FramePlan mirrors = plan_by({}, scene_through());
     EXPECT_EQ(mirrors.passes.at(1).stencil, (StencilState{true, CompareFunc::notequal, 1, StencilOp::keep}))
         << "the mirror lets its image through, not what stands behind it";
-    EXPECT_EQ(names_of_passes(plan_with({"reflection.enabled=false"}, scene_through())).front(),
+    EXPECT_EQ(names_of_passes(plan_by({"reflection.enabled=false"}, scene_through())).front(),
               "Objects beyond the plane");
 }
 
 TEST(PlanHidden, WhatLiesBeyondIsWhatTheEyeHasBehindThePlane) {
     for (const double height : {4.0, -4.0}) {
         for (const double sign : {1.0, -2.0}) {
-            const FramePlan frame = plan_with({"camera.position=[0," + std::to_string(height) + ",7]",
-                                               "plane.equation=[0," + std::to_string(sign) + ",0,0]"},
-                                              scene_through());
+            const FramePlan frame = plan_by({"camera.position=[0," + std::to_string(height) + ",7]",
+                                             "plane.equation=[0," + std::to_string(sign) + ",0,0]"},
+                                            scene_through());
             const auto beyond = std::ranges::find(frame.passes, "Objects beyond the plane", &Pass::name);
             ASSERT_NE(beyond, frame.passes.end());
             ASSERT_EQ(frame.passes.back().name, "Objects before the plane");
@@ -90,16 +85,16 @@ TEST(PlanHidden, WhatLiesBeyondIsWhatTheEyeHasBehindThePlane) {
             EXPECT_EQ(beyond->clip_planes.at(0), -frame.passes.back().clip_planes.at(0));
         }
     }
-    const Names passes = names_of_passes(plan_with({"camera.position=[0,0,7]", "camera.pitch=0"}, scene_through()));
+    const Names passes = names_of_passes(plan_by({"camera.position=[0,0,7]", "camera.pitch=0"}, scene_through()));
     EXPECT_TRUE(std::ranges::none_of(passes, [](const auto& name) { return name.starts_with("Objects b"); }))
         << "the patch is seen edge-on";
 }
 
 TEST(PlanHidden, OrdersAndPixelsTakeTheObjectsPlace) {
-    for (const char* method : software_methods) {
+    for (const char* method : methods_by_hand) {
         SCOPED_TRACE(method);
         const bool finds_pixels = method == std::string("software_depth_buffer") || method == std::string("ray_cast");
-        const FramePlan frame = plan_with({}, scene_through(), method);
+        const FramePlan frame = plan_by({}, scene_through(), method);
         ASSERT_TRUE(frame.hidden.camera);
         ASSERT_TRUE(frame.hidden.mirrored);
         EXPECT_NE(frame.hidden.camera, frame.hidden.mirrored);
@@ -115,7 +110,7 @@ TEST(PlanHidden, OrdersAndPixelsTakeTheObjectsPlace) {
             EXPECT_FALSE(pass.reason.empty());
         }
     }
-    const FramePlan masked = plan_with({"visibility.walk=front_to_back"}, scene_above(), "bsp");
+    const FramePlan masked = plan_by({"visibility.walk=front_to_back"}, scene_above(), "bsp");
     EXPECT_EQ(masked.passes.back().subject, Subject::pixels);
 }
 
@@ -127,7 +122,7 @@ TEST(PlanHidden, WithoutAnAnswerYetGlDrawsTheObjects) {
 }
 
 TEST(PlanHidden, AStepOfTheDepthBufferDrawsInTheScenesOrder) {
-    const FramePlan frame = plan_with({"visibility.step=3"}, scene_above(), "depth_buffer");
+    const FramePlan frame = plan_by({"visibility.step=3"}, scene_above(), "depth_buffer");
     EXPECT_EQ(frame.passes.back().subject, Subject::ordered);
     EXPECT_TRUE(frame.passes.back().depth.test);
     EXPECT_EQ(frame.hidden.camera->triangles.size(), 9U);
@@ -139,7 +134,7 @@ TEST(PlanHidden, OverdrawAddsOneForEachDrawingOfTheSceneAlone) {
     for (const char* method : {"depth_buffer", "none", "painter", "bsp", "ray_cast"})
         for (const Scene& scene : {scene_above(), scene_through()}) {
             SCOPED_TRACE(method);
-            const FramePlan frame = plan_with({"view.shows=overdraw"}, scene, method);
+            const FramePlan frame = plan_by({"view.shows=overdraw"}, scene, method);
             EXPECT_EQ(frame.samples, 0);
             int counting = 0;
             for (const Pass& pass : frame.passes) {
@@ -156,8 +151,8 @@ TEST(PlanHidden, OverdrawAddsOneForEachDrawingOfTheSceneAlone) {
 
 TEST(PlanHidden, TheDifferenceLiesOverEverything) {
     for (const char* method : {"software_depth_buffer", "ray_cast"}) {
-        const FramePlan frame = plan_with({"view.shows=difference", "visibility.compare_with=software_depth_buffer"},
-                                          scene_through(), method);
+        const FramePlan frame = plan_by({"view.shows=difference", "visibility.compare_with=software_depth_buffer"},
+                                        scene_through(), method);
         EXPECT_EQ(frame.passes.back().subject, Subject::difference);
         EXPECT_EQ(frame.passes.back().blend, Blend::alpha);
         EXPECT_EQ(std::ranges::count(frame.passes, Subject::difference, &Pass::subject), 1);
@@ -166,7 +161,7 @@ TEST(PlanHidden, TheDifferenceLiesOverEverything) {
     }
     for (const char* method : {"depth_buffer", "painter", "newell", "bsp"}) {
         const FramePlan by_gl =
-            plan_with({"view.shows=difference", "visibility.compare_with=ray_cast"}, scene_above(), method);
+            plan_by({"view.shows=difference", "visibility.compare_with=ray_cast"}, scene_above(), method);
         EXPECT_NE(by_gl.passes.back().subject, Subject::difference) << "GL's picture is not there yet: " << method;
     }
 }

@@ -15,6 +15,8 @@ namespace {
 
 using testing::box_scene;
 using testing::differences;
+using testing::Names;
+using testing::names_of_passes;
 using testing::params_with;
 
 FramePlan plan_of(const Params& params, bool clip_control = true) {
@@ -24,12 +26,6 @@ FramePlan plan_with(const std::vector<std::string>& settings) {
     return plan_of(params_with(settings));
 }
 
-std::vector<std::string> names_of_passes(const FramePlan& frame) {
-    std::vector<std::string> names;
-    for (const Pass& pass : frame.passes) names.push_back(pass.name);
-    return names;
-}
-
 const Pass& pass_named(const FramePlan& frame, const std::string& name) {
     static const Pass missing;
     const auto found =
@@ -37,8 +33,6 @@ const Pass& pass_named(const FramePlan& frame, const std::string& name) {
     EXPECT_NE(found, frame.passes.end()) << name;
     return found == frame.passes.end() ? missing : *found;
 }
-
-using Names = std::vector<std::string>;
 
 TEST(PlanPasses, OfTheOpeningState) {
     const FramePlan frame = plan_of(Params{});

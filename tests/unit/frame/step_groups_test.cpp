@@ -16,8 +16,8 @@ using testing::random_view;
 using testing::request_of;
 
 constexpr glm::ivec2 view_px(48, 36);
-constexpr std::array software_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
-                                      VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
+constexpr std::array grouped_methods{VisibilityMethod::painter, VisibilityMethod::newell, VisibilityMethod::bsp,
+                                     VisibilityMethod::software_depth_buffer, VisibilityMethod::ray_cast};
 
 class StepGroups : public ::testing::Test {
 protected:
@@ -52,7 +52,7 @@ protected:
 };
 
 TEST_F(StepGroups, AddUpToAllSteps) {
-    for (const VisibilityMethod method : software_methods) {
+    for (const VisibilityMethod method : grouped_methods) {
         SCOPED_TRACE("method " + std::to_string(static_cast<int>(method)));
         const auto result = at(method, -1);
         if (method == VisibilityMethod::painter) {
@@ -80,7 +80,7 @@ TEST_F(StepGroups, AddUpToAllSteps) {
 }
 
 TEST_F(StepGroups, AreGoneThroughToTheEndAndBackToTheBeginning) {
-    for (const VisibilityMethod method : software_methods) {
+    for (const VisibilityMethod method : grouped_methods) {
         const auto result = at(method, -1);
         const std::set<int> ends(result->group_ends.begin(), result->group_ends.end());
         std::set<int> met;
@@ -167,7 +167,7 @@ TEST_F(StepGroups, EachPlaceOfAnOrderIsDrawnByItsStepAndNotBefore) {
 
 TEST_F(StepGroups, AFollowedPixelOutsideThePictureIsNeverTouched) {
     params.visibility.pixel = glm::ivec2(11, 2);
-    for (const VisibilityMethod method : software_methods) {
+    for (const VisibilityMethod method : grouped_methods) {
         const auto result = at(method, -1);
         EXPECT_TRUE(result->touches.empty());
         EXPECT_FALSE(result->traced);
@@ -185,8 +185,8 @@ TEST_F(StepGroups, AFollowedPixelHasItsRayUntilAStepHasAnother) {
 }
 
 /// Where the ray through a place of the view meets a triangle first; −1: nowhere.
-int seen_at(const glm::dvec2& place_px, const Params& params, const Scene& scene,
-            const std::vector<Polygon>& polygons) {
+int groups_seen_at(const glm::dvec2& place_px, const Params& params, const Scene& scene,
+                   const std::vector<Polygon>& polygons) {
     const Derived derived = derive(params, scene, Viewport{view_px});
     const glm::dmat4 world_from_clip =
         glm::inverse(clip_from_view(params.lens(), derived.aspect) * derived.view_from_world);
@@ -225,7 +225,7 @@ TEST_F(StepGroups, ASmallRasterSeesWhatTheViewHasInTheMiddleOfItsSquares) {
             for (int y = 0; y < raster.y; ++y)
                 for (int x = 0; x < raster.x; ++x) {
                     const glm::dvec2 middle = corner + side * (glm::dvec2(x, y) + 0.5);
-                    const int expected = seen_at(middle, params, scene, solver.surface()->polygons);
+                    const int expected = groups_seen_at(middle, params, scene, solver.surface()->polygons);
                     seen += expected >= 0 ? 1 : 0;
                     EXPECT_EQ(result->image.id(x, y), expected) << x << " " << y;
                     // Every place of a square belongs to its pixel.

@@ -5,10 +5,13 @@
 
 #include <cmath>
 
+#include "unit/geometry/expect_near.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {
 namespace {
+
+using testing::expect_near;
 
 constexpr MotionTuning tuning;
 constexpr MotionTuning at_once{.smoothing_s = 0.0};
@@ -30,12 +33,6 @@ Pose held_at_once(const Pose& pose, const MotionInput& input, Navigation mode, d
 
 glm::dmat3 axes_of(const Pose& pose) {
     return glm::dmat3(rotation_from_angles(pose.angles));
-}
-
-void expect_near(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance) {
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-    }
 }
 
 MotionInput everything_held() {
@@ -261,7 +258,7 @@ TEST(Step, IsIndependentOfTheFrameRate) {
         Pose reference = hold(start, reference_motion, everything_held(), mode, 1.0, 0.001);
         reference = hold(reference, reference_motion, {}, mode, 1.0, 0.001);
         for (const double dt : {0.1, 0.05, 0.02, 1.0 / 60.0, 0.01, 0.005}) {
-            SCOPED_TRACE(testing::Message() << "mode " << static_cast<int>(mode) << " dt " << dt);
+            SCOPED_TRACE(::testing::Message() << "mode " << static_cast<int>(mode) << " dt " << dt);
             Motion motion;
             Pose pose = hold(start, motion, everything_held(), mode, 1.0, dt);
             pose = hold(pose, motion, {}, mode, 1.0, dt);

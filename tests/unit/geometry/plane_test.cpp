@@ -7,10 +7,13 @@
 #include <cstring>
 
 #include "geometry/projection.h"
+#include "unit/geometry/expect_near.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {
 namespace {
+
+using testing::expect_near;
 
 const glm::dvec4 ground(0, 1, 0, 0);
 
@@ -24,12 +27,6 @@ glm::dvec3 divided(const glm::dvec4& p) {
 
 double distance(const glm::dvec4& plane, const glm::dvec3& point) {
     return glm::dot(plane, glm::dvec4(point, 1));
-}
-
-void expect_near(const glm::dvec3& actual, const glm::dvec3& expected, double tolerance) {
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_NEAR(actual[i], expected[i], tolerance) << "component " << i;
-    }
 }
 
 glm::dvec4 random_plane(Random& random) {

@@ -105,7 +105,7 @@ TEST(DepthStep, TableOfFacts) {
         {0.001, 100, 100, 152.6, 5.960e-1, 5.960e-1, 0},       {0.01, 10000, 500, 381.5, 1.490, 1.490, 4.547e-5},
     };
     for (const Row& row : rows) {
-        SCOPED_TRACE(testing::Message() << row.near << " " << row.far << " " << row.z);
+        SCOPED_TRACE(::testing::Message() << row.near << " " << row.far << " " << row.z);
         const Lens lens{.near = row.near, .far = row.far};
         const auto step = [&](DepthMapping mapping, int bits, bool is_float) {
             return depth_step(lens, mapping, {bits, is_float}, row.z);

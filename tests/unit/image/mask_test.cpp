@@ -19,7 +19,7 @@ Image noise(int width, int height, unsigned seed) {
     return image;
 }
 
-std::uint8_t* pixel(Image& image, int x, int y) {
+std::uint8_t* masked_pixel(Image& image, int x, int y) {
     return image.row(y) + 4 * static_cast<std::size_t>(x);
 }
 
@@ -85,7 +85,7 @@ TEST(Mask, WhatIsLeftOutDecidesNothing) {
         for (int i = 0; i < 3; ++i) mask.leave_out({up_to(60), up_to(40), up_to(30), up_to(20)});
         for (int y = 0; y < 40; ++y)
             for (int x = 0; x < 60; ++x)
-                if (!mask.leaves_out(x, y)) std::copy_n(a.row(y) + 4 * x, 4, pixel(b, x, y));
+                if (!mask.leaves_out(x, y)) std::copy_n(a.row(y) + 4 * x, 4, masked_pixel(b, x, y));
         const CompareReport report = compare_images(a, b, {0, 0.0}, mask);
         EXPECT_TRUE(report.equal);
         EXPECT_EQ(report.different, 0);
@@ -95,7 +95,7 @@ TEST(Mask, WhatIsLeftOutDecidesNothing) {
 
         int x = up_to(60), y = up_to(40);
         while (mask.leaves_out(x, y)) x = (x + 1) % 60, y = (y + (x == 0)) % 40;
-        pixel(b, x, y)[1] ^= 0x80;
+        masked_pixel(b, x, y)[1] ^= 0x80;
         const CompareReport one = compare_images(a, b, {0, 0.0}, mask);
         EXPECT_FALSE(one.equal);
         EXPECT_EQ(one.different, 1);
@@ -142,7 +142,7 @@ TEST(Mask, IsHatchedAndDimmedInTheDiffPicture) {
             EXPECT_LT(at[0], 100) << "darker than what is the same";
             (at[0] == 0 ? black : dimmed)++;
         }
-    EXPECT_EQ(black, 12 * 24 / 6) << "every sixth pixel of a row";
+    EXPECT_EQ(black, 12 * 24 / 6) << "every sixth masked_pixel of a row";
     EXPECT_EQ(dimmed, 12 * 24 * 5 / 6);
 }
 

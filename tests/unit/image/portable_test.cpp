@@ -1,5 +1,5 @@
-// The portable profile on edges drawn by hand, where what moved by how much is known, and its parts against a slow and
-// obvious count on seeded random pictures.
+// The portable profile on edges drawn_edge by hand, where what moved by how much is known, and its parts against a slow
+// and obvious count on seeded random pictures.
 #include "image/portable.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace viewing {
 namespace {
 
 /// A grey picture; `level` of the pixel whose middle is (x + ½, y + ½).
-Image drawn(int width, int height, const std::function<double(double, double)>& level) {
+Image drawn_edge(int width, int height, const std::function<double(double, double)>& level) {
     Image image{width, height, {}};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -30,7 +30,7 @@ Image drawn(int width, int height, const std::function<double(double, double)>& 
 /// The half-plane x·cos + y·sin < offset in 200, the rest in 80, with so many samples a side of a pixel.
 Image half_plane(double angle_deg, double offset, int samples) {
     const double cosine = std::cos(angle_deg * 0.017453292519943295), sine = std::sin(angle_deg * 0.017453292519943295);
-    return drawn(48, 48, [&](double x, double y) {
+    return drawn_edge(48, 48, [&](double x, double y) {
         int inside = 0;
         for (int i = 0; i < samples; ++i)
             for (int j = 0; j < samples; ++j)
@@ -66,7 +66,7 @@ TEST(Portable, AnEdgeThatMovedByAPixelIsFoundAtEveryAngle) {
 
 TEST(Portable, ALineThatGrowsThinnerIsEqualAndOneThatMovedIsNot) {
     const auto line = [](double left, double width) {
-        return drawn(40, 30, [=](double x, double) {
+        return drawn_edge(40, 30, [=](double x, double) {
             const double inside = std::min(x + 0.5, left + width) - std::max(x - 0.5, left);
             return 120.0 - 60.0 * std::clamp(inside, 0.0, 1.0);
         });
@@ -78,18 +78,18 @@ TEST(Portable, ALineThatGrowsThinnerIsEqualAndOneThatMovedIsNot) {
 }
 
 TEST(Portable, FlatPartsAreHeldToTheThreshold) {
-    const Image flat = drawn(40, 40, [](double, double) { return 50.0; });
+    const Image flat = drawn_edge(40, 40, [](double, double) { return 50.0; });
     for (const int level : {3, 4, 28}) {
-        const Image hole = drawn(
+        const Image hole = drawn_edge(
             40, 40, [=](double x, double y) { return 50.0 + (x > 20 && x < 25 && y > 10 && y < 14 ? level : 0); });
         EXPECT_EQ(compare_images(hole, flat, portable_options).equal, level == 3) << level;
     }
 }
 
 TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
-    const Image flat = drawn(64, 64, [](double, double) { return 50.0; });
+    const Image flat = drawn_edge(64, 64, [](double, double) { return 50.0; });
     for (const int length : {4, 5}) {
-        const Image dots = drawn(64, 64, [=](double x, double y) {  // a diagonal: corners hang together
+        const Image dots = drawn_edge(64, 64, [=](double x, double y) {  // a diagonal: corners hang together
             return x - 20 == y - 20 && x > 20 && x < 20 + length ? 90.0 : 50.0;
         });
         const CompareReport found = compare_images(dots, flat, portable_options);
@@ -100,7 +100,7 @@ TEST(Portable, ABlockOfFourIsAllowedAndOneOfFiveIsNot) {
 }
 
 TEST(Portable, ManyPixelsFarApartAreADifferenceToo) {
-    const Image flat = drawn(100, 100, [](double, double) { return 50.0; });
+    const Image flat = drawn_edge(100, 100, [](double, double) { return 50.0; });
     for (const int count : {20, 21}) {
         Image dots = flat;
         for (int i = 0; i < count; ++i) dots.row(4 * (i / 20) + 2)[4 * (5 * (i % 20) + 2)] = 200;
@@ -111,7 +111,7 @@ TEST(Portable, ManyPixelsFarApartAreADifferenceToo) {
 TEST(Portable, NoiseIsEqualAndAShiftBelowItIsNot) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         std::mt19937 random(seed);
-        Image a = drawn(160, 120, [](double x, double y) { return 60 + x / 2 + y / 3; });
+        Image a = drawn_edge(160, 120, [](double x, double y) { return 60 + x / 2 + y / 3; });
         Image b = a;
         for (std::size_t i = 0; i < b.rgba.size(); ++i)
             if (i % 4 != 3) b.rgba[i] = static_cast<std::uint8_t>(b.rgba[i] + static_cast<int>(random() % 5) - 2);

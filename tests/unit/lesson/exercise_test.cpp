@@ -12,9 +12,12 @@
 #include "lesson/judge.h"
 #include "lesson/variants.h"
 #include "state/scene.h"
+#include "unit/lesson/has.h"
 
 namespace viewing {
 namespace {
+
+using testing::has;
 
 namespace fs = std::filesystem;
 
@@ -91,10 +94,6 @@ std::string trouble_with(const std::string& json) {
 
 std::string trouble_with(const std::string& part, const std::string& other) {
     return trouble_with(with(number_exercise, part, other));
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 TEST(Exercise, AFileIsReadWhole) {

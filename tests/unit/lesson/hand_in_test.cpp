@@ -11,9 +11,12 @@
 #include "lesson/allowed.h"
 #include "state/json.h"
 #include "state/presets.h"
+#include "unit/lesson/has.h"
 
 namespace viewing {
 namespace {
+
+using testing::has;
 
 const char* const whole = R"({
   "answers": 1, "program": "viewing-sandbox 0.9", "course": "viewing-2026", "student": "32201234", "name": "김학생",
@@ -38,10 +41,6 @@ const char* const whole = R"({
     {"exercise": "E07", "attempts": [{"answer": [0, 2, 1], "told": ""}], "draft": [1, 2]}
   ]
 })";
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 HandIn parsed(const std::string& text) {
     const Result<HandIn> hand_in = parse_hand_in(text, "a.json");
@@ -134,7 +133,7 @@ TEST(HandIn, AMatrixStandsInFourRows) {
 }
 
 /// The file with one part of it replaced; one sentence.
-std::string trouble_with(const std::string& part, const std::string& other) {
+std::string hand_in_trouble(const std::string& part, const std::string& other) {
     std::string text = whole;
     const std::size_t at = text.find(part);
     EXPECT_NE(at, std::string::npos) << part;
@@ -148,32 +147,32 @@ std::string trouble_with(const std::string& part, const std::string& other) {
 }
 
 TEST(HandIn, UnknownFieldsAreRefused) {
-    EXPECT_EQ(trouble_with("\"name\"", "\"nmae\""), "a.json: nmae: no such field; did you mean name?");
-    EXPECT_TRUE(has(trouble_with("\"variant\"", "\"varaint\""), "a.json: items[0].varaint: no such field"));
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"hints\": 2"), "items[0].attempts[1].hints: no such field"));
-    EXPECT_TRUE(has(trouble_with("\"after_s\"", "\"after\""), "items[1].replay[0].after: no such field"));
+    EXPECT_EQ(hand_in_trouble("\"name\"", "\"nmae\""), "a.json: nmae: no such field; did you mean name?");
+    EXPECT_TRUE(has(hand_in_trouble("\"variant\"", "\"varaint\""), "a.json: items[0].varaint: no such field"));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hints\": 2"), "items[0].attempts[1].hints: no such field"));
+    EXPECT_TRUE(has(hand_in_trouble("\"after_s\"", "\"after\""), "items[1].replay[0].after: no such field"));
 }
 
 TEST(HandIn, AnAttemptIsOneThing) {
     const std::string one_of = "must have one of \"answer\", \"set\" and \"hint\"";
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"hint\": 2, \"answer\": 1"), "items[0].attempts[1]: " + one_of));
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"hint\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"answer\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
-    EXPECT_TRUE(has(trouble_with(", \"hint\": 2", ""), "items[0].attempts[1]: " + one_of));
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"hint\": 0"), "items[0].attempts[1].hint: must be"));
-    EXPECT_TRUE(has(trouble_with("\"hint\": 2", "\"hint\": 1.5"), "items[0].attempts[1].hint: must be"));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 2, \"answer\": 1"), "items[0].attempts[1]: " + one_of));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"answer\": 2, \"set\": {}"), "items[0].attempts[1]: " + one_of));
+    EXPECT_TRUE(has(hand_in_trouble(", \"hint\": 2", ""), "items[0].attempts[1]: " + one_of));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 0"), "items[0].attempts[1].hint: must be"));
+    EXPECT_TRUE(has(hand_in_trouble("\"hint\": 2", "\"hint\": 1.5"), "items[0].attempts[1].hint: must be"));
 }
 
 TEST(HandIn, NumbersAreNumbers) {
-    trouble_with("-1.5e-9", "NaN");
-    trouble_with("-1.5e-9", "Infinity");
-    trouble_with("-1.5e-9", "1e999");
+    hand_in_trouble("-1.5e-9", "NaN");
+    hand_in_trouble("-1.5e-9", "Infinity");
+    hand_in_trouble("-1.5e-9", "1e999");
     for (const char* const value : {"null", "\"1\"", "true", "{}", "1e301", "[[1, null]]"})
-        EXPECT_TRUE(has(trouble_with("-1.5e-9", value), "items[2].attempts[0].answer")) << value;
-    EXPECT_TRUE(has(trouble_with("\"draft\": 0.1", "\"draft\": null"), "items[2].draft"));
-    EXPECT_TRUE(has(trouble_with("12.25", "-1"), "items[1].replay[1].after_s: must be"));
-    EXPECT_TRUE(has(trouble_with("\"variant\": 8", "\"variant\": -1"), "items[0].variant: must be"));
-    EXPECT_TRUE(has(trouble_with("\"variant\": 8", "\"variant\": 1e20"), "items[0].variant: must be"));
+        EXPECT_TRUE(has(hand_in_trouble("-1.5e-9", value), "items[2].attempts[0].answer")) << value;
+    EXPECT_TRUE(has(hand_in_trouble("\"draft\": 0.1", "\"draft\": null"), "items[2].draft"));
+    EXPECT_TRUE(has(hand_in_trouble("12.25", "-1"), "items[1].replay[1].after_s: must be"));
+    EXPECT_TRUE(has(hand_in_trouble("\"variant\": 8", "\"variant\": -1"), "items[0].variant: must be"));
+    EXPECT_TRUE(has(hand_in_trouble("\"variant\": 8", "\"variant\": 1e20"), "items[0].variant: must be"));
 }
 
 std::string many(int count, const std::string& entry) {
@@ -184,36 +183,36 @@ std::string many(int count, const std::string& entry) {
 
 TEST(HandIn, ThereIsAnEndToEverything) {
     const std::string attempts = R"([{"answer": -1.5e-9, "told": ""}])";
-    EXPECT_TRUE(has(trouble_with(attempts, many(1001, R"({"hint": 1})")), "items[2].attempts: "));
-    EXPECT_TRUE(has(trouble_with("-1.5e-9", many(65, "1")), "items[2].attempts[0].answer"));
-    EXPECT_TRUE(has(trouble_with("-1.5e-9", many(17, "[1, 2, 3, 4]")), "items[2].attempts[0].answer"));
-    EXPECT_TRUE(has(trouble_with("\"set\": {}}]", "\"set\": {}}], \"attempts_\": 1"), "attempts_"));
+    EXPECT_TRUE(has(hand_in_trouble(attempts, many(1001, R"({"hint": 1})")), "items[2].attempts: "));
+    EXPECT_TRUE(has(hand_in_trouble("-1.5e-9", many(65, "1")), "items[2].attempts[0].answer"));
+    EXPECT_TRUE(has(hand_in_trouble("-1.5e-9", many(17, "[1, 2, 3, 4]")), "items[2].attempts[0].answer"));
+    EXPECT_TRUE(has(hand_in_trouble("\"set\": {}}]", "\"set\": {}}], \"attempts_\": 1"), "attempts_"));
     EXPECT_TRUE(has(
-        trouble_with(R"([{"after_s": 0.5, "set": {"light.position": [1, 2, 3, 1]}}, {"after_s": 12.25, "set": {}}])",
-                     many(201, "{}")),
+        hand_in_trouble(R"([{"after_s": 0.5, "set": {"light.position": [1, 2, 3, 1]}}, {"after_s": 12.25, "set": {}}])",
+                        many(201, "{}")),
         "items[1].replay: "));
     std::string paths;
     for (int i = 0; i < 65; ++i) paths += (i == 0 ? "" : ", ") + ("\"p" + std::to_string(i)) + "\": 1";
-    EXPECT_TRUE(has(trouble_with("\"set\": {}, \"told\": \"M26\"", "\"set\": {" + paths + "}"),
+    EXPECT_TRUE(has(hand_in_trouble("\"set\": {}, \"told\": \"M26\"", "\"set\": {" + paths + "}"),
                     "items[1].attempts[1].set: has more than 64"));
-    EXPECT_TRUE(has(trouble_with("\"김학생\"", "\"" + std::string(20000, 'x') + "\""), "name: longer than 16384"));
+    EXPECT_TRUE(has(hand_in_trouble("\"김학생\"", "\"" + std::string(20000, 'x') + "\""), "name: longer than 16384"));
     std::string items;
     for (int i = 0; i < 200; ++i) items += R"(, {"exercise": "x)" + std::to_string(i) + "\"}";
-    EXPECT_TRUE(has(trouble_with("\"draft\": [1, 2]}", "\"draft\": [1, 2]}" + items), "a.json: items: "));
-    trouble_with("-1.5e-9", std::string(100'000, '[') + std::string(100'000, ']'));
+    EXPECT_TRUE(has(hand_in_trouble("\"draft\": [1, 2]}", "\"draft\": [1, 2]}" + items), "a.json: items: "));
+    hand_in_trouble("-1.5e-9", std::string(100'000, '[') + std::string(100'000, ']'));
 }
 
 TEST(HandIn, EachExerciseStandsThereOnce) {
-    const std::string told = trouble_with("\"E07\"", "\"E06-radians\"");
+    const std::string told = hand_in_trouble("\"E07\"", "\"E06-radians\"");
     EXPECT_TRUE(has(told, "items[3].exercise: \"E06-radians\" stands here twice")) << told;
-    EXPECT_TRUE(has(trouble_with("\"exercise\": \"E07\"", "\"variant\": 1"), "items[3].exercise: is missing"));
+    EXPECT_TRUE(has(hand_in_trouble("\"exercise\": \"E07\"", "\"variant\": 1"), "items[3].exercise: is missing"));
 }
 
 TEST(HandIn, TheHeadIsChecked) {
-    EXPECT_TRUE(has(trouble_with("\"answers\": 1", "\"answers\": 2"), "a.json: answers: must be 1"));
-    EXPECT_TRUE(has(trouble_with("\"answers\": 1,", ""), "a.json: answers: must be 1"));
-    EXPECT_TRUE(has(trouble_with("\"32201234\"", "32201234"), "a.json: student: must be"));
-    EXPECT_TRUE(has(trouble_with("\"student\": \"32201234\",", ""), "a.json: student: is missing"));
+    EXPECT_TRUE(has(hand_in_trouble("\"answers\": 1", "\"answers\": 2"), "a.json: answers: must be 1"));
+    EXPECT_TRUE(has(hand_in_trouble("\"answers\": 1,", ""), "a.json: answers: must be 1"));
+    EXPECT_TRUE(has(hand_in_trouble("\"32201234\"", "32201234"), "a.json: student: must be"));
+    EXPECT_TRUE(has(hand_in_trouble("\"student\": \"32201234\",", ""), "a.json: student: is missing"));
     EXPECT_FALSE(parse_hand_in("[]", "a.json"));
     EXPECT_FALSE(parse_hand_in("", "a.json"));
     EXPECT_FALSE(load_hand_in("/nowhere/a.json"));

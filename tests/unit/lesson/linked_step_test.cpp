@@ -7,7 +7,7 @@
 namespace viewing {
 namespace {
 
-std::string trouble_with(const std::string& text) {
+std::string link_trouble(const std::string& text) {
     const std::optional<Link> link = lesson_link(text);
     if (!link) return "none";
     const Result<LinkedStep> step = load_linked_step(*link);
@@ -40,15 +40,15 @@ TEST(LinkedStep, WithoutAStepItIsTheFirst) {
 
 TEST(LinkedStep, WhatIsNotThereIsSaid) {
     const std::size_t count = load_lesson("depth-fighting")->steps.size();
-    EXPECT_EQ(trouble_with("#lesson=depth-fighting&step=" + std::to_string(count)), "nothing");
+    EXPECT_EQ(link_trouble("#lesson=depth-fighting&step=" + std::to_string(count)), "nothing");
     EXPECT_EQ(
-        trouble_with("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
+        link_trouble("#lesson=depth-fighting&step=" + std::to_string(count + 1)),
         "link: step " + std::to_string(count + 1) + ": depth-fighting has the steps 1 to " + std::to_string(count));
-    EXPECT_EQ(trouble_with("#lesson=depth-fihting"),
+    EXPECT_EQ(link_trouble("#lesson=depth-fihting"),
               "link: depth-fihting: neither a file nor a lesson (viewing-sandbox lesson --list lists them); did you "
               "mean depth-fighting?");
     for (const char* other : {"depth-fighting", "#preset=room", "#lesson=../a", "#lesson=a.json", "#1abc", ""})
-        EXPECT_EQ(trouble_with(other), "none") << other;
+        EXPECT_EQ(link_trouble(other), "none") << other;
 }
 
 /// A file of one's own cannot be opened by a link, so there is none to it, whatever it calls itself.

@@ -49,7 +49,7 @@ TEST(LessonReader, AStepIsWholeByItself) {
 }
 
 /// The file with one part of it replaced by another.
-std::string trouble_with(const std::string& part, const std::string& other) {
+std::string lesson_trouble(const std::string& part, const std::string& other) {
     std::string text = small;
     const std::size_t at = text.find(part);
     EXPECT_NE(at, std::string::npos) << part;
@@ -60,35 +60,35 @@ std::string trouble_with(const std::string& part, const std::string& other) {
 }
 
 TEST(LessonReader, EachFaultIsToldWithFileStepAndField) {
-    EXPECT_EQ(trouble_with("\"hints\"", "\"hint\""),
+    EXPECT_EQ(lesson_trouble("\"hints\"", "\"hint\""),
               "mine.json: step first: ask.hint: no such field; did you mean hints?");
-    EXPECT_EQ(trouble_with("\"number\"", "\"numbr\"").substr(0, 40), "mine.json: step first: ask.kind: must be");
-    EXPECT_EQ(trouble_with("\"expect\": \"camera.yaw\"", "\"expect\": \"camra.yaw\""),
+    EXPECT_EQ(lesson_trouble("\"number\"", "\"numbr\"").substr(0, 40), "mine.json: step first: ask.kind: must be");
+    EXPECT_EQ(lesson_trouble("\"expect\": \"camera.yaw\"", "\"expect\": \"camra.yaw\""),
               "mine.json: step first: ask.expect: there is no name camra; did you mean camera?");
-    EXPECT_NE(trouble_with("camera.yaw == 40", "camera.yaw == ").find("mine.json: step first: claims[0]: "),
+    EXPECT_NE(lesson_trouble("camera.yaw == 40", "camera.yaw == ").find("mine.json: step first: claims[0]: "),
               std::string::npos);
-    EXPECT_NE(trouble_with("{\"camera.yaw\": 10}", "{\"camera.yow\": 10}")
+    EXPECT_NE(lesson_trouble("{\"camera.yaw\": 10}", "{\"camera.yow\": 10}")
                   .find("mine.json: step first: state.set: camera.yow"),
               std::string::npos);
-    EXPECT_NE(trouble_with("\"preset\": \"opening\"", "\"preset\": \"openning\"").find("did you mean opening?"),
+    EXPECT_NE(lesson_trouble("\"preset\": \"opening\"", "\"preset\": \"openning\"").find("did you mean opening?"),
               std::string::npos);
-    EXPECT_NE(trouble_with("[\"matrix:V\"]", "[\"matrix:W\"]").find("mine.json: step first: cover[0]: "),
+    EXPECT_NE(lesson_trouble("[\"matrix:V\"]", "[\"matrix:W\"]").find("mine.json: step first: cover[0]: "),
               std::string::npos);
-    EXPECT_NE(trouble_with("\"minutes\": 5", "\"minutes\": \"five\"").find("mine.json: minutes: must be"),
+    EXPECT_NE(lesson_trouble("\"minutes\": 5", "\"minutes\": \"five\"").find("mine.json: minutes: must be"),
               std::string::npos);
-    EXPECT_NE(trouble_with("\"lesson\": 1", "\"lesson\": 2").find("mine.json: lesson: must be 1"), std::string::npos);
-    EXPECT_NE(trouble_with("\"id\": \"second\"", "\"id\": \"first\"").find("another step has the id"),
+    EXPECT_NE(lesson_trouble("\"lesson\": 1", "\"lesson\": 2").find("mine.json: lesson: must be 1"), std::string::npos);
+    EXPECT_NE(lesson_trouble("\"id\": \"second\"", "\"id\": \"first\"").find("another step has the id"),
               std::string::npos);
-    EXPECT_NE(trouble_with("\"say\": \"Look.\"", "\"say\": [1]").find("mine.json: step first: say: must be a text"),
+    EXPECT_NE(lesson_trouble("\"say\": \"Look.\"", "\"say\": [1]").find("mine.json: step first: say: must be a text"),
               std::string::npos);
     EXPECT_NE(
-        trouble_with("\"allow\": [\"camera.yaw\"]", "\"allow\": [\"camera.yawn\"]").find("did you mean camera.yaw?"),
+        lesson_trouble("\"allow\": [\"camera.yaw\"]", "\"allow\": [\"camera.yawn\"]").find("did you mean camera.yaw?"),
         std::string::npos);
-    EXPECT_NE(trouble_with("\"try\": -10", "\"try\": [1, 2]").find("must have 1 numbers"), std::string::npos);
-    EXPECT_NE(trouble_with("\"over_s\": 2", "\"over_s\": 1e9").find("reveal.over_s: must be"), std::string::npos);
-    EXPECT_NE(trouble_with("\"model\": {\"camera.yaw\": 100}", "\"model\": {}").find("ask.model: is missing"),
+    EXPECT_NE(lesson_trouble("\"try\": -10", "\"try\": [1, 2]").find("must have 1 numbers"), std::string::npos);
+    EXPECT_NE(lesson_trouble("\"over_s\": 2", "\"over_s\": 1e9").find("reveal.over_s: must be"), std::string::npos);
+    EXPECT_NE(lesson_trouble("\"model\": {\"camera.yaw\": 100}", "\"model\": {}").find("ask.model: is missing"),
               std::string::npos);
-    EXPECT_NE(trouble_with("\"reveal\": {\"set\": {\"camera.pitch\": -5}, \"say\": \"Turned.\"}", "\"note\": \"x\"")
+    EXPECT_NE(lesson_trouble("\"reveal\": {\"set\": {\"camera.pitch\": -5}, \"say\": \"Turned.\"}", "\"note\": \"x\"")
                   .find("step second: reveal: is missing"),
               std::string::npos);
 }

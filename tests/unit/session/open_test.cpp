@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-class SessionOpen : public testing::Test {
+class SessionOpen : public ::testing::Test {
 protected:
     SessionOpen() {
         fs::create_directories(folder_ / "own");

@@ -1,4 +1,4 @@
-// Flights: what is written is read back exactly, whatever has changed, and a broken one is told by file and frame.
+// Flights: what is written is flight_of back exactly, whatever has changed, and a broken one is told by file and frame.
 #include <gtest/gtest.h>
 
 #include "random_params.h"
@@ -8,7 +8,7 @@
 namespace viewing {
 namespace {
 
-Result<Flight> read(const std::string& text) {
+Result<Flight> flight_of(const std::string& text) {
     const Result<StateDocument> document = parse_state_document(text, "f.json");
     if (!document) return Error{document.error()};
     if (!document->flight) return Error{"this is no flight"};
@@ -38,7 +38,7 @@ TEST(Flight, FileReadsBackToTheSamePictures) {
         flight.frames.push_back({0.1 * i, settings_to(pictures[pictures.size() - 2], pictures.back())});
     }
     const std::string text = write_flight(flight);
-    const Result<Flight> back = read(text);
+    const Result<Flight> back = flight_of(text);
     ASSERT_TRUE(back) << back.error();
     EXPECT_EQ(*back, flight);
     EXPECT_EQ(write_flight(*back), text);
@@ -62,8 +62,8 @@ TEST(Flight, ShowsTheLastPictureAtOrBeforeATime) {
 }
 
 TEST(Flight, EndsWithItsLastFrameWhereItDoesNotSay) {
-    const Result<Flight> flight =
-        read(R"({"version": 1, "kind": "flight", "state": {}, "frames": [{"t": 0.25, "set": {"camera.yaw": 3}}]})");
+    const Result<Flight> flight = flight_of(
+        R"({"version": 1, "kind": "flight", "state": {}, "frames": [{"t": 0.25, "set": {"camera.yaw": 3}}]})");
     ASSERT_TRUE(flight) << flight.error();
     EXPECT_EQ(flight->seconds, 0.25);
 }
@@ -71,7 +71,7 @@ TEST(Flight, EndsWithItsLastFrameWhereItDoesNotSay) {
 TEST(Flight, MistakesAreToldByFileAndFrame) {
     const auto trouble = [](const std::string& frames, const std::string& more = "") {
         const Result<Flight> flight =
-            read(R"({"version": 1, "kind": "flight", "state": {}, )" + more + "\"frames\": [" + frames + "]}");
+            flight_of(R"({"version": 1, "kind": "flight", "state": {}, )" + more + "\"frames\": [" + frames + "]}");
         return flight ? "nothing" : flight.error();
     };
     const std::string first = R"({"t": 1, "set": {"camera.yaw": 3}}, )";
@@ -96,7 +96,7 @@ TEST(Flight, MistakesAreToldByFileAndFrame) {
                              R"({"kind": "flight", "version": 1, "state": 3, "frames": []})",
                              R"({"kind": "flight", "version": 1, "state": {}, "frames": {}})",
                              R"({"kind": "flights", "version": 1, "state": {}, "frames": []})"})
-        EXPECT_FALSE(read(text)) << text;
+        EXPECT_FALSE(flight_of(text)) << text;
     std::string many;
     for (int i = 0; i < 10'000; ++i) many += std::string(i ? "," : "") + R"({"t":0,"set":{}})";
     EXPECT_NE(trouble(many).find("at most 9999"), std::string::npos) << trouble(many);

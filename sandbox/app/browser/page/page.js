@@ -507,7 +507,7 @@ const page = (() => {
   });
 
   return {askForFile: () => $('file').click(), handOver, beginWork, instantiate, fetchFont, tellTrouble, copy, fullScreen, prepareGl, rendererName,
-          restoreFiles, start, wake: ask};
+          restoreFiles, start, wake: ask, canPause: can_suspend};
 })();
 
 var Module = typeof Module === 'undefined' ? {} : Module;
