@@ -30,15 +30,17 @@ public:
     /// In a frame that tells none.
     void leave_pixel() { follows_ = false; }
 
+    /// Whether a pixel is on its way, for the views or the status bar.
+    bool reads_back() const { return reads_ || follows_; }
     /// Whether counting or reading goes on in further frames.
-    bool wants_frames() const { return (tells_fighting_ && fighting_.wants_frames()) || reads_ || follows_; }
+    bool wants_frames() const { return (tells_fighting_ && fighting_.wants_frames()) || reads_back(); }
 
 private:
     Renderer& renderer_;
     DepthInspector inspector_;
     FightingCounter fighting_;
     bool tells_fighting_ = false;
-    bool reads_ = false, follows_ = false;  ///< a pixel is on its way, for the views or the status bar
+    bool reads_ = false, follows_ = false;
 };
 
 }  // namespace viewing

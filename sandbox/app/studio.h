@@ -60,6 +60,9 @@ public:
     /// In how many seconds another frame is wanted though no input comes: 0 at once, negative never.
     double redraw_in_s() const { return redraw_in_s_; }
 
+    /// Whether the next frame reads a pixel back, for which some drivers wait until all that was drawn is there.
+    bool reads_back() const { return inspection_.reads_back(); }
+
 private:
     /// Makes and draws again what the latest frame's parameters, sizes and answers have changed.
     void update(const Layout& layout, const Surroundings& surroundings);

@@ -44,7 +44,7 @@ Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
     std::vector<glm::vec3> corners;
     std::vector<std::uint32_t> triangles;
     std::size_t begin = 0, next_look = 0;
-    constexpr std::size_t corners_between_looks = 65'536;
+    constexpr std::size_t corners_between_looks = 8'192;
     for (const std::uint32_t count : content.face_sizes) {
         if (begin >= next_look) {
             report(progress, static_cast<double>(begin) / static_cast<double>(content.corners.size()));
@@ -98,6 +98,7 @@ Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std:
         return refusal(assembly.error());
     }
     Mesh mesh = *std::move(assembly);
+    if (is_cancelled(progress)) return refusal(was_cancelled);
     center_and_fit(mesh);
     if (!has_area(mesh)) {
         return refusal("has no face with an area");

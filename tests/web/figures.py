@@ -14,7 +14,7 @@ import native
 # Counts how long the main thread stands still: between two turns of a chain of timers. How much of each gap the page spent
 # in frames, and of that in calls of GL that wait for what was drawn (here a processor draws), is counted beside it.
 MEASURE = """(() => {
-  const kept = window.kept = {gaps: [], frames: [], frame_ms: 0, gl_ms: 0};
+  const kept = window.kept = {gaps: [], frames: [], frame_ms: 0, gl_ms: 0, draws: 0};
   const timed = (object, name, note) => {
     const does = object[name];
     object[name] = function (...values) {
@@ -26,7 +26,12 @@ MEASURE = """(() => {
       }
     };
   };
-  timed(Module, '_page_frame', (ms) => { kept.frames.push(ms); kept.frame_ms += ms; });
+  timed(GLctx, 'drawElements', () => { ++kept.draws; });
+  timed(Module, '_page_frame', (ms) => {
+    if (kept.draws) kept.frames.push(ms);  // else it has given its turn back
+    kept.draws = 0;
+    kept.frame_ms += ms;
+  });
   for (const name of ['readPixels', 'getBufferSubData', 'clientWaitSync', 'finish', 'getParameter', 'getError',
                       'checkFramebufferStatus', 'getProgramParameter', 'getShaderParameter'])
     timed(GLctx, name, (ms) => { kept.gl_ms += ms; });

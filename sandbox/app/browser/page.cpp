@@ -15,6 +15,7 @@
 #include "app/studio.h"
 #include "app/window_memory.h"
 #include "frame/matrix_text.h"
+#include "gl/fence.h"
 #include "gl/gl.h"
 #include "image/png.h"
 #include "measure/camera_picture.h"
@@ -50,6 +51,8 @@ struct Page {
     std::string returned;  ///< the latest text given to the page
     int frames_due = 0;
     bool any = true;  ///< something happened
+    gl::Fence drawn;  ///< behind the latest frame
+    double drawn_s = 0.0;
 
     Page(Renderer made, WindowMemory remembered, Session session)
         : renderer(std::move(made)), memory(std::move(remembered)), studio(renderer, std::move(session)) {}
@@ -172,6 +175,12 @@ void refuse_what_is_not_there() {
     page->studio.session.message.is_error = true;  // it stays
 }
 
+/// A browser that reads a pixel back stands still until all that it was told is drawn. The page waits between its frames.
+bool waits_for_gl() {
+    constexpr double patience_s = 0.25;
+    return page->studio.reads_back() && !page->drawn.has_passed() && now_s() - page->drawn_s < patience_s;
+}
+
 /// Shorter, nobody asks why nothing moves.
 constexpr double noticed_ms = 500.0;
 
@@ -230,6 +239,7 @@ EMSCRIPTEN_KEEPALIVE int page_is_open() {
 /// Draws a frame of this size in pixels; `scale`: pixels per unit of the page. In how many seconds the next one is
 /// wanted though nothing happens: 0 at once, negative never.
 EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale) {
+    if (waits_for_gl()) return 0.0;
     constexpr int frames_after_an_event = 3;
     page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
     refuse_what_is_not_there();
@@ -242,6 +252,8 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     obey(requests);
     page->studio.session.report(page->memory.follow(requests, page->studio.workbench, true));
     page->studio.present();
+    page->drawn = page->studio.reads_back() ? gl::Fence::after_all_so_far() : gl::Fence();
+    page->drawn_s = now_s();
     return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
 }
 
