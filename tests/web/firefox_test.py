@@ -26,8 +26,11 @@ const look = (times) => {
 };
 look(0);
 """
+# The page's own script: timers of Marionette's end with its call.
+TURNS = "var turns = 0; (function turn() { ++turns; setTimeout(turn); })();"
 PICTURE = """(() => {
-  const bytes = FS.readFile(UTF8ToString(Module._page_picture(0))), parts = [];
+  const picture = Module.ccall('page_picture', 'string', ['string', 'number', 'number', 'number'], ['camera', 0, 0, -1]);
+  const bytes = FS.readFile(picture), parts = [];
   for (let i = 0; i < bytes.length; i += 32768) parts.push(String.fromCharCode(...bytes.subarray(i, i + 32768)));
   return btoa(parts.join(''));
 })()"""
@@ -71,6 +74,24 @@ class Firefox(unittest.TestCase):
         self.firefox.wait(SETTLE)
         after = json.loads(self.firefox.js("UTF8ToString(Module._page_state())"))["camera"]
         self.assertNotEqual(after["position"], before["position"])
+
+    def test_long_work_goes_on_between_frames(self):
+        self.firefox.wait(OPEN, native.fragment("cyclic-overlap", "--set", "view.lower_left=growth"))
+        self.firefox.wait(SETTLE)
+        self.firefox.js("Module._page_note_places()")
+        self.firefox.wait(SETTLE)
+        places = json.loads(self.firefox.js("UTF8ToString(Module._page_places())"))
+        left, top, width, height = next(box for name, box in places.items() if name.endswith("/Measure"))
+        self.firefox.js(f"document.head.append(Object.assign(document.createElement('script'), {{text: {json.dumps(TURNS)}}}))")
+        self.firefox.call("WebDriver:PerformActions", actions=[{"type": "pointer", "id": "mouse", "actions": [
+            {"type": "pointerMove", "x": round(left + width / 2), "y": round(top + height / 2)}, {"type": "pause", "duration": 200},
+            {"type": "pointerDown", "button": 0}, {"type": "pause", "duration": 100}, {"type": "pointerUp", "button": 0},
+            {"type": "pause", "duration": 500}]}])
+        self.assertEqual(self.firefox.js("Module._page_rests()"), 0, "it is being measured")
+        before = self.firefox.js("turns")
+        self.firefox.wait(SETTLE)
+        self.assertGreater(self.firefox.js("turns"), before + 20)
+        self.assertNotIn("stood still", self.firefox.js("UTF8ToString(Module._page_told())"))
 
 
 if __name__ == "__main__":

@@ -184,14 +184,15 @@ bool waits_for_gl() {
 /// Shorter, nobody asks why nothing moves.
 constexpr double noticed_ms = 500.0;
 
-/// Why the page did not answer, after it.
+/// Why the page did not answer, after it: in the frame behind the one that took so long, or its time would be over.
 void tell_standstill() {
     const double ms = take_standstill_ms();
     Message& message = page->studio.session.message;
     if (ms < noticed_ms || message.is_error) return;
     message = {
-        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome and Edge can.",
+        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome, Edge and Firefox can.",
             "time"_a = figures(ms / 1000.0))};
+    page->any = true;
 }
 
 const char* given(std::string text) {
@@ -243,13 +244,13 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     constexpr int frames_after_an_event = 3;
     page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
     refuse_what_is_not_there();
-    tell_standstill();
     const InputFrame& frame = page->queue.next_frame(now_s());
     feed_imgui(frame, static_cast<float>(scale));
     ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
     const glm::ivec2 size_px(width_px, height_px);
     const Requests requests = page->studio.frame({size_px, scale, true, frame.input});
     obey(requests);
+    tell_standstill();
     page->studio.session.report(page->memory.follow(requests, page->studio.workbench, true));
     page->studio.present();
     page->drawn = page->studio.reads_back() ? gl::Fence::after_all_so_far() : gl::Fence();
