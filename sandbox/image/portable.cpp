@@ -29,7 +29,7 @@ constexpr double turning = 0.25;
 /// An axis along which the edge runs tells nothing: there it seems to have moved far.
 constexpr double along_px = 3.0;
 
-struct Range {
+struct ChannelRange {
     int low = 255, high = 0;
     void add(int value) {
         low = std::min(low, value);
@@ -40,8 +40,8 @@ struct Range {
 };
 
 /// Of the 3 x 3 pixels around a pixel, in the part that both pictures have.
-std::array<Range, channels> ranges_around(const Image& image, int x, int y, int width, int height) {
-    std::array<Range, channels> ranges;
+std::array<ChannelRange, channels> ranges_around(const Image& image, int x, int y, int width, int height) {
+    std::array<ChannelRange, channels> ranges;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
             for (std::size_t c = 0; c < channels; ++c) ranges[c].add(image.row(v)[4 * u + static_cast<int>(c)]);
@@ -75,7 +75,7 @@ Displacement displacement_of_flank(const Profile& profile, int sign, double turn
     int low = 0, high = 0;
     while (low > first && sign * (profile.sum_at(low) - profile.sum_at(low - 1)) >= -turn) --low;
     while (high < last && sign * (profile.sum_at(high + 1) - profile.sum_at(high)) >= -turn) ++high;
-    Range range;
+    ChannelRange range;
     double sum = 0.0, least = 0.0, most = 0.0;
     for (int i = low; i <= high; ++i) {
         range.add(profile.a_at(i));
@@ -101,7 +101,7 @@ double net_difference(const Profile& profile, int worst) {
 }
 
 Displacement displacement(const Profile& profile, int worst) {
-    Range near;
+    ChannelRange near;
     for (int i = profile.first(edge_reach); i <= profile.last(edge_reach); ++i) {
         near.add(profile.a_at(i));
         near.add(profile.b_at(i));
@@ -112,7 +112,7 @@ Displacement displacement(const Profile& profile, int worst) {
     Displacement found =
         falling.step > rising.step || (falling.step == rising.step && falling.px > rising.px) ? falling : rising;
     found.net_px = net_difference(profile, worst) / std::max(found.step, 1);
-    Range range_a, range_b;
+    ChannelRange range_a, range_b;
     for (int i = profile.first(line_reach); i <= profile.last(line_reach); ++i) {
         range_a.add(profile.a_at(i));
         range_b.add(profile.b_at(i));
@@ -138,7 +138,7 @@ bool has_moved(const Displacement& one, const Displacement& other, int worst) {
 bool is_resampled_edge(const Image& a, const Image& b, int x, int y, int worst) {
     const int width = std::min(a.width, b.width), height = std::min(a.height, b.height);
     const auto in_a = ranges_around(a, x, y, width, height), in_b = ranges_around(b, x, y, width, height);
-    const auto is_edge = [worst](const Range& range) { return range.size() > worst; };
+    const auto is_edge = [worst](const ChannelRange& range) { return range.size() > worst; };
     if (std::none_of(in_a.begin(), in_a.end(), is_edge) || std::none_of(in_b.begin(), in_b.end(), is_edge))
         return false;
     const std::uint8_t* pixel_a = a.row(y) + 4 * static_cast<std::size_t>(x);

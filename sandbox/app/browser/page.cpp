@@ -175,7 +175,8 @@ void refuse_what_is_not_there() {
     page->studio.session.message.is_error = true;  // it stays
 }
 
-/// A browser that reads a pixel back stands still until all that it was told is drawn. The page waits between its frames.
+/// A browser that reads a pixel back stands still until all that it was told is drawn. The page waits between its
+/// frames.
 bool waits_for_gl() {
     constexpr double patience_s = 0.25;
     return page->studio.reads_back() && !page->drawn.has_passed() && now_s() - page->drawn_s < patience_s;
@@ -190,7 +191,8 @@ void tell_standstill() {
     Message& message = page->studio.session.message;
     if (ms < noticed_ms || message.is_error) return;
     message = {
-        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome, Edge and Firefox can.",
+        say("This took {time} s, and the page stood still: the browser cannot suspend WebAssembly. Chrome, Edge and "
+            "Firefox can.",
             "time"_a = figures(ms / 1000.0))};
     page->any = true;
 }

@@ -41,8 +41,7 @@ struct BackgroundCall::State {
         has_begun = true;
         const double began_ms = emscripten_get_now();
         work();
-        if (!page_can_pause())
-            longest_standstill_ms = std::max(longest_standstill_ms, emscripten_get_now() - began_ms);
+        if (!page_can_pause()) longest_standstill_ms = std::max(longest_standstill_ms, emscripten_get_now() - began_ms);
         is_done = true;
         if (wake_at_end) wake_at_end();
     }
