@@ -12,8 +12,8 @@ Drawing drawing_of(Image image) {
     return {size, {{box, Inset{std::make_shared<const Image>(std::move(image)), box, box, {}, {255, 255, 255, 255}}}}};
 }
 
-Result<Drawing> draw_on(Renderer& renderer, const LoadedState& state, const Scene& scene, const PictureRequest& request,
-                        std::optional<Color> ground) {
+Result<Drawing> record_on(Renderer& renderer, const LoadedState& state, const Scene& scene,
+                          const PictureRequest& request, std::optional<Color> ground) {
     RestingWindow window(renderer, state, scene, ground);
     if (Status rests = window.rest(request); !rests) return Error{rests.error()};
     return window.record();
@@ -29,7 +29,7 @@ Result<Drawing> draw_figure(Renderer& renderer, const LoadedState& state, const 
         return drawing_of(*std::move(image));
     }
     return drawn_without_ground(state, request, [&](const LoadedState& wanted, std::optional<Color> ground) {
-        return draw_on(renderer, wanted, scene, request, ground);
+        return record_on(renderer, wanted, scene, request, ground);
     });
 }
 
