@@ -2,14 +2,14 @@
 
 #include <utility>
 
+#include "platform/file.h"
 #include "state/language.h"
 #include "text/catalogue.h"
 
 namespace viewing {
 
 WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(std::move(file)) {
-    std::error_code unknown;
-    is_first_time_ = is_fresh || !std::filesystem::exists(file_, unknown);
+    is_first_time_ = is_fresh || !is_there(file_);
     if (is_fresh) {
         std::error_code failed;
         if (!file_.empty()) std::filesystem::remove(file_, failed);

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "platform/file.h"
+
 namespace viewing {
 
 std::filesystem::path free_file(const std::string& stem, const std::string& extension) {
@@ -10,7 +12,7 @@ std::filesystem::path free_file(const std::string& stem, const std::string& exte
     for (int number = 1;; ++number) {
         const std::string suffix = number == 1 ? "" : "-" + std::to_string(number);
         std::filesystem::path file = folder / (stem + suffix + extension);
-        if (!std::filesystem::exists(file, ignored)) return file;
+        if (!is_there(file)) return file;
     }
 }
 

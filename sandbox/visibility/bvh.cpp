@@ -1,49 +1,110 @@
-// Building the hierarchy from the top by where bins say that a cut is cheapest, and sending rays down it, the nearer
-// child first. Read curved.cpp next.
+// Building the hierarchy from the top by where bins say that a cut is cheapest. Read bvh_rays.cpp next.
 #include "visibility/bvh.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace viewing {
 namespace {
 
-constexpr int bin_count = 16;
+constexpr int most_bins = 16;
 constexpr int largest_leaf = 4;
-constexpr double box_cost = 1.0, triangle_cost = 1.5;
-constexpr int deepest = 60;  ///< leaves below are as large as they are: keeps the traversal's stack small
+constexpr float box_cost = 1.0F, triangle_cost = 1.5F;
 
-double half_surface(const Bounds& bounds) {
-    if (bounds.empty()) return 0.0;
-    const glm::dvec3 size = bounds.size();
-    return size.x * size.y + size.y * size.z + size.z * size.x;
+/// Three coordinates in the nodes' units; the fourth is 0.
+typedef float Point __attribute__((vector_size(16)));
+
+Point least_of(const Point& a, const Point& b) {
+    return a < b ? a : b;
+}
+Point greatest_of(const Point& a, const Point& b) {
+    return a > b ? a : b;
 }
 
-void add(Bounds& bounds, const Bounds& other) {
-    bounds.min = glm::min(bounds.min, other.min);
-    bounds.max = glm::max(bounds.max, other.max);
-}
+struct Box {
+    Point least{2.0F, 2.0F, 2.0F, 0.0F}, greatest{-2.0F, -2.0F, -2.0F, 0.0F};
+
+    void add(const Box& other) {
+        least = least_of(least, other.least);
+        greatest = greatest_of(greatest, other.greatest);
+    }
+    void add(const Point& point) { add(Box{point, point}); }
+    float half_surface() const {
+        const Point size = greatest - least;
+        return size[0] < 0.0F ? 0.0F : size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
+    }
+};
 
 struct Bin {
-    Bounds bounds;
+    Box box;
     int count = 0;
 };
+
+/// A triangle to be put into the tree.
+struct Item {
+    Box box;
+    int triangle = 0;
+
+    Point twice_center() const { return box.least + box.greatest; }
+};
+
+struct Cut {
+    float cost = std::numeric_limits<float>::infinity();  ///< surface times count, of both sides
+    int axis = -1, last_bin = 0;                          ///< of the left side
+};
+
+/// Items of equal bins stay together; few items need few bins.
+struct Bins {
+    Bins(std::size_t item_count, const Box& twice_centers)
+        : count(static_cast<int>(std::min<std::size_t>(most_bins, 4 + item_count / 20))), first(twice_centers.least) {
+        const Point size = twice_centers.greatest - twice_centers.least;
+        for (int axis = 0; axis < 3; ++axis)
+            per_unit[axis] = size[axis] > 0.0F ? static_cast<float>(count) / size[axis] : 0.0F;
+    }
+    int of(const Point& twice_center, int axis) const {
+        return std::min(static_cast<int>((twice_center[axis] - first[axis]) * per_unit[axis]), count - 1);
+    }
+    bool has(int axis) const { return per_unit[axis] > 0.0F; }
+
+    int count;
+    Point first, per_unit{};
+};
+
+/// Where a row of bins is cut in two at the least cost, if that is below `best`.
+void cut_bins(std::span<const Bin> bins, int axis, Cut& best) {
+    std::array<float, most_bins> right_cost;
+    std::array<int, most_bins> right_count;
+    Bin right;
+    for (std::size_t i = bins.size() - 1; i > 0; --i) {
+        right.box.add(bins[i].box);
+        right.count += bins[i].count;
+        right_cost[i] = right.box.half_surface() * static_cast<float>(right.count);
+        right_count[i] = right.count;
+    }
+    Bin left;
+    for (std::size_t i = 0; i + 1 < bins.size(); ++i) {
+        left.box.add(bins[i].box);
+        left.count += bins[i].count;
+        const float cost = left.box.half_surface() * static_cast<float>(left.count) + right_cost[i + 1];
+        if (left.count > 0 && right_count[i + 1] > 0 && cost < best.cost) best = {cost, axis, static_cast<int>(i)};
+    }
+}
 
 }  // namespace
 
 class Bvh::Build {
 public:
     Build(Bvh& bvh, std::span<const Polygon> polygons) : bvh_(bvh) {
+        measure_root(bounds_of(polygons));
         for (std::size_t i = 0; i < polygons.size(); ++i) {
             const std::vector<glm::dvec3>& v = polygons[i].vertices;
             for (std::size_t k = 1; k + 1 < v.size(); ++k) {
-                Item item{{v[0], v[k] - v[0], v[k + 1] - v[0], static_cast<int>(i), polygons[i].source}, {}, {}};
-                item.bounds.add(v[0]);
-                item.bounds.add(v[k]);
-                item.bounds.add(v[k + 1]);
-                item.center = item.bounds.center();
+                Item item{{}, static_cast<int>(triangles_.size())};
+                for (const std::size_t corner : {std::size_t{0}, k, k + 1}) item.box.add(in_nodes_units(v[corner]));
                 items_.push_back(item);
+                triangles_.push_back({v[0], v[k] - v[0], v[k + 1] - v[0], static_cast<int>(i), polygons[i].source});
             }
         }
     }
@@ -52,241 +113,107 @@ public:
         if (items_.empty()) return;
         bvh_.nodes_.reserve(items_.size());
         bvh_.nodes_.emplace_back();
-        std::vector<Range> ranges{{0, 0, static_cast<int>(items_.size()), 1}};
-        int placed = 0;
+        std::vector<Range> ranges{range_of(items_, 0, 1)};
+        std::size_t placed = 0;
         while (!ranges.empty()) {
             const Range range = ranges.back();
             ranges.pop_back();
-            const Bounds bounds = bounds_of_items(range);
-            const int middle = is_cancelled(progress) || range.depth >= deepest ? range.begin : cut(range, bounds);
+            const Cut cut = is_cancelled(progress) || range.depth >= deepest_bvh ? Cut{} : best_cut(range);
             BvhNode& node = bvh_.nodes_[static_cast<std::size_t>(range.node)];
-            node.corners = {bounds.min, bounds.max};
-            if (middle == range.begin) {
-                node.first = range.begin;
-                node.triangle_count = range.end - range.begin;
-                placed += node.triangle_count;
+            for (int axis = 0; axis < 3; ++axis) {
+                node.corners[0][axis] = range.box.least[axis];
+                node.corners[1][axis] = range.box.greatest[axis];
+            }
+            if (cut.axis < 0) {
+                node.first = static_cast<int>(range.items.data() - items_.data());
+                node.content = static_cast<int>(range.items.size());
+                placed += range.items.size();
                 report(progress, static_cast<double>(placed) / static_cast<double>(items_.size()));
                 continue;
             }
+            const Bins bins(range.items.size(), range.twice_centers);
+            const auto middle = std::partition(range.items.begin(), range.items.end(), [&](const Item& item) {
+                return bins.of(item.twice_center(), cut.axis) <= cut.last_bin;
+            });
+            const auto left_count = static_cast<std::size_t>(middle - range.items.begin());
             const int left = static_cast<int>(bvh_.nodes_.size());
             node.first = left;
+            node.content = -cut.axis;
             bvh_.nodes_.emplace_back();
             bvh_.nodes_.emplace_back();
-            ranges.push_back({left + 1, middle, range.end, range.depth + 1});
-            ranges.push_back({left, range.begin, middle, range.depth + 1});
+            ranges.push_back(range_of(range.items.subspan(left_count), left + 1, range.depth + 1));
+            ranges.push_back(range_of(range.items.first(left_count), left, range.depth + 1));
         }
         bvh_.triangles_.reserve(items_.size());
-        for (const Item& item : items_) bvh_.triangles_.push_back(item.triangle);
+        for (const Item& item : items_) bvh_.triangles_.push_back(triangles_[static_cast<std::size_t>(item.triangle)]);
     }
 
 private:
-    struct Item {
-        Triangle triangle;
-        Bounds bounds;
-        glm::dvec3 center;
-    };
     struct Range {
-        int node, begin, end, depth;
+        std::span<Item> items;
+        int node, depth;
+        Box box, twice_centers;
     };
 
-    std::span<Item> items_of(const Range& range) {
-        return std::span(items_).subspan(static_cast<std::size_t>(range.begin),
-                                         static_cast<std::size_t>(range.end - range.begin));
+    static Range range_of(std::span<Item> items, int node, int depth) {
+        Range range{
+            items, node, depth, {}, {.least = {4.0F, 4.0F, 4.0F, 0.0F}, .greatest = {-4.0F, -4.0F, -4.0F, 0.0F}}};
+        for (const Item& item : items) {
+            range.box.add(item.box);
+            range.twice_centers.add(item.twice_center());
+        }
+        return range;
     }
 
-    Bounds bounds_of_items(const Range& range) {
-        Bounds bounds;
-        for (const Item& item : items_of(range)) add(bounds, item.bounds);
-        return bounds;
+    void measure_root(const Bounds& bounds) {
+        if (bounds.empty()) return;
+        const double half_diagonal = 0.5 * glm::length(bounds.size());
+        bvh_.middle_ = bounds.center();
+        bvh_.half_diagonal_ = half_diagonal > 0.0 ? half_diagonal : 1.0;
+        bvh_.same_t_ = 2e-11 * half_diagonal;
     }
 
-    /// Where the range is best cut in two, its items reordered; its begin when it is best left whole.
-    int cut(const Range& range, const Bounds& bounds) {
-        const int count = range.end - range.begin;
-        if (count <= 1) return range.begin;
-        Bounds centers;
-        for (const Item& item : items_of(range)) centers.add(item.center);
-        double best_cost = half_surface(bounds) * triangle_cost * count;
-        if (count > largest_leaf) best_cost = std::numeric_limits<double>::infinity();
-        int best_axis = -1, best_bin = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(centers.size()[axis] > 0.0)) continue;
-            std::array<Bin, bin_count> bins;
-            for (const Item& item : items_of(range)) {
-                Bin& bin = bins[static_cast<std::size_t>(bin_of(item, axis, centers))];
-                add(bin.bounds, item.bounds);
+    Point in_nodes_units(const glm::dvec3& point) const {
+        const glm::dvec3 place = (point - bvh_.middle_) * (1.0 / bvh_.half_diagonal_);
+        return Point{static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z), 0.0F};
+    }
+
+    /// No axis where the range is best left whole: cheaper as a leaf, or all centres in one point.
+    static Cut best_cut(const Range& range) {
+        Cut best;
+        if (range.items.size() <= 1) return best;
+        const Bins bins(range.items.size(), range.twice_centers);
+        std::array<std::array<Bin, most_bins>, 3> filled;
+        for (auto& row : filled) std::fill_n(row.begin(), bins.count, Bin{});
+        for (const Item& item : range.items) {
+            const Point twice_center = item.twice_center();
+            for (int axis = 0; axis < 3; ++axis) {
+                Bin& bin =
+                    filled[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bins.of(twice_center, axis))];
+                bin.box.add(item.box);
                 ++bin.count;
             }
-            const auto [cost, bin] = cheapest_cut(bins);
-            const double whole_cost = half_surface(bounds) * box_cost * 2.0 + triangle_cost * cost;
-            if (whole_cost < best_cost) {
-                best_cost = whole_cost;
-                best_axis = axis;
-                best_bin = bin;
-            }
         }
-        if (best_axis < 0) return range.begin;  // cheaper as a leaf, or all centres in one point
-        const auto middle = std::partition(items_.begin() + range.begin, items_.begin() + range.end,
-                                           [&](const Item& i) { return bin_of(i, best_axis, centers) <= best_bin; });
-        return static_cast<int>(middle - items_.begin());
-    }
-
-    static int bin_of(const Item& item, int axis, const Bounds& centers) {
-        const double share = (item.center[axis] - centers.min[axis]) / (centers.max[axis] - centers.min[axis]);
-        return std::clamp(static_cast<int>(share * bin_count), 0, bin_count - 1);
-    }
-
-    /// Surface times count of both sides, and the last bin of the left side.
-    static std::pair<double, int> cheapest_cut(const std::array<Bin, bin_count>& bins) {
-        std::array<double, bin_count> right_cost{};
-        Bin right;
-        for (std::size_t i = bin_count - 1; i > 0; --i) {
-            add(right.bounds, bins[i].bounds);
-            right.count += bins[i].count;
-            right_cost[i] = half_surface(right.bounds) * right.count;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!bins.has(axis)) continue;
+            cut_bins(std::span(filled[static_cast<std::size_t>(axis)]).first(static_cast<std::size_t>(bins.count)),
+                     axis, best);
         }
-        std::pair best(std::numeric_limits<double>::infinity(), 0);
-        Bin left;
-        for (std::size_t i = 0; i + 1 < bin_count; ++i) {
-            add(left.bounds, bins[i].bounds);
-            left.count += bins[i].count;
-            right.count -= bins[i].count;
-            const double cost = half_surface(left.bounds) * left.count + right_cost[i + 1];
-            if (left.count > 0 && left.count < total(bins) && cost < best.first) {
-                best = {cost, static_cast<int>(i)};
-            }
-        }
+        const auto count = static_cast<float>(range.items.size());
+        const float surface = range.box.half_surface();
+        const bool is_small = range.items.size() <= largest_leaf;
+        if (is_small && surface * box_cost * 2.0F + triangle_cost * best.cost >= surface * triangle_cost * count)
+            return {};
         return best;
-    }
-
-    static int total(const std::array<Bin, bin_count>& bins) {
-        int sum = 0;
-        for (const Bin& bin : bins) sum += bin.count;
-        return sum;
     }
 
     Bvh& bvh_;
     std::vector<Item> items_;
+    std::vector<Triangle> triangles_;
 };
 
 Bvh::Bvh(std::span<const Polygon> polygons, WorkProgress* progress) {
     Build(*this, polygons).run(progress);
-    if (nodes_.empty()) return;
-    const double size = glm::length(nodes_[0].corners[1] - nodes_[0].corners[0]);
-    same_t_ = 1e-11 * size;
-    // Room for rounding: a ray within a flat box's plane still enters it.
-    for (BvhNode& node : nodes_) {
-        node.corners[0] -= glm::dvec3(1e-10 * size);
-        node.corners[1] += glm::dvec3(1e-10 * size);
-    }
-}
-
-/// Calls visit_leaf for every leaf whose box the ray enters before `max_t`, which the call may lower.
-template <typename VisitLeaf>
-void Bvh::traverse(const Ray& ray, const double& max_t, RayCounters& counters, VisitLeaf visit_leaf) const {
-    if (nodes_.empty()) return;
-    glm::dvec3 inverse;
-    std::array<std::size_t, 3> near_corner{};  // the one that the ray passes first, by axis
-    for (int axis = 0; axis < 3; ++axis) {
-        // Large, not infinite: 0 times it is 0 on the face of a box, not NaN.
-        const double d = ray.direction[axis];
-        inverse[axis] = std::abs(d) > 1e-150 ? 1.0 / d : 1e150;
-        near_corner[static_cast<std::size_t>(axis)] = inverse[axis] < 0.0;
-    }
-    const auto entry = [&](const BvhNode& node) {
-        const auto distance = [&](std::size_t axis, std::size_t corner) {
-            const int i = static_cast<int>(axis);
-            return (node.corners[corner][i] - ray.origin[i]) * inverse[i];
-        };
-        double enter = 0.0, leave = max_t;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            enter = std::max(enter, distance(axis, near_corner[axis]));
-            leave = std::min(leave, distance(axis, 1 - near_corner[axis]));
-        }
-        return enter <= leave ? enter : std::numeric_limits<double>::infinity();
-    };
-    struct Waiting {
-        double entry;
-        int node;
-    };
-    std::array<Waiting, deepest + 2> stack;
-    std::size_t waiting = 0;
-    ++counters.box_tests;
-    if (const double t = entry(nodes_[0]); t <= max_t) stack[waiting++] = {t, 0};
-    while (waiting > 0) {
-        const Waiting next = stack[--waiting];
-        if (next.entry > max_t) continue;
-        const BvhNode* node = &nodes_[static_cast<std::size_t>(next.node)];
-        while (node != nullptr && node->triangle_count == 0) {
-            int near = node->first, far = near + 1;
-            counters.box_tests += 2;
-            double near_entry = entry(nodes_[static_cast<std::size_t>(near)]);
-            double far_entry = entry(nodes_[static_cast<std::size_t>(far)]);
-            if (far_entry < near_entry) {
-                std::swap(near, far);
-                std::swap(near_entry, far_entry);
-            }
-            if (far_entry <= max_t) stack[waiting++] = {far_entry, far};
-            node = near_entry <= max_t ? &nodes_[static_cast<std::size_t>(near)] : nullptr;
-        }
-        if (node == nullptr) continue;
-        counters.triangle_tests += node->triangle_count;
-        visit_leaf(std::span(triangles_)
-                       .subspan(static_cast<std::size_t>(node->first), static_cast<std::size_t>(node->triangle_count)));
-    }
-}
-
-/// As geometry's intersect_triangle, on edges computed beforehand: t, negative when there is no hit.
-double Bvh::intersect(const Ray& ray, const Triangle& triangle) {
-    const glm::dvec3 across = glm::cross(ray.direction, triangle.ac);
-    const double volume = glm::dot(triangle.ab, across);
-    if (volume == 0.0) return -1.0;
-    const double inverse = 1.0 / volume;
-    const glm::dvec3 from_a = ray.origin - triangle.a;
-    const double b = glm::dot(from_a, across) * inverse;
-    if (!(b >= 0.0 && b <= 1.0)) return -1.0;
-    const glm::dvec3 around = glm::cross(from_a, triangle.ab);
-    const double c = glm::dot(ray.direction, around) * inverse;
-    if (!(c >= 0.0 && b + c <= 1.0)) return -1.0;
-    return glm::dot(triangle.ac, around) * inverse;
-}
-
-RayHit Bvh::nearest(const Ray& ray, double max_t, RayCounters& counters) const {
-    ++counters.rays;
-    const double same_t = same_t_ / glm::length(ray.direction);
-    RayHit best;
-    double limit = max_t;
-    traverse(ray, limit, counters, [&](std::span<const Triangle> leaf) {
-        for (const Triangle& triangle : leaf) {
-            const double t = intersect(ray, triangle);
-            if (!(t >= 0.0 && t <= limit)) continue;
-            const bool is_tie = best.is_hit() && std::abs(t - best.t) <= same_t;
-            if (is_tie ? triangle.source >= best.source : t >= best.t) continue;
-            best = {t, triangle.polygon, triangle.source};
-            limit = std::min(max_t, t + same_t);
-        }
-    });
-    return best;
-}
-
-std::vector<RayHit> Bvh::all(const Ray& ray, double max_t, RayCounters& counters) const {
-    ++counters.rays;
-    std::vector<RayHit> hits;
-    traverse(ray, max_t, counters, [&](std::span<const Triangle> leaf) {
-        for (const Triangle& triangle : leaf) {
-            const double t = intersect(ray, triangle);
-            if (t >= 0.0 && t <= max_t) hits.push_back({t, triangle.polygon, triangle.source});
-        }
-    });
-    // On the edge between two triangles of one polygon's fan the ray meets both.
-    std::sort(hits.begin(), hits.end(),
-              [](const RayHit& a, const RayHit& b) { return std::pair(a.polygon, a.t) < std::pair(b.polygon, b.t); });
-    hits.erase(
-        std::unique(hits.begin(), hits.end(), [](const auto& a, const auto& b) { return a.polygon == b.polygon; }),
-        hits.end());
-    std::sort(hits.begin(), hits.end(),
-              [](const RayHit& a, const RayHit& b) { return std::pair(a.t, a.source) < std::pair(b.t, b.source); });
-    return hits;
 }
 
 }  // namespace viewing

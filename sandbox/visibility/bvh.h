@@ -1,5 +1,6 @@
 // A bounding-volume hierarchy over triangles: a ray meets few of them. Read ray_cast.h next.
-// Source: Wald 2007, building with a binned surface-area heuristic; Möller and Trumbore 1997.
+// Source: Wald 2007, building with a binned surface-area heuristic; Wald, Slusallek, Benthin and Wagner 2001,
+// neighbouring rays together; Möller and Trumbore 1997.
 #pragma once
 
 #include <array>
@@ -27,12 +28,25 @@ struct RayCounters {
     std::int64_t rays = 0, box_tests = 0, triangle_tests = 0, curved_tests = 0;
 };
 
+/// A ray from t = 0 to max_t; below 0: none of it.
+struct BoundedRay {
+    Ray ray;
+    double max_t;
+};
+
 /// Two children lie one after the other: at `first` and first + 1. A leaf has its triangles from `first` on.
 struct BvhNode {
-    std::array<glm::dvec3, 2> corners{};  ///< of the box: the least and the greatest coordinates
+    /// Of the box, the least and the greatest coordinates, from the root's middle in units of its half diagonal.
+    std::array<glm::vec3, 2> corners{};
     int first = 0;
-    int triangle_count = 0;  ///< 0: an inner node
+    int content = 0;  ///< above 0: so many triangles; else an inner node, cut across the axis −content
+
+    bool is_leaf() const { return content > 0; }
+    int triangle_count() const { return is_leaf() ? content : 0; }
+    int axis() const { return -content; }  ///< along which the first child comes before the second
 };
+
+inline constexpr int deepest_bvh = 60;  ///< leaves there are as large as they are: keeps the rays' stack small
 
 class Bvh {
 public:
@@ -45,6 +59,10 @@ public:
     /// size the one with the lower source: coplanar polygons do not fight.
     RayHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
+    /// The same for several rays, `hits` has room for as many: faster where neighbours take the same way. Counters
+    /// count what each ray meets, however many go together.
+    void nearest(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
+
     /// Every polygon that the ray meets with 0 ≤ t ≤ max_t, nearest first, then by source; each once.
     std::vector<RayHit> all(const Ray& ray, double max_t, RayCounters& counters) const;
 
@@ -56,14 +74,17 @@ private:
         int polygon, source;
     };
     class Build;
-
-    template <typename VisitLeaf>
-    void traverse(const Ray& ray, const double& max_t, RayCounters& counters, VisitLeaf visit_leaf) const;
-    static double intersect(const Ray& ray, const Triangle& triangle);
+    template <typename Lanes>
+    struct Together;
+    template <typename Lanes>
+    void nearest_in(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
+    void nearest_with_avx2(std::span<const BoundedRay> rays, std::span<RayHit> hits, RayCounters& counters) const;
 
     std::vector<BvhNode> nodes_;  ///< the root first; empty without polygons
     std::vector<Triangle> triangles_;
-    double same_t_ = 0.0;  ///< world units
+    glm::dvec3 middle_{0.0};      ///< of the root
+    double half_diagonal_ = 1.0;  ///< of the root, or 1 where it is a point
+    double same_t_ = 0.0;         ///< world units
 };
 
 }  // namespace viewing

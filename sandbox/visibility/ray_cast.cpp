@@ -2,6 +2,7 @@
 #include "visibility/ray_cast.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <tuple>
 
@@ -26,15 +27,28 @@ CurvedHits RayScene::hits_of(const Placed& placed, const Ray& ray, RayCounters& 
                                                 glm::dvec3(placed.model_from_world * glm::dvec4(ray.direction, 0.0))});
 }
 
-RayCastHit RayScene::nearest(const Ray& ray, double max_t, RayCounters& counters) const {
-    const RayHit on_polygon = bvh_.nearest(ray, max_t, counters);
-    RayCastHit best{on_polygon.t, on_polygon.polygon, -1, on_polygon.source};
-    for (std::size_t i = 0; i < curved_.size(); ++i) {
-        const CurvedHits hits = hits_of(curved_[i], ray, counters);
-        if (hits.empty() || hits[0] > max_t || hits[0] >= best.t) continue;
-        best = {hits[0], -1, static_cast<int>(i), curved_[i].shape.source};
+void RayScene::nearest(std::span<const BoundedRay> rays, std::span<RayCastHit> hits, RayCounters& counters) const {
+    std::array<RayHit, 8> on_polygons;
+    for (std::size_t first = 0; first < rays.size(); first += on_polygons.size()) {
+        const auto some = rays.subspan(first, std::min(on_polygons.size(), rays.size() - first));
+        bvh_.nearest(some, on_polygons, counters);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            RayCastHit& best = hits[first + i];
+            best = {on_polygons[i].t, on_polygons[i].polygon, -1, on_polygons[i].source};
+            for (std::size_t k = 0; k < curved_.size(); ++k) {
+                const CurvedHits curved = hits_of(curved_[k], some[i].ray, counters);
+                if (curved.empty() || curved[0] > some[i].max_t || curved[0] >= best.t) continue;
+                best = {curved[0], -1, static_cast<int>(k), curved_[k].shape.source};
+            }
+        }
     }
-    return best;
+}
+
+RayCastHit RayScene::nearest(const Ray& ray, double max_t, RayCounters& counters) const {
+    const BoundedRay only{ray, max_t};
+    RayCastHit hit;
+    nearest(std::span(&only, 1), std::span(&hit, 1), counters);
+    return hit;
 }
 
 std::vector<RayCastHit> RayScene::all(const Ray& ray, double max_t, RayCounters& counters) const {
@@ -60,7 +74,7 @@ PixelRays::PixelRays(const glm::dmat4& clip_from_world, int width, int height) {
     far_origin_ = top_left + world_from_clip[2];
 }
 
-PixelRays::PixelRay PixelRays::through(int x, int y) const {
+BoundedRay PixelRays::through(int x, int y) const {
     const glm::dvec4 across = static_cast<double>(x) * per_x_ + static_cast<double>(y) * per_y_;
     const glm::dvec4 on_near = near_origin_ + across, on_far = far_origin_ + across;
     const glm::dvec3 origin = glm::dvec3(on_near) / on_near.w;
@@ -75,20 +89,34 @@ PixelRays::PixelRay PixelRays::through(int x, int y) const {
 
 RayCastResult cast_rays(const RayScene& scene, const glm::dmat4& clip_from_world, const RayCastOptions& options,
                         WorkProgress* progress) {
+    // Neighbouring rays meet much the same boxes: four by two go together.
+    constexpr int across = 4, down = 2;
     RayCastResult result;
     result.image = IdImage(options.width, options.height);
+    const std::size_t pixels = result.image.ids.size();
+    const std::size_t end =
+        options.stop_after < 0 ? pixels : std::min(pixels, static_cast<std::size_t>(options.stop_after));
     const PixelRays rays(clip_from_world, options.width, options.height);
-    for (int y = 0; y < options.height; ++y) {
+    std::array<BoundedRay, across * down> some;
+    std::array<std::size_t, across * down> pixel_of;
+    std::array<RayCastHit, across * down> hits;
+    for (int top = 0; top < options.height && result.image.index(0, top) < end; top += down) {
         if (is_cancelled(progress)) break;
-        report(progress, static_cast<double>(y) / options.height);
-        for (int x = 0; x < options.width; ++x) {
-            if (result.counters.rays == options.stop_after) return result;
-            const auto [ray, max_t] = rays.through(x, y);
-            const RayCastHit hit = scene.nearest(ray, max_t, result.counters);
-            if (hit.source < 0) continue;
-            const std::size_t pixel = result.image.index(x, y);
-            result.image.ids[pixel] = hit.source;
-            result.image.depths[pixel] = window_depth_of(clip_from_world, ray.at(hit.t));
+        report(progress, static_cast<double>(top) / options.height);
+        for (int left = 0; left < options.width; left += across) {
+            std::size_t count = 0;
+            for (int y = top; y < std::min(top + down, options.height); ++y) {
+                for (int x = left; x < std::min(left + across, options.width); ++x) {
+                    pixel_of[count] = result.image.index(x, y);
+                    if (pixel_of[count] < end) some[count++] = rays.through(x, y);
+                }
+            }
+            scene.nearest(std::span(some).first(count), hits, result.counters);
+            for (std::size_t i = 0; i < count; ++i) {
+                if (hits[i].source < 0) continue;
+                result.image.ids[pixel_of[i]] = hits[i].source;
+                result.image.depths[pixel_of[i]] = window_depth_of(clip_from_world, some[i].ray.at(hits[i].t));
+            }
         }
     }
     return result;

@@ -41,6 +41,9 @@ public:
     /// The first hit with 0 ≤ t ≤ max_t; source −1 when there is none. The ray's direction is unit.
     RayCastHit nearest(const Ray& ray, double max_t, RayCounters& counters) const;
 
+    /// The same for several rays, `hits` has room for as many; faster where they are neighbours.
+    void nearest(std::span<const BoundedRay> rays, std::span<RayCastHit> hits, RayCounters& counters) const;
+
     /// All hits with 0 ≤ t ≤ max_t, nearest first.
     std::vector<RayCastHit> all(const Ray& ray, double max_t, RayCounters& counters) const;
 
@@ -63,12 +66,9 @@ class PixelRays {
 public:
     PixelRays(const glm::dmat4& clip_from_world, int width, int height);
 
-    struct PixelRay {
-        Ray ray;       ///< unit direction
-        double max_t;  ///< where the far plane is; with an oblique near plane: −1 for a ray that never reaches it, and
-                       ///< very large where the far plane is never reached
-    };
-    PixelRay through(int x, int y) const;
+    /// Unit direction, to the far plane; with an oblique near plane: max_t −1 for a ray that never reaches it, and very
+    /// large where the far plane is never reached.
+    BoundedRay through(int x, int y) const;
 
 private:
     glm::dvec4 near_origin_, far_origin_, per_x_, per_y_;  ///< world space, homogeneous

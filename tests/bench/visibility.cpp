@@ -1,12 +1,16 @@
 // The hidden-surface methods: each of the speeds that they are to have, on one core and by CPU time, beside what is
 // wanted. Reports, never fails.
 //
-//     visibility-bench              a table, in Google Benchmark's form and with its flags
+//     visibility-bench              a table, in Google Benchmark's form and with its flags; ray casting beside Embree's
+//     single
+//                                   rays through the same pixels, and its hierarchy beside Embree's, on one thread
 //     visibility-bench --curves     time and dominant operation of every method on 10 … 100,000 polygons, as CSV
 #include <benchmark/benchmark.h>
+#include <embree3/rtcore.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -87,6 +91,19 @@ std::vector<Polygon> squares() {
 BENCHMARK_CAPTURE(z_buffer, small_triangles, polygons_of(sphere_mesh(400, 200)))->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(z_buffer, large_squares, squares())->Unit(benchmark::kMillisecond);
 
+Mesh torus() {
+    return torus_mesh(320, 157);
+}
+// The whole torus, its tube so near that every ray hits it, and the teapot.
+const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0);
+
+void count_rays(benchmark::State& state, const IdImage& image) {
+    const auto misses = static_cast<double>(std::count(image.ids.begin(), image.ids.end(), IdImage::background));
+    const auto rays = static_cast<double>(image.ids.size());
+    state.counters["hits"] = 1.0 - misses / rays;
+    state.counters["rays"] = {static_cast<double>(state.iterations()) * rays, benchmark::Counter::kIsRate};
+}
+
 void ray_casting(benchmark::State& state, const Mesh& mesh, const Viewpoint& seen_from) {
     const std::vector<Polygon> polygons = polygons_of(mesh);
     const RayScene scene(polygons);
@@ -94,26 +111,91 @@ void ray_casting(benchmark::State& state, const Mesh& mesh, const Viewpoint& see
     RayCastResult result;
     for (auto _ : state) result = cast_rays(scene, clip_from_world, {.width = width, .height = height});
     const RayCounters& counters = result.counters;
-    const auto misses = std::count(result.image.ids.begin(), result.image.ids.end(), IdImage::background);
-    const auto iterations = static_cast<double>(state.iterations());
-    const auto rays = static_cast<double>(counters.rays);
+    count_rays(state, result.image);
     state.counters["triangles"] = static_cast<double>(polygons.size());
-    state.counters["hits"] = 1.0 - static_cast<double>(misses) / rays;
-    state.counters["rays"] = {iterations * rays, benchmark::Counter::kIsRate};
-    state.counters["boxes_a_ray"] = static_cast<double>(counters.box_tests) / rays;
-    state.counters["tests_a_ray"] = static_cast<double>(counters.triangle_tests) / rays;
+    state.counters["boxes_a_ray"] = static_cast<double>(counters.box_tests) / static_cast<double>(counters.rays);
+    state.counters["tests_a_ray"] = static_cast<double>(counters.triangle_tests) / static_cast<double>(counters.rays);
 }
-// The whole torus, its tube so near that every ray hits it, and the teapot.
-BENCHMARK_CAPTURE(ray_casting, torus, torus_mesh(320, 157), viewpoint())->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(ray_casting, torus_near, torus_mesh(320, 157), viewpoint({0.0, 0.0, 0.9}, 6.0))
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(ray_casting, teapot, teapot_mesh(40), viewpoint())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ray_casting, torus, torus(), whole)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ray_casting, torus_near, torus(), near_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ray_casting, teapot, teapot_mesh(40), whole)->Unit(benchmark::kMillisecond);
 
 void hierarchy_build(benchmark::State& state) {
-    const std::vector<Polygon> polygons = polygons_of(torus_mesh(320, 157));
+    const std::vector<Polygon> polygons = polygons_of(torus());
     for (auto _ : state) benchmark::DoNotOptimize(RayScene(polygons));
 }
 BENCHMARK(hierarchy_build)->Unit(benchmark::kMillisecond);
+
+// ---- the same by Embree ------------------------------------------------------------------------------
+
+/// Its device and one mesh, on the calling thread alone.
+class Embree {
+public:
+    explicit Embree(const Mesh& mesh)
+        : device_(rtcNewDevice("threads=1,set_affinity=0")), scene_(rtcNewScene(device_)) {
+        const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
+        const auto put = [&](RTCBufferType type, RTCFormat format, std::size_t stride, const auto& values) {
+            void* buffer =
+                rtcSetNewGeometryBuffer(geometry, type, 0, format, stride, values.size() * sizeof(values[0]) / stride);
+            std::memcpy(buffer, values.data(), values.size() * sizeof(values[0]));
+        };
+        put(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), mesh.positions);
+        put(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.indices);
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene_, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene_);
+    }
+    ~Embree() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+    Embree(const Embree&) = delete;
+    Embree& operator=(const Embree&) = delete;
+
+    /// The number of the triangle, or IdImage::background.
+    int nearest(const Ray& ray, double max_t) const {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        const glm::vec3 origin(ray.origin), direction(ray.direction);
+        RTCRayHit hit{};
+        hit.ray = {
+            origin.x, origin.y, origin.z, 0.0F, direction.x, direction.y, direction.z, 0.0F, static_cast<float>(max_t),
+            ~0U,      0,        0};
+        hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        rtcIntersect1(scene_, &context, &hit);
+        return hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? IdImage::background : static_cast<int>(hit.hit.primID);
+    }
+
+private:
+    RTCDevice device_;
+    RTCScene scene_;
+};
+
+void embree_rays(benchmark::State& state, const Mesh& mesh, const Viewpoint& seen_from) {
+    const Embree embree(mesh);
+    IdImage image(width, height);
+    for (auto _ : state) {
+        const PixelRays rays(seen_from.clip_from_world(), width, height);
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const auto [ray, max_t] = rays.through(x, y);
+                image.ids[image.index(x, y)] = embree.nearest(ray, max_t);
+            }
+        }
+    }
+    count_rays(state, image);
+}
+BENCHMARK_CAPTURE(embree_rays, torus, torus(), whole)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(embree_rays, torus_near, torus(), near_tube)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(embree_rays, teapot, teapot_mesh(40), whole)->Unit(benchmark::kMillisecond);
+
+void embree_build(benchmark::State& state) {
+    const Mesh mesh = torus();
+    for (auto _ : state) benchmark::DoNotOptimize(Embree(mesh).nearest({{0.0, 0.0, 9.0}, {0.0, 0.0, -1.0}}, 1.0));
+}
+BENCHMARK(embree_build)->Unit(benchmark::kMillisecond);
 
 // ---- beside what is wanted ---------------------------------------------------------------------------
 

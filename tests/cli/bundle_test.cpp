@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-constexpr const char* tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 constexpr const char* roof = "mtllib stone.mtl\nv 0 0 0\nv 2 0 0\nv 1 1 0\nv 1 0 2\nf 1 2 3\nf 1 4 2\nf 1 3 4\n";
 
 class Bundle : public Program {

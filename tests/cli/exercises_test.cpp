@@ -11,15 +11,6 @@ namespace {
 
 class ExercisesCommand : public Program {};
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
-        end = std::min(text.find('\n', begin), text.size());
-        lines.push_back(text.substr(begin, end - begin));
-    }
-    return lines;
-}
-
 bool has_hangul(const std::string& text) {
     return std::any_of(text.begin(), text.end(), [](char c) {
         return static_cast<unsigned char>(c) >= 0xea && static_cast<unsigned char>(c) <= 0xed;

@@ -23,7 +23,6 @@ protected:
         words.insert(words.end(), more.begin(), more.end());
         return expect(0, words);
     }
-    static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 };
 
 TEST_F(ChosenMatrices, StandInTheOrderInWhichTheyAreNamed) {

@@ -77,10 +77,8 @@ TEST_F(State, EveryCommandRefusesTheSameBadState) {
     refused({"measure", "--what", "fighting", "--set", bad}, {"projection.near"});
 }
 
-constexpr const char* four_faces = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
 TEST_F(State, AMeshOfOnesOwnTakesTheSceneSPlace) {
-    write("mine.obj", four_faces);
+    write("mine.obj", tetrahedron);
     const Json by_state = expect(0, {"state", "mine.obj"}).json();
     EXPECT_EQ(by_state, expect(0, {"state", "--mesh", "mine.obj"}).json());
     EXPECT_NE(by_state.dump().find("mine.obj"), std::string::npos);
@@ -94,14 +92,14 @@ TEST_F(State, ABadMeshIsRefused) {
     write("broken.obj", "f 1 2 3\n");
     refused({"snapshot", "broken.obj", "-o", "x.png"}, {"broken.obj"});
     refused({"open", "broken.obj"}, {"broken.obj"});
-    write("mine.obj", four_faces);
+    write("mine.obj", tetrahedron);
     refused({"state", "mine.obj", "--mesh", "mine.obj"}, {"--mesh"});
     refused({"state", "--mesh", "mine.stl"}, {"--mesh", "mine.stl", ".obj"});
 }
 
 TEST_F(State, SettingsAreRelativeToTheWorkingDirectoryAndStatesToTheirFile) {
     std::filesystem::create_directories(folder() / "sub");
-    write("sub/t.obj", four_faces);
+    write("sub/t.obj", tetrahedron);
     write("sub/scene.json", R"({"objects": [{"name": "t", "shape": "mesh", "file": "t.obj"}]})");
     write("sub/named.json", R"({"scene": "scene.json"})");
     write("sub/inline.json", R"({"scene": {"objects": [{"name": "t", "shape": "mesh", "file": "t.obj"}]}})");

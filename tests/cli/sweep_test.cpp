@@ -18,13 +18,6 @@ protected:
     }
 };
 
-std::vector<std::string> rows_of(const std::string& text) {
-    std::istringstream stream(text);
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
-
 TEST_F(Sweep, DrawsWhatSnapshotDraws) {
     expect(0, small({"--vary", "light.position[0]=-2:2:5", "-o", "frames"}));
     const char* const values[] = {"-2", "-1", "0", "1", "2"};
@@ -41,15 +34,15 @@ TEST_F(Sweep, WritesATableOfExpressions) {
     const std::string table = expect(0, {"sweep", "--vary", "light.position[1]=1:4:4", "--csv", "-", "--value",
                                          "facts.plane_dot_light", "--value", "S[0][0]"})
                                   .out;
-    EXPECT_EQ(rows_of(table), (std::vector<std::string>{"light.position[1],facts.plane_dot_light,S[0][0]", "1,1,1",
-                                                        "2,2,2", "3,3,3", "4,4,4"}));
+    EXPECT_EQ(lines_of(table), (std::vector<std::string>{"light.position[1],facts.plane_dot_light,S[0][0]", "1,1,1",
+                                                         "2,2,2", "3,3,3", "4,4,4"}));
 }
 
 TEST_F(Sweep, GoesThroughKeyframesEasedAndBack) {
     const auto column = [&](const std::vector<std::string>& more) {
         std::vector<std::string> words{"sweep", "--csv", "-"};
         words.insert(words.end(), more.begin(), more.end());
-        std::vector<std::string> lines = rows_of(expect(0, words).out);
+        std::vector<std::string> lines = lines_of(expect(0, words).out);
         lines.erase(lines.begin());
         return lines;
     };
@@ -155,9 +148,9 @@ TEST_F(SweepOfAFlight, ShowsAtEachTimeWhatWasOnTheScreen) {
     const std::string table = expect(0, {"sweep", "flight.json", "--fps", "4", "--csv", "-", "--value", "camera.yaw",
                                          "--value", "projection.near"})
                                   .out;
-    EXPECT_EQ(rows_of(table), (std::vector<std::string>{"t,camera.yaw,projection.near", "0,20,0.5",
-                                                        "0.25,25.000000000000004,0.5", "0.5,25.000000000000004,0.7",
-                                                        "0.75,25.000000000000004,0.7", "1,25.000000000000004,0.7"}));
+    EXPECT_EQ(lines_of(table), (std::vector<std::string>{"t,camera.yaw,projection.near", "0,20,0.5",
+                                                         "0.25,25.000000000000004,0.5", "0.5,25.000000000000004,0.7",
+                                                         "0.75,25.000000000000004,0.7", "1,25.000000000000004,0.7"}));
     expect(0, small({"flight.json", "--fps", "4", "-o", "frames"}));
     EXPECT_EQ(read("frames/0003.png"), read("frames/0005.png"));
     EXPECT_NE(read("frames/0002.png"), read("frames/0003.png"));
@@ -167,7 +160,7 @@ TEST_F(SweepOfAFlight, ShowsAtEachTimeWhatWasOnTheScreen) {
     const std::string dressed =
         expect(0, {"sweep", "flight.json", "--set", "shadow.opacity=0.125", "--csv", "-", "--value", "shadow.opacity"})
             .out;
-    EXPECT_EQ(rows_of(dressed),
+    EXPECT_EQ(lines_of(dressed),
               (std::vector<std::string>{"t,shadow.opacity", "0,0.125", "0.25,0.125", "0.5,0.125", "0.5,0.125"}));
 }
 

@@ -13,14 +13,11 @@ namespace {
 
 using testing::params_with;
 using testing::scene_named;
+using testing::setting;
 
 constexpr glm::ivec2 read_px(160, 90);
 const char* const formats[] = {"d4", "d8", "d12", "d16", "d24", "d32f"};
 const char* const mappings[] = {"standard", "reversed", "logarithmic"};
-
-std::string set_to(const char* path, const char* value) {
-    return std::string(path) + "=" + value;
-}
 
 class BufferRead : public testing::GlTest {
 protected:
@@ -46,7 +43,7 @@ protected:
 TEST_F(BufferRead, BlocksHoldThePixelsOneByOne) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const format : formats) {
-        const PixelProbe probe = probe_of(params_with({set_to("depth.format", format)}), scene);
+        const PixelProbe probe = probe_of(params_with({setting("depth.format", format)}), scene);
         const CellBlock block = probe.block({70, 35}, {13, 9});
         ASSERT_EQ(block.size, glm::ivec2(13, 9));
         ASSERT_EQ(block.cells.size(), 13U * 9U);
@@ -81,7 +78,7 @@ TEST_F(BufferRead, GivesTheSameWhereGlCannotReadDepthAndStencil) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const mapping : mappings)
         for (const char* const format : formats) {
-            const Params params = params_with({set_to("depth.format", format), set_to("depth.mapping", mapping)});
+            const Params params = params_with({setting("depth.format", format), setting("depth.mapping", mapping)});
             const PixelProbe read = probe_of(params, scene), drawn = probe_of(params, scene, without);
             const CellBlock expected = read.block({0, 0}, read_px), found = drawn.block({0, 0}, read_px);
             const std::uint32_t allowed = std::string(format) == "d24" ? 1 : 0;
@@ -144,7 +141,7 @@ TEST_F(BufferRead, WorksWithNothingBeyondTheCommonSubset) {
     const Scene scene = scene_named("torus-and-boxes");
     for (const char* const format : formats) {
         const PixelProbe probe =
-            probe_of(params_with({set_to("depth.format", format), "depth.mapping=reversed"}), scene, *plain);
+            probe_of(params_with({setting("depth.format", format), "depth.mapping=reversed"}), scene, *plain);
         const PixelReport report = probe.at({80, 45}, scene);
         EXPECT_TRUE(report.written);
         EXPECT_LT(report.eye_z, -1.0) << format;
@@ -160,8 +157,8 @@ TEST_F(BufferRead, CountsAreThoseOfTheBlocks) {
     for (const char* const scale : {"linear", "window"})
         for (const char* const mapping : mappings)
             for (const char* const format : formats) {
-                const Params params = params_with({set_to("depth.format", format), set_to("depth.mapping", mapping),
-                                                   set_to("view.depth_scale", scale)});
+                const Params params = params_with({setting("depth.format", format), setting("depth.mapping", mapping),
+                                                   setting("view.depth_scale", scale)});
                 const PixelProbe probe = probe_of(params, scene);
                 const DepthCounts counts = probe.count_depths();
                 const double cleared = std::string(mapping) == "reversed" ? 0.0 : 1.0;

@@ -18,6 +18,7 @@ namespace {
 using testing::object;
 using testing::params_with;
 using testing::scene_named;
+using testing::setting;
 using testing::trials;
 
 constexpr glm::ivec2 fragments_px(160, 90);
@@ -168,11 +169,6 @@ Scene scene_with_decal() {
     decal.description.decal = true;
     scene.objects.push_back(decal);
     return scene;
-}
-
-template <typename Value>
-std::string setting(const char* path, Value value) {
-    return path + ("=" + std::string(value));
 }
 
 TEST_F(Fragments, EndWithTheOneThatIsReadBack) {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "frame/plan.h"
@@ -42,6 +43,11 @@ inline glm::ivec2 pixel_of(const glm::dvec3& point, const Derived& derived, glm:
     const glm::dvec4 clip = derived.clip_from_world * glm::dvec4(point, 1.0);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
     return glm::ivec2(glm::floor((ndc * glm::dvec2(0.5, -0.5) + 0.5) * glm::dvec2(size_px)));
+}
+
+/// "depth.format=d24", as params_with() takes it.
+inline std::string setting(const std::string& path, std::string_view value) {
+    return path + "=" + std::string(value);
 }
 
 /// How often a test tries: VIEWING_LONG_TESTS=N tries N times as often.

@@ -169,8 +169,7 @@ std::string matrices_text() {
 /// A page has the files alone that were given to it: there is nothing else that a state could read with a yes.
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
-    std::error_code unknown;
-    if (!asked || std::filesystem::exists(asked->file, unknown)) return;
+    if (!asked || is_there(asked->file)) return;
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // it stays
 }

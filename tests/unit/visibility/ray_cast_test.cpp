@@ -61,6 +61,72 @@ TEST(Bvh, FindsWhatTryingEveryTriangleFinds) {
     EXPECT_GT(hit_count, 2000);
 }
 
+/// However large the scene is and wherever it lies: single precision is for boxes alone.
+TEST(Bvh, RaysTogetherFindWhatEachFindsAlone) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::int64_t hit_count = 0;
+    for (const double size : {1e-12, 1e-3, 1.0, 1e9}) {
+        for (const double distance : {0.0, 3.0, 3e4}) {
+            const glm::dvec3 middle = distance * size * random.direction();
+            std::vector<Polygon> polygons;
+            for (const Polygon& polygon : random_polygons(random)) {
+                std::vector<glm::dvec3> vertices = polygon.vertices;
+                for (glm::dvec3& vertex : vertices) vertex = middle + size * vertex;
+                add(polygons, std::move(vertices));
+            }
+            const Bvh bvh(polygons);
+            for (const std::size_t count : {1U, 3U, 4U, 5U, 8U, 13U}) {
+                for (int bundle = 0; bundle < 30; ++bundle) {
+                    const glm::dvec3 target = random.vec3(1), origin = random.vec3(bundle % 3 == 0 ? 300 : 3);
+                    std::vector<BoundedRay> rays;
+                    for (std::size_t i = 0; i < count; ++i) {
+                        const glm::dvec3 from = middle + size * (origin + random.vec3(0.1));
+                        glm::dvec3 direction = middle + size * (target + random.vec3(0.3)) - from;
+                        if (bundle % 5 == 0) direction[static_cast<int>(i % 3)] = 0.0;
+                        if (bundle % 7 == 0) direction = {0.0, i % 2 == 0 ? 1.0 : -size, 0.0};
+                        rays.push_back({{from, direction}, bundle % 4 == 0 ? 0.9 : 1e300});
+                    }
+                    std::vector<RayHit> hits(count);
+                    RayCounters together, alone;
+                    bvh.nearest(rays, hits, together);
+                    for (std::size_t i = 0; i < count; ++i) {
+                        const RayHit hit = bvh.nearest(rays[i].ray, rays[i].max_t, alone);
+                        EXPECT_EQ(hits[i].polygon, hit.polygon);
+                        EXPECT_EQ(hits[i].t, hit.t);
+                        std::vector<RayHit> expected = brute_force(polygons, rays[i].ray);
+                        std::erase_if(expected, [&](const RayHit& other) { return other.t > rays[i].max_t; });
+                        ASSERT_EQ(hit.is_hit(), !expected.empty()) << size << " " << distance;
+                        EXPECT_EQ(bvh.all(rays[i].ray, rays[i].max_t, alone).size(), expected.size());
+                        if (expected.empty()) continue;
+                        ++hit_count;
+                        EXPECT_NEAR(hit.t, expected.front().t, 1e-6 * expected.front().t);
+                    }
+                    EXPECT_EQ(together.rays, static_cast<std::int64_t>(count));
+                    EXPECT_EQ(2 * together.rays, alone.rays);
+                }
+            }
+        }
+    }
+    EXPECT_GT(hit_count, 3000);
+}
+
+TEST(Bvh, CountsAreThoseOfEachRayHoweverManyGoTogether) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Bvh bvh(random_polygons(random));
+    RayCounters together, alone;
+    for (int bundle = 0; bundle < 100; ++bundle) {
+        std::vector<BoundedRay> rays;
+        for (int i = 0; i < 8; ++i) rays.push_back({{random.vec3(3), random.direction()}, 1e300});
+        std::vector<RayHit> hits(8);
+        bvh.nearest(rays, hits, together);
+        for (const BoundedRay& ray : rays) bvh.nearest(ray.ray, ray.max_t, alone);
+    }
+    EXPECT_EQ(together.box_tests, alone.box_tests);
+    EXPECT_EQ(together.triangle_tests, alone.triangle_tests);
+}
+
 TEST(Bvh, EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren) {
     Random random(seed);
     const std::vector<Polygon> polygons = random_polygons(random);
@@ -68,8 +134,8 @@ TEST(Bvh, EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren) {
     for (const Polygon& polygon : polygons) fans += static_cast<std::int64_t>(polygon.vertices.size()) - 2;
     const Bvh bvh(polygons);
     for (const BvhNode& node : bvh.nodes()) {
-        in_leaves += node.triangle_count;
-        if (node.triangle_count > 0) continue;
+        in_leaves += node.triangle_count();
+        if (node.is_leaf()) continue;
         for (const int child : {node.first, node.first + 1}) {
             EXPECT_EQ(glm::min(node.corners[0], bvh.nodes()[child].corners[0]), node.corners[0]);
             EXPECT_EQ(glm::max(node.corners[1], bvh.nodes()[child].corners[1]), node.corners[1]);
