@@ -45,6 +45,9 @@ std::vector<ExpressionName> all_names() {
         {"order", NameKind::measured, "order()", "as `measure --what order` prints it, at 1280x720"},
         {"bsp_order", NameKind::measured, "bsp_order()",
          "count of the BSP tree's nodes, and order: their numbers from 1 on as the camera draws them, farthest first"},
+        {"newell_step", NameKind::measured, "newell_step()",
+         "of Newell's ladder at visibility.step: test, action, and a and b with left, right, bottom, top, nearest, "
+         "farthest"},
         {"pixel", NameKind::measured, "pixel(x, y)", "as `inspect` prints it, at 1280x720; (0, 0) is the top left one"},
     };
     names.insert(names.end(), std::begin(others), std::end(others));

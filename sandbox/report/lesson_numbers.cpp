@@ -65,6 +65,10 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
         if (!arguments.empty()) return wants_arguments("bsp_order()");
         return bsp_order_as_json(now_, scene_, size_px);
     }
+    if (name == "newell_step") {
+        if (!arguments.empty()) return wants_arguments("newell_step()");
+        return newell_step_as_json(now_, scene_, size_px);
+    }
     if (!renderer_) return Error{name + " is measured in pictures, which there are none of here"};
     if (name == "pixel") {
         const auto is_place = [](double at, int end) { return at == std::floor(at) && at >= 0.0 && at < end; };

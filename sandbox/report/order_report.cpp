@@ -8,6 +8,7 @@
 #include "visibility/culling.h"
 #include "visibility/hiding.h"
 #include "visibility/painter.h"
+#include "visibility/projected.h"
 
 namespace viewing {
 namespace {
@@ -33,6 +34,18 @@ Json order_of(int count, std::span<const HidingPair> pairs, const Name& name) {
             {"exists", exists},
             {"order", exists ? list_of(found.order, name) : Json()},
             {"cycle", exists ? Json() : list_of(found.cycle, name)}};
+}
+
+constexpr const char* newell_tests[] = {"depth_extents", "x_extents",       "y_extents",
+                                        "p_behind_q",    "q_in_front_of_p", "projections_disjoint",
+                                        "q_behind_p",    "p_in_front_of_q", "none"};
+static_assert(std::size(newell_tests) == newell_test_count);
+constexpr const char* newell_actions[] = {"goes_on", "swaps", "splits", "draws", "forces"};
+
+Json extent_of(const Polygon& polygon, const Viewpoint& viewpoint) {
+    const Projected seen = project(polygon, viewpoint, viewpoint.clip_from_world());
+    return {{"left", seen.min.x}, {"right", seen.max.x},     {"bottom", seen.min.y},
+            {"top", seen.max.y},  {"nearest", seen.nearest}, {"farthest", seen.farthest}};
 }
 
 }  // namespace
@@ -80,6 +93,27 @@ Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::iv
     for (const BspVisit& visit : walk_bsp(tree, viewpoint.eye_world(), BspOrder::back_to_front).visits)
         order.push_back(visit.node + 1);
     return Json{{"count", tree.nodes.size()}, {"order", std::move(order)}};
+}
+
+Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px) {
+    if (const Status affordable = check_hidden_budget(scene, true); !affordable) return Error{affordable.error()};
+    Params by_newell = params;
+    by_newell.visibility.method = VisibilityMethod::newell;
+    const HiddenRequest request = hidden_request(by_newell, derive(params, scene, Viewport{size_px}), size_px);
+    const std::shared_ptr<const NewellOrder> newell = HiddenSurfaceSolver(scene).solve(request)->newell;
+    if (newell->steps.empty()) return Error{"there are no polygons to compare"};
+    const auto count = static_cast<int>(newell->steps.size());
+    const int step = params.visibility.step < 0 ? count : params.visibility.step;
+    if (step == 0 || step > count) return Error{"there are steps 1 to " + std::to_string(count)};
+    const NewellStep& reached = newell->steps[static_cast<std::size_t>(step) - 1];
+    const auto extent = [&](int fragment) {
+        return fragment < 0 ? Json()
+                            : extent_of(newell->fragments[static_cast<std::size_t>(fragment)], request.viewpoint);
+    };
+    return Json{{"test", newell_tests[static_cast<std::size_t>(reached.decided_by)]},
+                {"action", newell_actions[static_cast<std::size_t>(reached.action)]},
+                {"a", extent(reached.p)},
+                {"b", extent(reached.q)}};
 }
 
 }  // namespace viewing

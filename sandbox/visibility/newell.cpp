@@ -1,9 +1,11 @@
 // The list is kept sorted by farthest vertex; P is any place in it, at first the farthest. A Q that must go first
-// becomes P; when that leads round in a circle, something is cut. Read software_zbuffer.cpp next.
+// becomes P; when that leads round in a circle, something is cut. A P that is come back to goes on at the Q where it
+// stopped: whatever is farther has let it go, and so have its pieces. Read software_zbuffer.cpp next.
 #include "visibility/newell.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "text/catalogue.h"
@@ -43,7 +45,7 @@ public:
 
     NewellOrder run(WorkProgress* progress) {
         while (!list_.empty() && result_.problem.empty()) {
-            draw_next();
+            advance();
             const double drawn = static_cast<double>(result_.order.size());
             report(progress, drawn / (drawn + static_cast<double>(list_.size())));
         }
@@ -87,6 +89,8 @@ private:
     }
     void add_fragment(Polygon polygon, Projected projected) {
         projected_.push_back(std::move(projected));
+        let_go_beyond_.push_back(std::numeric_limits<double>::infinity());
+        is_in_chain_.push_back(false);
         list_.push_back(static_cast<int>(result_.fragments.size()));
         result_.fragments.push_back(std::move(polygon));
     }
@@ -102,29 +106,36 @@ private:
         }
     }
 
-    /// From the farthest polygon along those that must go before it, until one is drawn or cut.
-    void draw_next() {
-        std::vector<int> chain{list_.back()};
-        while (result_.problem.empty()) {
-            if (is_cancelled(progress_)) return stop_cancelled();
-            const int p = chain.back();
-            const Conflict conflict = first_conflict(p);
-            if (!result_.problem.empty()) return;
-            if (conflict.q < 0) {
-                draw(p, {.p = p, .action = NewellAction::draws});
-                return;
-            }
-            const bool is_cycle = std::find(chain.begin(), chain.end(), conflict.q) != chain.end();
-            if (conflict.swap_test != NewellTest::none && !is_cycle) {
-                ++result_.counters.swaps;
-                record({.p = p, .q = conflict.q, .decided_by = conflict.swap_test, .action = NewellAction::swaps});
-                chain.push_back(conflict.q);
-                continue;
-            }
-            if (cut_one_of(p, conflict.q) || !result_.problem.empty()) return;
-            ++result_.counters.forced;
-            draw(p, {.p = p, .q = conflict.q, .action = NewellAction::forces});
-            return;
+    /// One answer for the last of the chain: it is drawn, another one goes first, or something is cut.
+    void advance() {
+        if (is_cancelled(progress_)) return stop_cancelled();
+        if (chain_.empty()) join_chain(list_.back());
+        const int p = chain_.back();
+        const Conflict conflict = first_conflict(p);
+        if (!result_.problem.empty()) return;
+        if (conflict.q < 0) return draw(p, {.p = p, .action = NewellAction::draws});
+        if (conflict.swap_test != NewellTest::none && !is_in_chain_[static_cast<std::size_t>(conflict.q)]) {
+            ++result_.counters.swaps;
+            record({.p = p, .q = conflict.q, .decided_by = conflict.swap_test, .action = NewellAction::swaps});
+            return join_chain(conflict.q);
+        }
+        if (cut_one_of(p, conflict.q) || !result_.problem.empty()) return;
+        ++result_.counters.forced;
+        draw(p, {.p = p, .q = conflict.q, .action = NewellAction::forces});
+    }
+
+    void join_chain(int fragment) {
+        chain_.push_back(fragment);
+        is_in_chain_[static_cast<std::size_t>(fragment)] = true;
+    }
+
+    /// Out of the list, and out of the chain with all that followed it there.
+    void remove(int fragment) {
+        const auto later = [&](int a, int b) { return is_drawn_later(a, b); };
+        list_.erase(std::lower_bound(list_.begin(), list_.end(), fragment, later));
+        while (is_in_chain_[static_cast<std::size_t>(fragment)]) {
+            is_in_chain_[static_cast<std::size_t>(chain_.back())] = false;
+            chain_.pop_back();
         }
     }
 
@@ -134,14 +145,12 @@ private:
         remove(p);
     }
 
-    void remove(int fragment) {
-        const auto later = [&](int a, int b) { return is_drawn_later(a, b); };
-        list_.erase(std::lower_bound(list_.begin(), list_.end(), fragment, later));
-    }
-
     /// The first Q that P may hide, if any, and the test that lets Q go first.
     Conflict first_conflict(int p) {
-        for (std::size_t place = list_.size(); place-- > 0;) {
+        double& let_go_beyond = let_go_beyond_[static_cast<std::size_t>(p)];
+        const auto is_nearer = [&](double distance, int q) { return distance < projected_[q].farthest; };
+        const auto begin = std::upper_bound(list_.begin(), list_.end(), let_go_beyond, is_nearer);
+        for (auto place = static_cast<std::size_t>(begin - list_.begin()); place-- > 0;) {
             const int q = list_[place];
             if (q == p) continue;
             if (++result_.counters.pairs > options_.max_pairs) {
@@ -153,7 +162,10 @@ private:
             }
             const NewellTest test = first_passed(p, q);
             ++result_.counters.decided[static_cast<std::size_t>(test)];
-            if (test > NewellTest::projections_disjoint) return {q, test};
+            if (test > NewellTest::projections_disjoint) {
+                let_go_beyond = projected_[q].farthest;
+                return {q, test};
+            }
             record({.p = p, .q = q, .decided_by = test});
             if (test == NewellTest::depth_extents) break;  // and so is all that is nearer
         }
@@ -233,13 +245,16 @@ private:
                 .cut_plane = plane});
         auto [front, back] = split(result_.fragments[fragment], plane, epsilon_);
         remove(fragment);
-        add_in_order(std::move(front));
-        add_in_order(std::move(back));
+        add_piece(std::move(front), fragment);
+        add_piece(std::move(back), fragment);
         return true;
     }
 
-    void add_in_order(Polygon polygon) {
-        add_fragment(std::move(polygon));
+    void add_piece(Polygon polygon, int whole) {
+        Projected projected = project(polygon, viewpoint_, clip_from_world_);
+        projected.farthest = std::min(projected.farthest, projected_[whole].farthest);  // whatever rounding says
+        add_fragment(std::move(polygon), std::move(projected));
+        let_go_beyond_.back() = let_go_beyond_[static_cast<std::size_t>(whole)];
         const auto place = std::upper_bound(list_.begin(), list_.end() - 1, list_.back(),
                                             [&](int a, int b) { return is_drawn_later(a, b); });
         std::rotate(place, list_.end() - 1, list_.end());
@@ -251,8 +266,11 @@ private:
     const NewellOptions& options_;
     const WorkProgress* const progress_;
     const double epsilon_;
-    std::vector<Projected> projected_;  ///< of every fragment
-    std::vector<int> list_;             ///< not yet drawn, the next one last
+    std::vector<Projected> projected_;   ///< of every fragment
+    std::vector<double> let_go_beyond_;  ///< of every fragment as P: each Q whose farthest vertex is farther
+    std::vector<bool> is_in_chain_;      ///< by fragment
+    std::vector<int> list_;              ///< not yet drawn, the next one last
+    std::vector<int> chain_;             ///< P last, before it those that wait for it
     NewellOrder result_;
 };
 

@@ -1,4 +1,4 @@
-// Internal to newell.cpp: what a polygon covers on the screen and in depth.
+// What a polygon covers on the screen and in depth.
 #pragma once
 
 #include <glm/glm.hpp>

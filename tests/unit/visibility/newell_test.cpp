@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "unit/visibility/scenes.h"
+#include "visibility/growth.h"
 
 namespace viewing {
 namespace {
@@ -122,6 +124,29 @@ TEST(Newell, CountersAndStepsAgree) {
         EXPECT_EQ(std::adjacent_find(order.begin(), order.end()), order.end()) << "nothing is drawn twice";
         EXPECT_EQ(result.fragments.size(), order.size() + static_cast<std::size_t>(splits));
     }
+}
+
+TEST(Newell, NoPairIsComparedAgainOnceQHasLetPGo) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    std::int64_t again = 0, let_go_count = 0;
+    for (int scene = 0; scene < 20; ++scene) {
+        const NewellOrder result = newell_order(random_polygons(random), random_viewpoint(random));
+        ASSERT_EQ(result.steps_left_out, 0);
+        std::set<std::pair<int, int>> let_go;
+        for (const NewellStep& step : result.steps) {
+            if (step.action != NewellAction::goes_on || step.decided_by == NewellTest::depth_extents) continue;
+            ++let_go_count;
+            again += !let_go.emplace(step.p, step.q).second;
+        }
+    }
+    // Those Q that are just as far as one that P waited for, such as other pieces with the same farthest corner.
+    EXPECT_LE(again, let_go_count / 100);
+    const std::vector<Polygon> large = growth_polygons({.scene = GrowthScene::large_triangles}, 60);
+    const NewellOrder result = newell_order(large, viewpoint_on_z());
+    EXPECT_TRUE(result.problem.empty());
+    const auto pieces = static_cast<std::int64_t>(result.order.size());
+    EXPECT_LT(result.counters.pairs, pieces * pieces / 20);
 }
 
 TEST(Newell, OfCoplanarOverlapsTheLowestSourceIsSeen) {
