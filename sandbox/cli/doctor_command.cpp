@@ -83,6 +83,7 @@ void examine_capabilities(Examination& examination) {
     };
     add("glClipControl", capabilities.clip_control, "reversed depth keeps the clip range −1 … 1 and gains nothing");
     add("clip distances", capabilities.clip_distance, "casters and mirror images are cut per pixel");
+    add("multisampling", capabilities.multisampling, "pictures have one sample a pixel, whatever view.samples says");
     add("debug output", facts.debug_output, "errors are asked for with glGetError after each picture");
 }
 

@@ -83,9 +83,12 @@ Result<Program> make_program(std::string_view vertex_source, std::string_view fr
 }
 
 Capabilities Capabilities::of_current_context() {
+    GLint most_samples = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most_samples);
     return {.clip_control = has_clip_control(),
             .clip_distance = has_clip_distance(),
-            .read_depth_stencil = can_read_depth_stencil()};
+            .read_depth_stencil = can_read_depth_stencil(),
+            .multisampling = most_samples >= 4};
 }
 
 }  // namespace viewing::gl

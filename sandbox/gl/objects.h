@@ -75,6 +75,7 @@ struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;
     bool read_depth_stencil = false;
+    bool multisampling = true;  ///< with 4 samples: both ask for it, softpipe has none
     static Capabilities of_current_context();
 };
 

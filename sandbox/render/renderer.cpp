@@ -250,7 +250,7 @@ Viewport Renderer::viewport(glm::ivec2 size_px, const Params& params, const Scen
 
 Status Renderer::Implementation::draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
                                             std::optional<Shading> identify) {
-    const gl::TargetSpec spec{size_px, plan.samples, kind_of(plan.depth_format)};
+    const gl::TargetSpec spec{size_px, capabilities.multisampling ? plan.samples : 0, kind_of(plan.depth_format)};
     const bool fresh = view.target_.spec() != spec;
     if (fresh) view.target_ = gl::Target(spec);
     meshes.drop_unused();
