@@ -16,10 +16,10 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
 /// on in the order in which they are built, as the tree's picture shows them. The error: the scene is too large.
 Result<Json> bsp_order_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
-/// The pair that Newell's ladder compares at visibility.step, the last step where that is −1: {"test": "x_extents"} that
-/// decided, "action", and of "a" and "b" what each covers: left, right, bottom, top on the screen in −1 … 1, nearest and
-/// farthest by eye distance; "b" is null where nothing is left to compare with. The errors: the scene is too large, or there
-/// is no such step.
+/// The pair that Newell's ladder compares at visibility.step, the last step where that is −1: {"test": "x_extents"}
+/// that decided, "action", and of "a" and "b" what each covers: left, right, bottom, top on the screen in −1 … 1,
+/// nearest and farthest by eye distance; "b" is null where nothing is left to compare with. The errors: the scene is
+/// too large, or there is no such step.
 Result<Json> newell_step_as_json(const Params& params, const Scene& scene, glm::ivec2 size_px);
 
 }  // namespace viewing
