@@ -16,7 +16,7 @@ GpuMesh upload(const Mesh& mesh) {
     }
 
     GpuMesh made{gl::make_vertex_array(), gl::make_buffer(), gl::make_buffer(),
-                 static_cast<GLsizei>(mesh.indices.size())};
+                 static_cast<GLsizei>(mesh.indices.size()), bounds_of(mesh)};
     glBindVertexArray(made.vertex_array.name());
     glBindBuffer(GL_ARRAY_BUFFER, made.vertices.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(interleaved.size() * sizeof(glm::vec3)), interleaved.data(),

@@ -13,6 +13,7 @@ struct GpuMesh {
     gl::VertexArray vertex_array;
     gl::Buffer vertices, indices;
     GLsizei index_count = 0;
+    Bounds bounds;  ///< model space
 
     int triangle_count() const { return index_count / 3; }
     void draw(int triangles) const;  ///< the first ones

@@ -1,6 +1,7 @@
 // Plan in, pixels out: each pass as draw calls. Read pass_state.h and programs.h for what they are drawn with.
 #include "render/renderer.h"
 
+#include <algorithm>
 #include <map>
 
 #include "frame/draw_calls.h"
@@ -13,6 +14,7 @@
 #include "render/masks.h"
 #include "render/pass_state.h"
 #include "render/present.h"
+#include "render/sight.h"
 #include "render/surface_uniforms.h"
 
 namespace viewing {
@@ -45,6 +47,7 @@ struct Renderer::Implementation {
     Status draw_passes(const FramePlan& plan, const Scene& scene, const gl::Target& target, bool clear_depth,
                        std::optional<Shading> identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
+    bool shows_anything(const FrameState& frame, const Pass& pass);
     Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
     void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
     void draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
@@ -76,7 +79,7 @@ void Renderer::Implementation::draw_one(const FrameState& frame, const Pass& pas
                                         const glm::dmat4& world_from_model, const GpuMesh& mesh,
                                         const DepthOffset& own_offset, int call) const {
     const int triangles = triangles_drawn(frame.plan.limit, call, mesh.triangle_count());
-    if (triangles == 0) return;
+    if (triangles == 0 || is_out_of_sight(mesh.bounds, pass, world_from_model)) return;
     set_placement(program, frame, pass, world_from_model);
     set_offset(program, frame, pass.offset.value_or(own_offset));
     mesh.draw(triangles);
@@ -122,10 +125,21 @@ Status Renderer::Implementation::draw_difference(const FramePlan& plan) {
     return std::monostate{};
 }
 
+bool Renderer::Implementation::shows_anything(const FrameState& frame, const Pass& pass) {
+    if (pass.subject == Subject::patch)
+        return !is_out_of_sight(quad.bounds, pass, frame.plan.patches[pass.plane].world_from_patch());
+    if (pass.subject != Subject::objects) return true;
+    return std::any_of(frame.scene.objects.begin(), frame.scene.objects.end(), [&](const SceneObject& object) {
+        return is_chosen(pass.chosen, object) &&
+               !is_out_of_sight(meshes.of(object.mesh).bounds, pass, object.world_from_model);
+    });
+}
+
 Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask,
                                            int first_call) {
     if (pass.subject == Subject::difference)
         return frame.identify ? Status(std::monostate{}) : draw_difference(frame.plan);
+    if (!shows_anything(frame, pass)) return std::monostate{};
     const bool is_patch = pass.subject == Subject::patch;
     using Source = SurfaceKind::Source;
     const Source source = pass.subject == Subject::ordered  ? Source::vertices

@@ -45,7 +45,7 @@ Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
     std::vector<std::uint32_t> triangles;
     std::size_t begin = 0, next_look = 0;
     constexpr std::size_t corners_between_looks = 8'192;
-    for (const std::uint32_t count : content.face_sizes) {
+    const auto add_face = [&](std::uint32_t count) -> Status {
         if (begin >= next_look) {
             report(progress, static_cast<double>(begin) / static_cast<double>(content.corners.size()));
             if (is_cancelled(progress)) return Error{was_cancelled};
@@ -62,7 +62,11 @@ Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
         for (const std::uint32_t corner : triangles)
             mesh.indices.push_back(vertices.vertex(content.corners[begin + corner]));
         begin += count;
-    }
+        return std::monostate{};
+    };
+    for (const auto& [corners_each, count] : content.faces)
+        for (std::uint32_t face = 0; face < count; ++face)
+            if (Status added = add_face(corners_each); !added) return Error{added.error()};
     return mesh;
 }
 
@@ -88,7 +92,7 @@ Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std:
     if (!content) {
         return refusal(content.error());
     }
-    if (content->face_sizes.empty()) {
+    if (content->faces.empty()) {
         return refusal(content->positions.empty() ? "not an OBJ file, or an empty one: it has no vertices and no faces"
                                                   : "has vertices but no faces");
     }

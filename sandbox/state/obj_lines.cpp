@@ -134,6 +134,10 @@ public:
         : source_(source), size_bytes_(size_bytes), progress_(progress) {}
 
     Result<ObjContent> read() {
+        // About what lines take: what is set aside and not written to costs nothing, growing step by step does.
+        content_.corners.reserve(static_cast<std::size_t>(size_bytes_ / 16));
+        content_.positions.reserve(static_cast<std::size_t>(size_bytes_ / 128));
+        content_.normals.reserve(static_cast<std::size_t>(size_bytes_ / 128));
         while (!is_at_end_ && trouble_.empty()) take_block();
         if (trouble_.empty()) check_indices();
         if (!trouble_.empty()) return Error{trouble_};
@@ -229,7 +233,7 @@ void ObjLines::take_numbers(std::string_view rest, std::vector<glm::vec3>& tripl
 
 void ObjLines::take_face(std::string_view rest) {
     const std::size_t begin = content_.corners.size();
-    content_.face_sizes.push_back(0);
+    ++content_.face_count;
     for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest)) {
         const std::optional<NamedCorner> corner = corner_of(word);
         if (!corner) return refuse("not a corner of a face", word);
@@ -237,7 +241,9 @@ void ObjLines::take_face(std::string_view rest) {
     }
     const std::size_t count = content_.corners.size() - begin;
     if (count < 3) return refuse("a face with fewer than three corners");
-    content_.face_sizes.back() = static_cast<std::uint32_t>(count);
+    if (content_.faces.empty() || content_.faces.back().corners_each != count)
+        content_.faces.push_back({static_cast<std::uint32_t>(count), 0});
+    ++content_.faces.back().count;
     content_.triangle_count += count - 2;
     if (content_.triangle_count > max_obj_triangles) trouble_ = "more than 50 million triangles";
 }
@@ -248,7 +254,7 @@ void ObjLines::add_corner(const NamedCorner& named) {
     const int normal = has_normal ? from_zero(named.normal, content_.normals.size()) : ObjCorner::no_normal;
     content_.corners.push_back({position, normal});
     if (!trouble_.empty() || (position >= 0 && (!has_normal || normal >= 0))) return;
-    trouble_ = "face " + std::to_string(content_.face_sizes.size()) + " names " +
+    trouble_ = "face " + std::to_string(content_.face_count) + " names " +
                (position < 0 ? "vertex " + std::to_string(named.position) : "normal " + std::to_string(named.normal)) +
                ", which there is not";
 }
@@ -259,14 +265,15 @@ void ObjLines::check_indices() {
         trouble_ = "face " + std::to_string(face) + " names " + what + " " + std::to_string(index + 1) +
                    ", but there are " + std::to_string(count);
     };
-    std::size_t corner = 0;
-    for (std::size_t face = 0; face < content_.face_sizes.size(); ++face) {
-        for (std::uint32_t i = 0; i < content_.face_sizes[face]; ++i, ++corner) {
+    std::size_t corner = 0, face = 0;
+    for (const auto& [corners_each, count] : content_.faces) {
+        for (std::uint64_t i = 0; i < std::uint64_t{corners_each} * count; ++i, ++corner) {
+            if (i % corners_each == 0) ++face;
             const auto [position, normal] = content_.corners[corner];
             if (position >= static_cast<int>(content_.positions.size()))
-                return refuse_corner(face + 1, "vertex", position, content_.positions.size());
+                return refuse_corner(face, "vertex", position, content_.positions.size());
             if (normal >= static_cast<int>(content_.normals.size()))
-                return refuse_corner(face + 1, "normal", normal, content_.normals.size());
+                return refuse_corner(face, "normal", normal, content_.normals.size());
         }
     }
 }

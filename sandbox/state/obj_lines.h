@@ -19,11 +19,17 @@ struct ObjCorner {
     int normal;
 };
 
+/// Faces that follow one another and have as many corners each.
+struct ObjFaces {
+    std::uint32_t corners_each, count;
+};
+
 /// The "v", "vn" and "f" lines of a file; all others are ignored.
 struct ObjContent {
     std::vector<glm::vec3> positions, normals;
     std::vector<ObjCorner> corners;  ///< of all faces; they name positions and normals that there are
-    std::vector<std::uint32_t> face_sizes;
+    std::vector<ObjFaces> faces;
+    std::uint64_t face_count = 0;
     std::uint64_t triangle_count = 0;
 };
 

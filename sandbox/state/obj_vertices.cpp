@@ -19,7 +19,12 @@ std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
 }
 
 ObjVertices::ObjVertices(const ObjContent& content, bool with_normals, Mesh& mesh)
-    : content_(content), with_normals_(with_normals), mesh_(mesh), first_(content.positions.size(), none) {}
+    : content_(content), with_normals_(with_normals), mesh_(mesh), first_(content.positions.size(), none) {
+    // Mostly a position is one vertex.
+    made_.reserve(content.positions.size());
+    mesh.positions.reserve(content.positions.size());
+    if (with_normals) mesh.normals.reserve(content.positions.size());
+}
 
 std::uint32_t ObjVertices::vertex(const ObjCorner& corner) {
     const int normal = with_normals_ ? corner.normal : ObjCorner::no_normal;

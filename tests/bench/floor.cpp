@@ -2,7 +2,9 @@
 // torus, a framebuffer of its own, a readback, libpng. It shares no code with the sandbox on purpose: what the
 // sandbox costs more than this is its own doing.
 //
-//     bench-floor OUT.png                   one picture of 1280 × 720, as `viewing-sandbox snapshot` makes it
+//     bench-floor OUT.png [MESH.obj]        one picture of 1280 × 720, as `viewing-sandbox snapshot` makes it; of a
+//     mesh whose
+//                                           corners name the same position and normal, read by tinyobjloader
 //     bench-floor --count N WxH read|png [shaded|dense]
 //                                           N pictures in one process, each turned on, read back (and encoded); prints
 //                                           pictures per second and CPU milliseconds per picture. shaded: not one
@@ -11,6 +13,7 @@
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 #include <png.h>
+#include <tiny_obj_loader.h>
 
 #include <array>
 #include <chrono>
@@ -125,7 +128,45 @@ void main() {
     glUseProgram(program);
 }
 
-/// Uploads a torus (radii 0.9 and 0.34) of around × across quads with interleaved normals; returns its index count.
+/// Interleaved positions and normals; returns the count of indices.
+GLsizei upload(const std::vector<float>& vertices, const std::vector<std::uint32_t>& indices) {
+    GLuint array = 0;
+    std::array<GLuint, 2> buffers{};
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(2, buffers.data());
+    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)), vertices.data(),
+                 GL_STATIC_DRAW);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
+                 indices.data(), GL_STATIC_DRAW);
+    for (GLuint attribute = 0; attribute < 2; ++attribute) {
+        glEnableVertexAttribArray(attribute);
+        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
+                              reinterpret_cast<const void*>(attribute * 3 * sizeof(float)));
+    }
+    return static_cast<GLsizei>(indices.size());
+}
+
+GLsizei upload_file(const char* path) {
+    tinyobj::ObjReader reader;
+    require(reader.ParseFromFile(path), "reading the mesh");
+    const tinyobj::attrib_t& read = reader.GetAttrib();
+    require(read.normals.size() == read.vertices.size(), "a normal for each position");
+    std::vector<float> vertices;
+    for (std::size_t i = 0; i < read.vertices.size(); i += 3) {
+        vertices.insert(vertices.end(), &read.vertices[i], &read.vertices[i] + 3);
+        vertices.insert(vertices.end(), &read.normals[i], &read.normals[i] + 3);
+    }
+    std::vector<std::uint32_t> indices;
+    for (const tinyobj::shape_t& shape : reader.GetShapes())
+        for (const tinyobj::index_t& corner : shape.mesh.indices)
+            indices.push_back(static_cast<std::uint32_t>(corner.vertex_index));
+    return upload(vertices, indices);
+}
+
+/// A torus (radii 0.9 and 0.34) of around × across quads.
 GLsizei upload_torus(std::uint32_t around, std::uint32_t across) {
     std::vector<float> vertices;
     std::vector<std::uint32_t> indices;
@@ -147,23 +188,7 @@ GLsizei upload_torus(std::uint32_t around, std::uint32_t across) {
                 indices.push_back(index);
         }
     }
-    GLuint array = 0;
-    std::array<GLuint, 2> buffers{};
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    glGenBuffers(2, buffers.data());
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(float)), vertices.data(),
-                 GL_STATIC_DRAW);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-                 indices.data(), GL_STATIC_DRAW);
-    for (GLuint attribute = 0; attribute < 2; ++attribute) {
-        glEnableVertexAttribArray(attribute);
-        glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(float),
-                              reinterpret_cast<const void*>(attribute * 3 * sizeof(float)));
-    }
-    return static_cast<GLsizei>(indices.size());
+    return upload(vertices, indices);
 }
 
 void bind_target() {
@@ -221,8 +246,9 @@ int main(int argc, char** argv) {
     const bool dense = argc == 6 && std::string_view(argv[5]) == "dense";
     const bool many = (argc == 5 || shaded || dense) && std::string_view(argv[1]) == "--count" &&
                       std::sscanf(argv[3], "%dx%d", &width, &height) == 2;
-    if (!many && argc != 2) {
-        std::fputs("usage: bench-floor OUT.png | bench-floor --count N WxH read|png [shaded|dense]\n", stderr);
+    if (!many && argc != 2 && argc != 3) {
+        std::fputs("usage: bench-floor OUT.png [MESH.obj] | bench-floor --count N WxH read|png [shaded|dense]\n",
+                   stderr);
         return 2;
     }
     const int count = many ? std::atoi(argv[2]) : 1;
@@ -230,7 +256,9 @@ int main(int argc, char** argv) {
 
     make_context_current();
     use_program(shaded ? shaded_source : lambert_source);
-    const GLsizei index_count = dense ? upload_torus(282, 141) : upload_torus(64, 32);  // 79 524 or 4 096 triangles
+    const GLsizei index_count = !many && argc == 3 ? upload_file(argv[2])
+                                : dense            ? upload_torus(282, 141)  // 79 524 triangles
+                                                   : upload_torus(64, 32);              // 4 096
     bind_target();
     GLint program = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &program);

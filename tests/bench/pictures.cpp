@@ -3,6 +3,9 @@
 //     bench-pictures STATE N WxH read|png      N camera pictures, each turned on, read back (and encoded); prints
 //                                              pictures per second and CPU milliseconds per picture
 //     bench-pictures STATE N WxH window        N whole windows with every view drawn anew, read back; the same numbers
+//     bench-pictures STATE N WxH flight        the same while the key for forward is held, as in the window: what is
+//     large is
+//                                              drawn coarsely then
 //     bench-pictures STATE N WxH frame         medians of our thread's CPU milliseconds per frame of the window: derive
 //                                              and plan; user interface; the whole frame with GL_RASTERIZER_DISCARD, so
 //                                              that all is submitted and nothing drawn; the whole frame. A software
@@ -88,6 +91,25 @@ void windows(Renderer& renderer, const LoadedState& state, int count, glm::ivec2
     });
 }
 
+/// Not counted: two seconds and more in which the window finds out that frames are slow and makes a coarser mesh.
+void flight(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
+    Studio::Surroundings surroundings{.size_px = size_px, .shows_time = true, .input = {}};
+    surroundings.input.down[static_cast<std::size_t>(Key::w)] = true;
+    Studio studio(renderer, value_of(Session::make(state)));
+    const auto picture = [&](int i) {
+        // To and fro, so that the picture keeps its content.
+        surroundings.input.dt_s = 1.0 / 60.0;
+        studio.session.params.camera.yaw += i % 2 == 0 ? 0.5 : -0.5;
+        studio.frame(surroundings);
+        if (studio.session.params.camera.position.z < 3.0)
+            studio.session.params.camera.position = state.params.camera.position;
+        if (studio.read().rgba.empty()) throw std::runtime_error("empty pictures");
+    };
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; std::chrono::steady_clock::now() - begin < std::chrono::seconds(4); ++i) picture(i);
+    print_rate(count, picture);
+}
+
 double whole_frame_ms(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
     const Studio::Surroundings surroundings{.size_px = size_px, .input = {}};
     Studio studio(renderer, value_of(Session::make(state)));
@@ -122,6 +144,8 @@ void run(const std::string& state_name, int count, glm::ivec2 size_px, std::stri
     const LoadedState state = value_of(load_state(state_name));
     if (mode == "window") {
         windows(renderer, state, count, size_px);
+    } else if (mode == "flight") {
+        flight(renderer, state, count, size_px);
     } else if (mode == "frame") {
         frame_parts(renderer, state, count, size_px);
     } else {
@@ -135,9 +159,9 @@ void run(const std::string& state_name, int count, glm::ivec2 size_px, std::stri
 int main(int argc, char** argv) try {
     glm::ivec2 size_px{0};
     const std::string_view mode = argc == 5 ? argv[4] : "";
-    if ((mode != "read" && mode != "png" && mode != "window" && mode != "frame") || std::atoi(argv[2]) < 1 ||
-        std::sscanf(argv[3], "%dx%d", &size_px.x, &size_px.y) != 2) {
-        std::fputs("usage: bench-pictures STATE N WxH read|png|window|frame\n", stderr);
+    if ((mode != "read" && mode != "png" && mode != "window" && mode != "flight" && mode != "frame") ||
+        std::atoi(argv[2]) < 1 || std::sscanf(argv[3], "%dx%d", &size_px.x, &size_px.y) != 2) {
+        std::fputs("usage: bench-pictures STATE N WxH read|png|window|flight|frame\n", stderr);
         return 2;
     }
     run(argv[1], std::atoi(argv[2]), size_px, mode);

@@ -2,20 +2,23 @@
 // alike; medians. Every ratio is of wall time and, because that is noise on a busy machine, of CPU time (user and
 // system, all threads) besides. Reports, never fails: exit 0 unless a program cannot be run.
 //
-//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]     the folder of bench-floor and bench-pictures, the
-//     program,
-//                                                             the states of the floor's pictures: its mesh, and one of
-//                                                             80 000 triangles
+//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]     the folder of bench-floor, bench-pictures and bench-mesh,
+//     the
+//                                                             program, the states of the floor's pictures: its mesh,
+//                                                             and one of 80 000 triangles
 //
-// Read floor.cpp and pictures.cpp for what is timed.
+// Where VIEWING_BENCH_ROWS names a file, the rows are added to it too, columns between tabs: for tests/bench/table.
+// Read floor.cpp, pictures.cpp and mesh.cpp for what is timed.
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "idle.h"
@@ -27,7 +30,7 @@ using namespace viewing::bench;
 namespace fs = std::filesystem;
 
 struct Programs {
-    std::string floor, pictures, sandbox, one_mesh, dense;
+    std::string floor, pictures, mesh, sandbox, one_mesh, dense;
 };
 
 /// Medians over the rounds.
@@ -51,33 +54,62 @@ struct Bound {
     double ratio;
 };
 
+struct Row {
+    std::string what;
+    std::optional<double> floor;
+    double sandbox;
+    const char* unit;
+    std::optional<double> cpu_ratio;
+    std::optional<Bound> bound;  ///< of the ratio, or of the value where there is no floor
+
+    double judged() const { return floor ? sandbox / *floor : sandbox; }
+    std::string wanted() const {
+        if (!bound) return "";
+        char text[32];
+        std::snprintf(text, sizeof(text), "%s %g", bound->wanted == Wanted::at_most ? "≤" : "≥", bound->ratio);
+        return text;
+    }
+    bool is_met() const {
+        return !bound || (bound->wanted == Wanted::at_most ? judged() <= bound->ratio : judged() >= bound->ratio);
+    }
+};
+
 void print_head() {
     std::printf("%-46s %9s %9s %-5s %6s %6s  %s\n", "", "floor", "sandbox", "", "ratio", "by CPU", "wanted");
 }
 
-void print_verdict(const std::optional<Bound>& bound, double value) {
-    if (bound) {
-        const bool met = bound->wanted == Wanted::at_most ? value <= bound->ratio : value >= bound->ratio;
-        std::printf("  %s %-4g %s", bound->wanted == Wanted::at_most ? "≤" : "≥", bound->ratio, met ? "met" : "MISSED");
-    }
-    std::printf("\n");
-    std::fflush(stdout);
+void keep(const Row& row) {
+    const char* path = std::getenv("VIEWING_BENCH_ROWS");
+    std::FILE* file = path == nullptr ? nullptr : std::fopen(path, "a");
+    if (file == nullptr) return;
+    std::fprintf(file, "%s\t", row.what.c_str());
+    if (row.floor) std::fprintf(file, "%g", *row.floor);
+    std::fprintf(file, "\t%g\t%s\t", row.sandbox, row.unit);
+    if (row.cpu_ratio) std::fprintf(file, "%g", *row.cpu_ratio);
+    std::fprintf(file, "\t%s\t%s\n", row.wanted().c_str(), row.is_met() ? "" : "missed");
+    std::fclose(file);
 }
 
-void print_row(const std::string& what, double floor, double sandbox, const char* unit, std::optional<double> cpu_ratio,
-               const std::optional<Bound>& bound) {
+void print(const Row& row) {
     // printf counts bytes, and a sign such as × has two.
-    const auto continued = std::count_if(what.begin(), what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
-    std::printf("%-*s %9.1f %9.1f %-5s %6.2f ", static_cast<int>(46 + continued), what.c_str(), floor, sandbox, unit,
-                sandbox / floor);
-    cpu_ratio ? std::printf("%6.2f", *cpu_ratio) : std::printf("%6s", "");
-    print_verdict(bound, sandbox / floor);
+    const auto continued =
+        std::count_if(row.what.begin(), row.what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
+    std::printf("%-*s ", static_cast<int>(46 + continued), row.what.c_str());
+    const auto number = [](const char* format, const std::optional<double>& value, int width) {
+        value ? std::printf(format, *value) : std::printf("%*s ", width - 1, "");
+    };
+    number("%9.1f ", row.floor, 10);
+    std::printf(row.floor ? "%9.1f %-5s " : "%9.3f %-5s ", row.sandbox, row.unit);
+    number("%6.2f ", row.floor ? std::optional(row.judged()) : std::nullopt, 7);
+    number("%6.2f ", row.cpu_ratio, 7);
+    if (row.bound) std::printf(" %-6s %s", row.wanted().c_str(), row.is_met() ? "met" : "MISSED");
+    std::printf("\n");
+    std::fflush(stdout);
+    keep(row);
 }
 
 void print_value(const std::string& what, double value, const char* unit, const std::optional<Bound>& bound) {
-    const auto continued = std::count_if(what.begin(), what.end(), [](char byte) { return (byte & 0xC0) == 0x80; });
-    std::printf("%-*s %9s %9.3f %-5s %6s %6s", static_cast<int>(46 + continued), what.c_str(), "", value, unit, "", "");
-    print_verdict(bound, value);
+    print({what, std::nullopt, value, unit, std::nullopt, bound});
 }
 
 // ---- process start to PNG ----------------------------------------------------------------------------
@@ -121,13 +153,16 @@ void compare_starts(const Programs& programs, const fs::path& scratch, int round
     for (const Kind& kind : {kinds[1], kinds[2]}) {
         for (const auto& [heat, start] : {std::pair("warm", &Kind::warm), std::pair("cold", &Kind::cold)}) {
             const Start &ours = kind.*start, &least = floor.*start;
-            print_row(std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
-                      ours.wall_ms.median(), "ms", ours.cpu_ms.median() / least.cpu_ms.median(),
-                      kind.bound ? std::optional(Bound{Wanted::at_most, 1.3}) : std::nullopt);
+            // The opening state has five passes: warm it is told, cold it is judged.
+            const bool is_cold = start == &Kind::cold;
+            const double most = kind.bound ? 1.3 : 1.5;
+            print({std::string("start to PNG, ") + kind.name + ", " + heat + " shader cache", least.wall_ms.median(),
+                   ours.wall_ms.median(), "ms", ours.cpu_ms.median() / least.cpu_ms.median(),
+                   kind.bound || is_cold ? std::optional(Bound{Wanted::at_most, most}) : std::nullopt});
         }
         const auto peak = [](const Kind& of) { return std::max(of.warm.peak_mb.median(), of.cold.peak_mb.median()); };
-        print_row(std::string("peak memory, ") + kind.name, peak(floor), peak(kind), "MB", std::nullopt,
-                  Bound{Wanted::at_most, 1.2});
+        print({std::string("peak memory, ") + kind.name, peak(floor), peak(kind), "MB", std::nullopt,
+               Bound{Wanted::at_most, 1.2}});
     }
 }
 
@@ -145,8 +180,8 @@ void rate_once(const Command& command, Rate& rate) {
 }
 
 void print_rate(const std::string& what, const Rate& floor, const Rate& ours, const std::optional<Bound>& bound) {
-    print_row(what, floor.per_second.median(), ours.per_second.median(), "/s",
-              floor.cpu_ms.median() / ours.cpu_ms.median(), bound);
+    print({what, floor.per_second.median(), ours.per_second.median(), "/s",
+           floor.cpu_ms.median() / ours.cpu_ms.median(), bound});
 }
 
 void compare_rates(const Programs& programs, int rounds) {
@@ -197,22 +232,84 @@ void compare_depth_views(const Programs& programs, int rounds) {
     print_value("depth views, windows per second", window.per_second.median(), "/s", Bound{Wanted::at_least, 30.0});
 }
 
-void report_frame(const Programs& programs, int rounds) {
+// ---- a mesh of a million triangles -------------------------------------------------------------------
+
+/// What bench-mesh prints.
+struct Reading {
+    Samples wall_ms, cpu_ms, arrays_mb, grown_mb;
+
+    void add(const std::string& output) {
+        double values[4] = {};
+        if (std::sscanf(output.c_str(), "%lf %lf %lf %lf", &values[0], &values[1], &values[2], &values[3]) != 4)
+            std::exit(2);
+        wall_ms.add(values[0]);
+        cpu_ms.add(values[1]);
+        arrays_mb.add(values[2]);
+        grown_mb.add(values[3]);
+    }
+};
+
+void compare_large_mesh(const Programs& programs, const fs::path& scratch, int rounds) {
+    const std::string mesh = scratch / "million.obj", state = scratch / "million.json", out = scratch / "out.png";
+    run({programs.mesh, "write", mesh});
+    std::ofstream(state)
+        << R"({"scene": {"objects": [{"name": "mesh", "shape": "mesh", "file": "million.obj"}]}, "view": {"samples": 0}})";
+    Reading tinyobj, ours;
+    Start floor, sandbox;
+    Rate flight;
+    start_once({programs.floor, out, mesh}, scratch / "floor", false, floor);
+    start_once({programs.sandbox, "snapshot", state, "--view", "camera", "-o", out}, scratch / "opening state", false,
+               sandbox);
+    for (int round = 0; round < rounds; ++round) {
+        tinyobj.add(run({programs.mesh, "load", mesh, "tinyobj"}).output);
+        ours.add(run({programs.mesh, "load", mesh, "sandbox"}).output);
+        start_once({programs.floor, out, mesh}, scratch / "floor", false, floor);
+        start_once({programs.sandbox, "snapshot", state, "--view", "camera", "-o", out}, scratch / "opening state",
+                   false, sandbox);
+    }
+    for (int round = 0; round < std::min(rounds, 3); ++round)
+        rate_once({programs.pictures, state, "30", "1600x900", "flight"}, flight);
+    print({"a million triangles: reading, by tinyobjloader", tinyobj.wall_ms.median(), ours.wall_ms.median(), "ms",
+           ours.cpu_ms.median() / tinyobj.cpu_ms.median(), Bound{Wanted::at_most, 1.2}});
+    print({"… memory of reading, by the arrays' own", ours.arrays_mb.median(), ours.grown_mb.median(), "MB",
+           std::nullopt, Bound{Wanted::at_most, 3.0}});
+    print({"… start to PNG, warm shader cache", floor.wall_ms.median(), sandbox.wall_ms.median(), "ms",
+           sandbox.cpu_ms.median() / floor.cpu_ms.median(), Bound{Wanted::at_most, 1.5}});
+    print_value("… windows per second in flight at 1600×900", flight.per_second.median(), "/s",
+                Bound{Wanted::at_least, 10.0});
+}
+
+/// Our thread's milliseconds a frame, as bench-pictures prints them.
+struct FrameCost {
     Samples numbers, ui, submitted, whole;
+};
+
+FrameCost frame_cost(const Programs& programs, const std::string& state, int rounds) {
+    FrameCost cost;
     for (int round = 0; round < rounds; ++round) {
         double parts[4] = {};
-        const std::string output = run({programs.pictures, "opening", "60", "1600x900", "frame"}).output;
+        const std::string output = run({programs.pictures, state, "60", "1600x900", "frame"}).output;
         if (std::sscanf(output.c_str(), "%lf %lf %lf %lf", &parts[0], &parts[1], &parts[2], &parts[3]) != 4)
             std::exit(2);
-        numbers.add(parts[0]);
-        ui.add(parts[1]);
-        submitted.add(parts[2]);
-        whole.add(parts[3]);
+        cost.numbers.add(parts[0]);
+        cost.ui.add(parts[1]);
+        cost.submitted.add(parts[2]);
+        cost.whole.add(parts[3]);
     }
-    print_value("CPU per frame at 1600×900: derive and plan", numbers.median(), "ms", std::nullopt);
-    print_value("… user interface", ui.median(), "ms", std::nullopt);
-    print_value("… these two and submit, nothing rasterised", submitted.median(), "ms", Bound{Wanted::at_most, 1.0});
-    print_value("… our thread in all (sorts into tiles)", whole.median(), "ms", std::nullopt);
+    return cost;
+}
+
+void report_frame(const Programs& programs, int rounds) {
+    const FrameCost opening = frame_cost(programs, "opening", rounds);
+    print_value("CPU per frame at 1600×900: derive and plan", opening.numbers.median(), "ms", std::nullopt);
+    print_value("… user interface", opening.ui.median(), "ms", std::nullopt);
+    print_value("… these two and submit, nothing rasterised", opening.submitted.median(), "ms",
+                Bound{Wanted::at_most, 1.0});
+    print_value("… our thread in all (sorts into tiles)", opening.whole.median(), "ms", std::nullopt);
+    for (const char* full : {"room", "shadow-derivation", "passes"})
+        print_value(std::string("… without rasterising, preset ") + full,
+                    frame_cost(programs, full, std::min(rounds, 3)).submitted.median(), "ms",
+                    Bound{Wanted::at_most, 3.0});
 }
 
 }  // namespace
@@ -224,7 +321,8 @@ int main(int argc, char** argv) {
         return 2;
     }
     const fs::path folder = argv[1];
-    const Programs programs{folder / "bench-floor", folder / "bench-pictures", argv[2], argv[3], argv[4]};
+    const Programs programs{
+        folder / "bench-floor", folder / "bench-pictures", folder / "bench-mesh", argv[2], argv[3], argv[4]};
     const fs::path scratch = fs::temp_directory_path() / ("viewing-bench-" + std::to_string(getpid()));
     fs::create_directories(scratch);
 
@@ -234,6 +332,7 @@ int main(int argc, char** argv) {
     compare_rates(programs, rounds);
     compare_windows(programs, rounds);
     compare_depth_views(programs, rounds);
+    compare_large_mesh(programs, scratch, rounds);
     report_frame(programs, rounds);
     if (const std::optional<double> idle = idle_percent(programs.sandbox))
         print_value("idle window, of one core", *idle, "%", Bound{Wanted::at_most, 0.5});

@@ -3,13 +3,16 @@
 //
 //     visibility-bench              a table, in Google Benchmark's form and with its flags; ray casting beside Embree's
 //     single
-//                                   rays through the same pixels, and its hierarchy beside Embree's, on one thread
+//                                   rays through the same pixels, its hierarchy beside Embree's, and the z-buffer
+//                                   beside llvmpipe, all on one thread
 //     visibility-bench --curves     time and dominant operation of every method on 10 … 100,000 polygons, as CSV
 #include <benchmark/benchmark.h>
 #include <embree3/rtcore.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <string_view>
@@ -18,6 +21,9 @@
 #include "geometry/camera.h"
 #include "geometry/projection.h"
 #include "geometry/shapes.h"
+#include "gl/egl_context.h"
+#include "gl/gl.h"
+#include "gl/target.h"
 #include "visibility/bsp.h"
 #include "visibility/growth.h"
 #include "visibility/newell.h"
@@ -54,6 +60,15 @@ void bsp_build(benchmark::State& state) {
 }
 BENCHMARK(bsp_build)->Unit(benchmark::kMillisecond);
 
+void bsp_build_large(benchmark::State& state) {
+    const std::vector<Polygon> polygons = small_triangles(100'000);
+    for (auto _ : state) benchmark::DoNotOptimize(build_bsp(polygons));
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    state.counters["process_mb"] = static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+BENCHMARK(bsp_build_large)->Unit(benchmark::kMillisecond);
+
 void bsp_walk(benchmark::State& state) {
     const BspTree tree = build_bsp(small_triangles(10'000));
     const glm::dvec4 eye = viewpoint().eye_world();
@@ -68,6 +83,13 @@ void newell_teapot(benchmark::State& state) {
     state.counters["pairs"] = static_cast<double>(newell_order(polygons, viewpoint()).counters.pairs);
 }
 BENCHMARK(newell_teapot)->Unit(benchmark::kMillisecond);
+
+void newell_large(benchmark::State& state) {
+    const std::vector<Polygon> polygons = growth_polygons({.scene = GrowthScene::large_triangles}, 100);
+    for (auto _ : state) benchmark::DoNotOptimize(newell_order(polygons, viewpoint({}, 60.0), {.max_steps = 0}));
+    state.counters["pairs"] = static_cast<double>(newell_order(polygons, viewpoint({}, 60.0)).counters.pairs);
+}
+BENCHMARK(newell_large)->Unit(benchmark::kMillisecond);
 
 void z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
     const glm::dmat4 clip_from_world = viewpoint().clip_from_world();
@@ -96,6 +118,52 @@ Mesh torus() {
 }
 // The whole torus, its tube so near that every ray hits it, and the teapot.
 const Viewpoint whole = viewpoint(), near_tube = viewpoint({0.0, 0.0, 0.9}, 6.0);
+
+// ---- the z-buffer by llvmpipe ------------------------------------------------------------------------
+
+/// The same triangles, transformed and told apart by a number, with GL's depth test; what is uploaded stays there.
+void gl_z_buffer(benchmark::State& state, const std::vector<Polygon>& polygons) {
+    Result<gl::EglContext> context = gl::EglContext::make();
+    if (!context) return state.SkipWithError(context.error().c_str());
+    std::vector<glm::vec4> corners;  // and the triangle's number
+    for (const Polygon& polygon : polygons)
+        for (std::size_t k = 1; k + 1 < polygon.vertices.size(); ++k)
+            for (const std::size_t corner : {std::size_t{0}, k, k + 1})
+                corners.emplace_back(glm::vec3(polygon.vertices[corner]), static_cast<float>(polygon.source));
+    const gl::Program program = *gl::make_program(R"(
+        layout(location = 0) in vec4 corner;
+        uniform mat4 clip_from_world;
+        flat out float number;
+        void main() { gl_Position = clip_from_world * vec4(corner.xyz, 1.0); number = corner.w; })",
+                                                  R"(
+        flat in float number;
+        out vec4 color;
+        void main() { color = vec4(mod(number, 256.0), mod(floor(number / 256.0), 256.0), floor(number / 65536.0), 255.0) / 255.0; })");
+    const gl::Target target({{width, height}});
+    const gl::VertexArray array = gl::make_vertex_array();
+    const gl::Buffer buffer = gl::make_buffer();
+    glBindVertexArray(array.name());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(corners.size() * sizeof(corners[0])), corners.data(),
+                 GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glUseProgram(program.name());
+    const glm::mat4 clip_from_world(viewpoint().clip_from_world());
+    glUniformMatrix4fv(glGetUniformLocation(program.name(), "clip_from_world"), 1, GL_FALSE, &clip_from_world[0][0]);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.draw_framebuffer());
+    glViewport(0, 0, width, height);
+    glEnable(GL_DEPTH_TEST);
+    for (auto _ : state) {
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(corners.size()));
+        glFinish();
+    }
+    state.counters["triangles"] = {static_cast<double>(state.iterations()) * static_cast<double>(polygons.size()),
+                                   benchmark::Counter::kIsRate};
+}
+BENCHMARK_CAPTURE(gl_z_buffer, small_triangles, polygons_of(sphere_mesh(400, 200)))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(gl_z_buffer, large_squares, squares())->Unit(benchmark::kMillisecond);
 
 void count_rays(benchmark::State& state, const IdImage& image) {
     const auto misses = static_cast<double>(std::count(image.ids.begin(), image.ids.end(), IdImage::background));
@@ -213,6 +281,8 @@ double per_second(const Run& run, const char* counter) {
 
 constexpr Wanted wanted[] = {
     {"bsp_build", "<= 1 s", [](const Run& run) { return run.GetAdjustedCPUTime() <= 1000.0; }},
+    {"bsp_build_large", "<= 1 s, 300 MB",
+     [](const Run& run) { return run.GetAdjustedCPUTime() <= 1000.0 && run.counters.at("process_mb") <= 300.0; }},
     {"bsp_walk", "<= 5 ms", [](const Run& run) { return run.GetAdjustedCPUTime() <= 5.0; }},
     {"newell_teapot", "<= 50 ms", [](const Run& run) { return run.GetAdjustedCPUTime() <= 50.0; }},
     {"z_buffer/small_triangles", ">= 5 M triangles/s",
@@ -255,6 +325,7 @@ int main(int argc, char** argv) {
         print_curves(GrowthScene::large_triangles, "Large triangles");
         return 0;
     }
+    setenv("LP_NUM_THREADS", "0", 1);  // llvmpipe draws on the calling thread
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     Verdicts verdicts;

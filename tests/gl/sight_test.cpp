@@ -1,0 +1,60 @@
+// What is not drawn because it is out of sight: a box is only where no point of it could be seen, by trying points.
+#include "render/sight.h"
+
+#include <gtest/gtest.h>
+
+#include "frame/derive.h"
+#include "gl_test.h"
+#include "unit/geometry/random.h"
+
+namespace viewing {
+namespace {
+
+/// What GL keeps: inside both pairs of sides and in front of every clip plane.
+bool is_kept(const glm::dvec3& point_model, const Pass& pass, const glm::dmat4& world_from_model) {
+    const glm::dvec4 scene = world_from_model * glm::dvec4(point_model, 1.0);
+    for (const ClipPlane& plane : pass.clip_planes)
+        if (glm::dot(plane, scene) < 0.0) return false;
+    const glm::dvec4 clip = pass.clip_from_world * pass.world_from_scene * scene;
+    return std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+}
+
+TEST(Sight, NothingThatCouldBeSeenIsLeftOut) {
+    SCOPED_TRACE("seed 7");
+    Random random(7);
+    int left_out = 0, unseen = 0;
+    for (int i = 0; i < 4000; ++i) {
+        Pass pass;
+        const glm::dvec3 eye = random.vec3(6.0);
+        pass.clip_from_world = clip_from_view({.fovy_deg = 40.0, .near = 0.1, .far = 50.0}, 1.6) *
+                               view_from_world(world_from_view(eye, angles_looking_at(eye, random.vec3(2.0))));
+        const glm::dvec4 plane = unit_plane(glm::dvec4(random.direction(), random.vec3(1.0).x));
+        if (i % 3 == 1) pass.world_from_scene = mirror_matrix(plane);
+        if (i % 3 == 2) pass.world_from_scene = shadow_matrix(plane, glm::dvec4(random.vec3(8.0), 1.0));
+        if (i % 2 == 1) pass.clip_planes.emplace_back(plane);
+        const glm::dmat4 world_from_model =
+            viewing::world_from_model(random.vec3(5.0), random.angles(), glm::dvec3(0.2) + glm::abs(random.vec3(1.0)));
+        const Bounds box{glm::dvec3(-1.0), glm::dvec3(1.0)};
+        bool is_seen = false;
+        for (int k = 0; k < 300 && !is_seen; ++k) is_seen = is_kept(random.vec3(1.0), pass, world_from_model);
+        const bool is_left_out = is_out_of_sight(box, pass, world_from_model);
+        EXPECT_FALSE(is_seen && is_left_out) << "at " << i;
+        left_out += is_left_out;
+        unseen += !is_seen;
+    }
+    // It may keep what nobody sees, but not most of it.
+    EXPECT_GT(unseen, 1000);
+    EXPECT_GT(left_out, unseen * 6 / 10);
+}
+
+TEST(Sight, WhatTouchesTheEdgeAndWhatIsEmptyAreDrawn) {
+    Pass pass;  // clip space is the world
+    EXPECT_FALSE(is_out_of_sight({{1.0, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
+    EXPECT_TRUE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
+    EXPECT_FALSE(is_out_of_sight({}, pass, glm::dmat4(1.0)));
+    pass.forces_sign = true;  // vertices are turned around
+    EXPECT_FALSE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
+}
+
+}  // namespace
+}  // namespace viewing
