@@ -7,10 +7,10 @@
 //     large is
 //                                              drawn coarsely then
 //     bench-pictures STATE N WxH frame         medians of our thread's CPU milliseconds per frame of the window: derive
-//                                              and plan; user interface; the whole frame with draw calls of the views
-//                                              that do nothing; the same with GL_RASTERIZER_DISCARD in their place, so
-//                                              that the driver transforms vertices, as a software renderer does on our
-//                                              thread; the whole frame, in which it also sorts triangles into tiles.
+//                                              and plan; user interface; the whole frame with GL_RASTERIZER_DISCARD, so
+//                                              that nothing is drawn, and the views' draw calls left out; with them, so
+//                                              that a software renderer transforms the vertices, on our thread; the
+//                                              whole frame, in which it also sorts triangles into tiles.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -123,11 +123,11 @@ double whole_frame_ms(Renderer& renderer, const LoadedState& state, int count, g
 void draw_nothing(GLenum, GLsizei, GLenum, const void*) {}
 
 void frame_parts(Renderer& renderer, const LoadedState& state, int count, glm::ivec2 size_px) {
+    glEnable(GL_RASTERIZER_DISCARD);
     const auto draw = epoxy_glDrawElements;
     epoxy_glDrawElements = draw_nothing;
     const double calls_ms = whole_frame_ms(renderer, state, count, size_px);
     epoxy_glDrawElements = draw;
-    glEnable(GL_RASTERIZER_DISCARD);
     const double submit_ms = whole_frame_ms(renderer, state, count, size_px);
     glDisable(GL_RASTERIZER_DISCARD);
     const double whole_ms = whole_frame_ms(renderer, state, count, size_px);
