@@ -42,6 +42,7 @@ int SignificantDecimals(double value, int digits) {
 
 void StartTyping(Editing& editing, ImGuiID id, double value) {
     editing.typing = id;
+    ++editing.typing_count;
     editing.typing_frame = ImGui::GetFrameCount();
     editing.type_now = 0;
     editing.focused = false;
@@ -71,8 +72,10 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     // Asking for completion keeps ImGui from using Tab for itself.
     constexpr ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
                                           ImGuiInputTextFlags_CallbackCompletion;
+    ImGui::PushID(editing.typing_count);  // no steps of undo of another text: see TextField
     const bool entered = ImGui::InputText("##typing", editing.text, sizeof editing.text, flags, OnTab, &editing);
     const bool active = ImGui::IsItemActive();
+    ImGui::PopID();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
 

@@ -16,6 +16,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "text/numbers.h"
@@ -67,6 +68,7 @@ using Links = std::uint64_t;
 /// The one edit that can be going on, and the tooltip that is about to show: the widgets' memory between frames.
 struct Editing {
     ImGuiID typing = 0;       ///< the number that is being typed
+    int typing_count = 0;     ///< how often a number was typed: see TextField
     ImGuiID type_now = 0;     ///< the number that starts to be typed in this frame, and
     ImGuiID type_next = 0;    ///< in the next one (Tab, Shift+Tab)
     ImGuiID last_number = 0;  ///< the one drawn before, where Shift+Tab leads
@@ -92,6 +94,12 @@ struct Editing {
     float redraw_in_s = -1.0F;
 };
 
+/// How often a field for text was left, and when it was active last.
+struct TextFieldUse {
+    int times = 0, active_frame = 0;
+    bool is_used = false;
+};
+
 /// Everything the widgets share in one program. Owned by the caller; there is no hidden state beside it.
 struct Context {
     Palette palette = palette_of(ThemeKind::dark);
@@ -105,6 +113,7 @@ struct Context {
     std::vector<RecordedItem> recorded;   ///< of this frame
     std::vector<std::string> label_path;  ///< see Group
     Editing editing;
+    std::unordered_map<ImGuiID, TextFieldUse> text_fields;
     Targets targets;
     bool printed = false;  ///< a figure: nothing in it can be pressed, so nothing looks as if it could
     std::string offered;   ///< in this frame, in the place of a view that has nothing to show
@@ -246,6 +255,10 @@ bool ClosePopupOnEscape();
 
 bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value);
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
+
+/// ImGui's field for text as wide as the next item, for a text that others write into as well; what it answers is ImGui's.
+/// `hint` stands in an empty one.
+bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< in one line, pixels
 bool OffersButton(const char* label);       ///< whether one of either kind is drawn at all

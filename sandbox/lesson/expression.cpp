@@ -261,6 +261,7 @@ std::vector<std::string> words_of(const std::string& source) {
         if (c == '"' || c == '\'') {
             for (++i; i < source.size() && source[i] != c; ++i)
                 if (source[i] == '\\') ++i;
+            if (i >= source.size()) break;  // without an end
         } else if (continues_word(c)) {
             const std::size_t begin = i;
             while (i + 1 < source.size() && continues_word(source[i + 1])) ++i;

@@ -25,6 +25,35 @@ TEST_F(ControlsTest, Toggle) {
     EXPECT_EQ(changes, 3);
 }
 
+/// ImGui would take its steps up in the text that is there now, and end the program.
+TEST_F(ControlsTest, AFieldForTextUndoesNothingThatWasTypedBeforeItWasLeft) {
+    std::string text = "a text that is much longer than what comes later";
+    start([&] {
+        TextField("##text", text);
+        Record("text");
+        ImGui::Button("elsewhere");
+        Record("elsewhere");
+        return false;
+    });
+    for (int i = 0; i < 2; ++i) {
+        ui.click("text");
+        ui.type("1234567890");
+        ui.type("X");
+        ui.click("elsewhere");
+        text = "b";  // as a dialog does that opens
+        ui.frames(3);
+        ui.click("text");
+        for (int steps = 0; steps < 3; ++steps) {
+            ImGui::GetIO().KeyCtrl = true;
+            ui.key(ImGuiKey_Z);
+            ImGui::GetIO().KeyCtrl = false;
+        }
+        EXPECT_EQ(text, "b");
+    }
+    ui.type("c");
+    EXPECT_TRUE(text == "bc" || text == "cb") << text;
+}
+
 TEST_F(ControlsTest, ChoiceOpensItsListAndRecordsTheItems) {
     int index = 1;
     start([&] { return Choice("depth func", index, names, 1); });

@@ -102,6 +102,26 @@ TEST_F(NumberTest, DoubleClickTypesAndEnterCommits) {
     EXPECT_EQ(ui.text_of("x"), "−12.50");
 }
 
+/// ImGui would take up what was typed before, in another text, and end the program.
+TEST_F(NumberTest, UndoWhileTypingKnowsNothingOfWhatWasTypedBefore) {
+    double value = 2.0;
+    start([&] { return Number("x", value, {.step = 0.02}); });
+    const auto undo = [&] {
+        ImGui::GetIO().KeyCtrl = true;
+        ui.key(ImGuiKey_Z);
+        ImGui::GetIO().KeyCtrl = false;
+    };
+    ui.double_click("x");
+    ui.type("123456789012345");
+    ui.type("1");
+    ui.key(ImGuiKey_Escape);
+    ui.double_click("x");
+    undo();
+    undo();
+    ui.key(ImGuiKey_Enter);
+    EXPECT_EQ(value, 2.0);
+}
+
 TEST_F(NumberTest, CtrlClickTypesAndClamps) {
     double value = 2.0;
     start([&] { return Number("x", value, {.min = 0, .max = 10, .unit = "°"}); });

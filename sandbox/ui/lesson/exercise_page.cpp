@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 //
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -39,7 +38,7 @@ bool text_field(const char* label, std::string& text, float width, const char* t
     ImGui::TextUnformatted(tr(label));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(px(width));
-    ImGui::InputText(("##" + std::string(label)).c_str(), &text);
+    widgets::TextField(("##" + std::string(label)).c_str(), text);
     widgets::Record(label);
     const bool is_done = ImGui::IsItemDeactivatedAfterEdit();
     widgets::Tooltip(label, tip);

@@ -4,7 +4,6 @@
 
 #include <imgui.h>
 //
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 
@@ -215,8 +214,8 @@ void FileDialog::draw(Session& session) {
     ImGui::EndChild();
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(takes_keyboard_, false)) ImGui::SetKeyboardFocusHere();
-    chosen |=
-        ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    chosen |= widgets::TextField("##name", name_, "",
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     widgets::Record("name");
     if (!error_.empty()) widgets::Trouble(printable(error_).c_str());
     chosen |= widgets::Button(opens() ? marked("Open") : marked("Save"), !name_.empty(), "choose or type a name first");

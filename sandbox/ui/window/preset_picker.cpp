@@ -2,7 +2,6 @@
 
 #include <imgui.h>
 //
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -81,8 +80,7 @@ bool is_found(const NamedFile& preset, std::string_view search) {
 bool PresetPicker::draw_search(const std::vector<const NamedFile*>& found) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0F);
-    const bool entered =
-        ImGui::InputTextWithHint("##search", tr("search"), &search_, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = widgets::TextField("##search", search_, tr("search"), ImGuiInputTextFlags_EnterReturnsTrue);
     widgets::Record("search");
     const int step = (is_pressed(ImGuiKey_DownArrow) ? 1 : 0) - (is_pressed(ImGuiKey_UpArrow) ? 1 : 0);
     const auto count = static_cast<std::ptrdiff_t>(found.size());

@@ -49,6 +49,11 @@ TEST(Expression, ListsOfTheStateCountFromZero) {
     EXPECT_TRUE(truth("camera.target == nil"));
 }
 
+TEST(Expression, ATextWithoutAnEndIsRefused) {
+    for (const char* const source : {"\"", "'", "\"\\", "near == \"abc\\", "'a\\'"})
+        EXPECT_FALSE(check_expression(source)) << source;
+}
+
 TEST(Expression, WhatBracesMakeIsAVectorToo) {
     EXPECT_EQ(number("apply(V, {0, 0, 0})[2]"), -10.0);
     EXPECT_TRUE(truth("close(apply(V, camera.position), {0, 0, 0}, 1e-12)"));
