@@ -256,8 +256,8 @@ bool ClosePopupOnEscape();
 bool ColorField(const char* label, glm::u8vec3& rgb, const glm::u8vec3& default_value);
 bool Button(const char* label, bool enabled = true, const char* why_disabled = "");
 
-/// ImGui's field for text as wide as the next item, for a text that others write into as well; what it answers is ImGui's.
-/// `hint` stands in an empty one.
+/// ImGui's field for text as wide as the next item, for a text that others write into as well; what it answers is
+/// ImGui's. `hint` stands in an empty one.
 bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< in one line, pixels
