@@ -135,9 +135,11 @@ public:
 
     Result<ObjContent> read() {
         // About what lines take: what is set aside and not written to costs nothing, growing step by step does.
-        content_.corners.reserve(static_cast<std::size_t>(size_bytes_ / 16));
-        content_.positions.reserve(static_cast<std::size_t>(size_bytes_ / 128));
-        content_.normals.reserve(static_cast<std::size_t>(size_bytes_ / 128));
+        // Not for more than a file of 128 MiB would fill: what is in a larger one is not known yet.
+        const auto likely_bytes = static_cast<std::size_t>(std::min<std::uint64_t>(size_bytes_, 128U << 20U));
+        content_.corners.reserve(likely_bytes / 16);
+        content_.positions.reserve(likely_bytes / 128);
+        content_.normals.reserve(likely_bytes / 128);
         while (!is_at_end_ && trouble_.empty()) take_block();
         if (trouble_.empty()) check_indices();
         if (!trouble_.empty()) return Error{trouble_};

@@ -34,7 +34,8 @@ struct ObjContent {
 };
 
 /// Reads to the end, to the first line that is wrong, or until it is cancelled; the time is proportional to the file's
-/// length. Errors name the line or the face: "line 3: not a number: 1.2.3". `size_bytes` only scales the progress.
+/// length. Errors name the line or the face: "line 3: not a number: 1.2.3". `size_bytes` scales the progress and what
+/// is set aside.
 Result<ObjContent> read_obj_lines(std::istream& stream, std::uint64_t size_bytes, WorkProgress* progress);
 
 }  // namespace viewing

@@ -2,10 +2,9 @@
 // alike; medians. Every ratio is of wall time and, because that is noise on a busy machine, of CPU time (user and
 // system, all threads) besides. Reports, never fails: exit 0 unless a program cannot be run.
 //
-//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]     the folder of bench-floor, bench-pictures and bench-mesh,
-//     the
-//                                                             program, the states of the floor's pictures: its mesh,
-//                                                             and one of 80 000 triangles
+//     bench-ratios FOLDER SANDBOX ONE_MESH DENSE [ROUNDS]
+//         the folder of bench-floor, bench-pictures and bench-mesh; the program; the states of the floor's pictures:
+//         its mesh, and one of 80 000 triangles
 //
 // Where VIEWING_BENCH_ROWS names a file, the rows are added to it too, columns between tabs: for tests/bench/table.
 // Read floor.cpp, pictures.cpp and mesh.cpp for what is timed.
