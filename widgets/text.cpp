@@ -11,6 +11,7 @@ std::string Shortened(std::string text, float width) {
     const inner::Face face = inner::FaceOf(nullptr);
     if (face.Measure(text).x <= width) return text;
     while (!text.empty() && face.Measure(text + "…").x > width) viewing::remove_last_character(text);
+    while (text.ends_with(' ')) text.pop_back();
     return text + "…";
 }
 

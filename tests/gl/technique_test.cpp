@@ -164,6 +164,18 @@ TEST_F(Technique, NothingBeyondTheLightCasts) {
         100);
 }
 
+/// What is forced is each vertex's own sign: beyond the light it is turned around, before the light it stays.
+TEST_F(Technique, ForcedSignThrowsAnAntiShadowThroughTheLight) {
+    const std::vector<std::string> forced = plain({"shadow.sign=forced", "shadow.clip_at_light=false"});
+    const Scene above = scene_of({object("above", box_mesh(), {5, 12, 0})});
+    // From (5, 12) through the light at (4, 8) down to the ground, twice as far below the light.
+    const glm::dvec3 through_the_light(4.0 + 2.0 * (4.0 - 5.0), 0.0, 0.3);
+    const Rgb lit = color_at(plain({}), above, through_the_light);
+    const Rgb dark = color_at(forced, above, through_the_light);
+    for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(dark[channel], lit[channel] * 0.5, 1.5);
+    EXPECT_EQ(color_at(forced, box_scene(), in_shadow), color_at(plain({}), box_scene(), in_shadow));
+}
+
 TEST_F(Technique, EveryOffsetThatMendsFightingGivesTheSameShadow) {
     const Params offset = params_with(plain({}));
     const Image expected = draw(offset, box_scene(), technique_px);

@@ -34,7 +34,18 @@ inline bool is_halo(const Line& a, const Line& b) {
     return a.text == b.text || (same_line && is_part);
 }
 
-/// Where letters are cut, and where they stand over each other.
+/// Whether a text ends with the sign of what is left out and has none of its own, after a blank or in the catalogue.
+/// Stretched texts may: that is how they give way.
+inline bool is_shortened(const std::string& text) {
+    if (!text.ends_with("…") || text.ends_with(" …") || text.starts_with('[')) return false;
+    static const std::vector<PoEntry> all = catalogue();
+    return std::none_of(all.begin(), all.end(), [&text](const PoEntry& entry) {
+        const std::string own = entry.english.ends_with("…") ? tr(entry.english.c_str()) : "";
+        return !own.empty() && text.ends_with(own.substr(1));  // the first letter may be a capital
+    });
+}
+
+/// Where letters are cut, texts are shortened, and where they stand over each other.
 inline std::vector<std::string> unreadable(const Desk& desk) {
     const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
     const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};
@@ -44,6 +55,8 @@ inline std::vector<std::string> unreadable(const Desk& desk) {
         const std::string window = data->CmdLists[i]->_OwnerName;
         const std::vector<Line> lines = lines_of(page.letters(*data->CmdLists[i]));
         for (const std::string& text : cut_lines(lines, scrolls(window))) found.push_back(window + ": cut: " + text);
+        for (const Line& line : lines)
+            if (is_shortened(line.text)) found.push_back(window + ": shortened: " + line.text);
         for (std::size_t a = 0; a < lines.size(); ++a)
             for (std::size_t b = a + 1; b < lines.size(); ++b)
                 if (overlap(lines[a], lines[b]) && !is_halo(lines[a], lines[b]))

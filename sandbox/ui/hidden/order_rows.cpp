@@ -31,6 +31,7 @@ OrderRow OrderRows::row(int place) const {
     const int source = (*result_.fragments)[static_cast<std::size_t>(fragment)].source;
     row.fragment = fragment;
     row.name = listed_name(result_.surface.get(), source);
+    row.brief_name = brief_name(result_.surface.get(), source);
     row.detail = detail_of(fragment);
     row.color = polygon_color(result_.surface.get(), source);
     row.is_reached = place < reached_;

@@ -13,6 +13,7 @@ namespace viewing {
 struct OrderRow {
     int fragment = -1;       ///< index into the result's fragments; −1 where the place is not in the order
     std::string name;        ///< "box, polygon 12"
+    std::string brief_name;  ///< "box 12"
     std::string detail;      ///< what the method goes by: a distance, a node and its side, A or B
     ImU32 color = 0;         ///< the object's
     bool is_reached = true;  ///< by the step

@@ -55,6 +55,7 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
             const std::string distance = number_text(hit.distance, 3);
             table.row(number + 1, {.fragment = hit.fragment,
                                    .name = listed_name(result.surface.get(), hit.source),
+                                   .brief_name = brief_name(result.surface.get(), hit.source),
                                    .detail = number == 0 ? say("{distance} seen", "distance"_a = distance) : distance,
                                    .color = polygon_color(result.surface.get(), hit.source),
                                    .is_reached = number == 0,
@@ -87,12 +88,24 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
             const int source = (*result.fragments)[static_cast<std::size_t>(touch.fragment.polygon)].source;
             if (table.row(number + 1, {.fragment = touch.fragment.polygon,
                                        .name = listed_name(result.surface.get(), source),
+                                       .brief_name = brief_name(result.surface.get(), source),
                                        .detail = detail_of(result, touch.fragment),
                                        .color = polygon_color(result.surface.get(), source),
                                        .is_reached = touch.step <= reached,
                                        .is_current = touch.step == result.step}))
                 params.visibility.step = touch.step;
         }
+}
+
+/// Line by line, of a text drawn at `corner`.
+void cross_out(std::string_view lines, ImVec2 corner) {
+    const float height = ImGui::GetTextLineHeight();
+    for (float middle = std::round(corner.y + 0.55F * height); !lines.empty(); middle += height) {
+        const std::string_view line = lines.substr(0, lines.find('\n'));
+        const float width = ImGui::CalcTextSize(line.data(), line.data() + line.size()).x;
+        ImGui::GetWindowDrawList()->AddLine({corner.x, middle}, {corner.x + width, middle}, palette().quiet, px(1.0F));
+        lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+    }
 }
 
 /// A test of the ladder: what failed is crossed out, what decided stands out.
@@ -102,12 +115,9 @@ void draw_rung(const char* text, RungState rung) {
     ImGui::TextUnformatted(rung == RungState::failed ? "✗" : decided ? "✓" : " ");
     ImGui::SameLine(px(24.0F));
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    shortened_text(tr(text), ImGui::GetContentRegionAvail().x);
-    if (rung == RungState::failed) {
-        const float middle = std::round(at.y + 0.55F * ImGui::GetTextLineHeight());
-        ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {ImGui::GetItemRectMax().x, middle}, palette().quiet,
-                                            px(1.0F));
-    }
+    const std::string lines = widgets::BrokenAtBlanks(tr(text), ImGui::GetContentRegionAvail().x);
+    ImGui::TextUnformatted(lines.c_str());
+    if (rung == RungState::failed) cross_out(lines, at);
     ImGui::PopStyleColor();
     widgets::Record((std::string(rung == RungState::failed ? "failed: "
                                  : decided                 ? "decided: "
@@ -151,7 +161,7 @@ void draw_decided(const NewellCounters& counters) {
         const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(count.c_str()).x;
         const char* text = newell_test_text(static_cast<NewellTest>(test));
         const float room = right - ImGui::GetCursorPosX() - px(8.0F);
-        shortened_text(tr(text), room);
+        ImGui::TextUnformatted(widgets::BrokenAtBlanks(tr(text), room).c_str());
         widgets::Record((std::string(text) + ": " + count).c_str());
         ImGui::SameLine(right);
         ImGui::TextUnformatted(count.c_str());

@@ -40,6 +40,11 @@ std::string listed_name(const SceneSurface* surface, int source) {
                              : say("{object}, polygon {number}", "object"_a = place.object, "number"_a = place.number);
 }
 
+std::string brief_name(const SceneSurface* surface, int source) {
+    const PolygonPlace place = place_of(surface, source);
+    return place.number == 0 ? place.object : place.object + " " + std::to_string(place.number);
+}
+
 ImU32 polygon_color(const SceneSurface* surface, int source) {
     const int object = object_at(surface, source);
     if (object < 0) return 0;

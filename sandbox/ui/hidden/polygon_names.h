@@ -15,6 +15,8 @@ std::string polygon_name(const SceneSurface* surface, int source);
 
 /// The same with the object first, for columns: "box, polygon 12".
 std::string listed_name(const SceneSurface* surface, int source);
+/// The same where a column is narrow: "box 12".
+std::string brief_name(const SceneSurface* surface, int source);
 
 /// The object's colour, opaque; 0 where there is none.
 ImU32 polygon_color(const SceneSurface* surface, int source);

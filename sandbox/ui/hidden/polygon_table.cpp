@@ -78,7 +78,7 @@ bool PolygonTable::row(int number, const OrderRow& row) {
     text_at_right(digits);
     ImGui::TableNextColumn();
     swatch(row);
-    shortened_text(row.name, ImGui::GetContentRegionAvail().x);
+    shortened_text(row.name, ImGui::GetContentRegionAvail().x, row.brief_name);
     if (has_detail_) {
         ImGui::TableNextColumn();
         text_at_right(row.detail);

@@ -183,10 +183,11 @@ void draw_step_line(Params& params, const HiddenResult& result) {
     ImGui::PopButtonRepeat();
     if (!result.group_ends.empty()) group_buttons(step, result, "⇤", "⇥");
     if (has_touches(result)) touch_buttons(step, result, "←□", "□→");
+    ImGui::SameLine(0.0F, px(8.0F));
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const std::string progress = progress_sentence(result, step);
-    shortened_text(progress, ImGui::GetContentRegionAvail().x);
+    shortened_text(progress, ImGui::GetContentRegionAvail().x, progress_numbers(result, step));
     widgets::Record(progress.c_str());
     ImGui::PopFont();
 }

@@ -31,6 +31,8 @@ std::string compare_sentence(const HiddenResult& result);
 
 /// How far a step has come, in two levels: "triangle 3 of 9, fragment 12 of 40". A negative one is the last.
 std::string progress_sentence(const HiddenResult& result, int step);
+/// The same where there is no room for words: "3/9 · 12/40".
+std::string progress_numbers(const HiddenResult& result, int step);
 
 /// What a ray met, nearest first.
 struct RayHitRow {

@@ -85,10 +85,61 @@ float buttons_height(const LessonRun& run, float width, const widgets::Context& 
     return rows * (button_height(context) + line_gap * context.scale);
 }
 
+/// The lesson's name; of an exercise its own with its points.
+std::string title_of(const LessonRun& run) {
+    if (!run.lesson().sheet) return run.lesson().title.shown();
+    const Sheet::Item& item = run.lesson().sheet->items[run.index()];
+    const std::string number = item.exercise.substr(0, item.exercise.find('-'));
+    return number + " · " + item.title.shown() + " · " + say_count(item.points, "one point", "{count} points");
+}
+
+std::string place_of(const LessonRun& run) {
+    return say("{step} / {steps}", "step"_a = run.index() + 1, "steps"_a = run.lesson().steps.size());
+}
+
+constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
+
+/// The title beside what stands at its right: how far one is, a dot and a clock.
+Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
+    ImFont* const font = context.fonts.note;
+    const auto room_of = [font](const std::string& text) {
+        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
+    };
+    const float beside = room_of(place_of(run)) + room_of("00:00") + (dot_room + clock_gap + 12.0F) * context.scale;
+    return paragraph(title_of(run), font, width - beside);
+}
+
+/// The dot says that the state is no longer the step's.
+void draw_heading(const LessonRun& run, const StripLook& look, float width) {
+    const widgets::Context& context = widgets::CurrentContext();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    float right = corner.x + width;
+    ImGui::PushFont(context.fonts.note);
+    const auto at_right = [&](const std::string& text, const char* recorded) {
+        right -= ImGui::CalcTextSize(text.c_str()).x;
+        ImGui::SetCursorScreenPos({right, corner.y});
+        ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopStyleColor();
+        widgets::Record(recorded);
+    };
+    at_right(place_of(run), "place");
+    if (look.departs) {
+        right -= px(dot_room);
+        const ImVec2 middle(right + px(6.0F), corner.y + context.fonts.note->FontSize * 0.5F);
+        ImGui::GetWindowDrawList()->AddCircleFilled(middle, px(3.0F), palette().accent);
+    }
+    right -= px(clock_gap);
+    if (!look.clock.empty()) at_right(look.clock, "clock");
+    ImGui::PopFont();
+    ImGui::SetCursorScreenPos(corner);
+    heading(run, width, context).draw("lesson", palette().quiet);
+}
+
 float left_height(const LessonRun& run, float width, const widgets::Context& context, bool presents) {
     const LessonStep& step = run.step();
     const float gap = line_gap * context.scale;
-    float height = context.fonts.note->FontSize + gap;
+    float height = heading(run, width, context).height + gap;
     height += paragraph(step.say.shown(), context.fonts.caption, width).height + gap;
     for (int i = 0; i < run.hints_shown(); ++i)
         height +=
@@ -109,43 +160,6 @@ float right_height(const LessonRun& run, float width, const widgets::Context& co
 void draw_paragraph(const LessonText& text, ImFont* font, float width, const char* label, ImU32 color) {
     if (text.empty()) return;
     paragraph(text.shown(), font, width).draw(label, color);
-}
-
-/// The lesson's name; of an exercise its own with its points.
-std::string title_of(const LessonRun& run) {
-    if (!run.lesson().sheet) return run.lesson().title.shown();
-    const Sheet::Item& item = run.lesson().sheet->items[run.index()];
-    const std::string number = item.exercise.substr(0, item.exercise.find('-'));
-    return number + " · " + item.title.shown() + " · " + say_count(item.points, "one point", "{count} points");
-}
-
-/// The lesson's name and how far one is; the dot says that the state is no longer the step's.
-void draw_heading(const LessonRun& run, const StripLook& look, float width) {
-    const widgets::Context& context = widgets::CurrentContext();
-    const std::string place =
-        say("{step} / {steps}", "step"_a = run.index() + 1, "steps"_a = run.lesson().steps.size());
-    ImGui::PushFont(context.fonts.note);
-    const float place_width = ImGui::CalcTextSize(place.c_str()).x, dot = look.departs ? px(14.0F) : 0.0F;
-    const float clock = look.clock.empty() ? 0.0F : ImGui::CalcTextSize(look.clock.c_str()).x + px(14.0F);
-    const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const std::string title = widgets::Shortened(title_of(run), width - place_width - dot - clock - px(12.0F));
-    ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    ImGui::TextUnformatted(title.c_str());
-    widgets::Record("lesson");
-    ImGui::SetCursorScreenPos({corner.x + width - place_width, corner.y});
-    ImGui::TextUnformatted(place.c_str());
-    widgets::Record("place");
-    if (!look.clock.empty()) {
-        ImGui::SetCursorScreenPos({corner.x + width - place_width - dot - clock, corner.y});
-        ImGui::TextUnformatted(look.clock.c_str());
-        widgets::Record("clock");
-    }
-    ImGui::PopStyleColor();
-    if (look.departs)
-        ImGui::GetWindowDrawList()->AddCircleFilled(
-            {corner.x + width - place_width - px(8.0F), corner.y + context.fonts.note->FontSize * 0.5F}, px(3.0F),
-            palette().accent);
-    ImGui::PopFont();
 }
 
 void draw_buttons(LessonRun& run, const StripLook& look, float width, StripWishes& wishes) {

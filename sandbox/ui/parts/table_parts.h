@@ -29,7 +29,8 @@ float width_of(const std::string& text, ImFont* font);
 /// At the right end of its cell, or from the left where it does not fit.
 void text_at_right(const std::string& text);
 
-/// Draws widgets::Shortened; where something was left out, a tooltip has the whole.
-void shortened_text(const std::string& text, float width);
+/// What is too wide is told in brief, or where there is nothing briefer by widgets::Shortened; then a tooltip has the
+/// whole.
+void shortened_text(const std::string& text, float width, const std::string& brief = "");
 
 }  // namespace viewing

@@ -33,7 +33,9 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         return view_header(rect, topic_names()[static_cast<std::size_t>(topic)]);
     view_header(rect, "");
     const char* other = topic_names()[static_cast<std::size_t>(topic_of(params, other_than(slot)))];
-    const float room = rect.width() - (is_alone ? widgets::SmallButtonWidth(other) + px(12.0F) : 0.0F);
+    const float room_beside = rect.width() - widgets::SmallButtonWidth(other) - px(12.0F);
+    const bool offers_other = is_alone && room_beside >= widgets::ChoiceWidth(topic_names().subspan(static_cast<std::size_t>(topic), 1));
+    const float room = offers_other ? room_beside : rect.width();
     const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), room);
     const auto want = [&](Slot wanted) { state.lower = {wanted, params.view.lower_left, params.view.lower_right}; };
     if (widgets::Choice("##topic", topic, topic_names(), 0, width)) {
@@ -48,7 +50,7 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
         "ways to mirror; the frame "
         "as GL calls, pass by pass; and of the hidden-surface methods the tree, the order and the costs as they grow.");
     ImGui::SameLine(0.0F, px(12.0F));
-    if (!is_alone) return;
+    if (!offers_other) return;  // the list has it, too
     if (widgets::SmallButton(other)) want(other_than(slot));
     widgets::Tooltip(other, "The other lower view, for which this window is too narrow.");
     ImGui::SameLine(0.0F, px(12.0F));
