@@ -34,7 +34,8 @@ void topic_choice(ViewState& state, Params& params, Slot slot, const Rect& rect,
     view_header(rect, "");
     const char* other = topic_names()[static_cast<std::size_t>(topic_of(params, other_than(slot)))];
     const float room_beside = rect.width() - widgets::SmallButtonWidth(other) - px(12.0F);
-    const bool offers_other = is_alone && room_beside >= widgets::ChoiceWidth(topic_names().subspan(static_cast<std::size_t>(topic), 1));
+    const bool offers_other =
+        is_alone && room_beside >= widgets::ChoiceWidth(topic_names().subspan(static_cast<std::size_t>(topic), 1));
     const float room = offers_other ? room_beside : rect.width();
     const float width = std::min(std::max(px(190.0F), widgets::ChoiceWidth(topic_names())), room);
     const auto want = [&](Slot wanted) { state.lower = {wanted, params.view.lower_left, params.view.lower_right}; };
