@@ -69,7 +69,11 @@ PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& v
     constexpr std::size_t polygons_between_looks = 4096;
     PainterOrder result;
     result.distances.reserve(polygons.size());
-    for (const Polygon& polygon : polygons) result.distances.push_back(key_of(polygon, viewpoint, key));
+    for (const Polygon& polygon : polygons) {
+        if (result.distances.size() % polygons_between_looks == 0 && is_cancelled(progress)) break;
+        result.distances.push_back(key_of(polygon, viewpoint, key));
+    }
+    result.distances.resize(polygons.size());
     result.order.reserve(polygons.size());
     FarthestFirst heap(result);
     while (!heap.empty()) {

@@ -99,11 +99,12 @@ std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
 HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene)
     : surface_(std::make_shared<const SceneSurface>(surface_of(scene))) {}
 
-std::vector<Polygon> HiddenSurfaceSolver::polygons_for(HiddenResult& result) const {
+Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result) const {
     const HiddenRequest& request = result.request;
-    if (!request.cull.enabled) return surface_->polygons;
-    std::vector<Polygon> kept = culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request));
-    result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept.size());
+    if (!request.cull.enabled) return {surface_, &surface_->polygons};  // not a copy: there may be a million
+    auto kept = std::make_shared<const std::vector<Polygon>>(
+        culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request)));
+    result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept->size());
     return kept;
 }
 
@@ -121,7 +122,7 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
     result.build_ms = trees_.build_ms;
     result.problem = result.tree->problem;
     if (is_cancelled(progress)) trees_ = {};  // what was cut short is not kept
-    result.fragments = std::shared_ptr<const std::vector<Polygon>>(result.tree, &result.tree->fragments);
+    result.fragments = {result.tree, &result.tree->fragments};
 
     const Stopwatch watch;
     auto walk =
@@ -150,12 +151,15 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
 void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const bool exact = uses_exact_curves(request);
-    auto polygons = std::make_shared<std::vector<Polygon>>(polygons_for(result));
-    if (exact)
-        std::erase_if(*polygons, [&](const Polygon& polygon) {
+    Polygons polygons = polygons_for(result);
+    if (exact) {
+        auto flat = std::make_shared<std::vector<Polygon>>(*polygons);
+        std::erase_if(*flat, [&](const Polygon& polygon) {
             return std::any_of(surface_->curved.begin(), surface_->curved.end(),
                                [&](const CurvedShape& shape) { return shape.object == polygon.object; });
         });
+        polygons = std::move(flat);
+    }
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size() + (exact ? surface_->curved.size() : 0));
 
@@ -205,7 +209,7 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
     const VisibilityParams& visibility = request.visibility;
     if (visibility.method == VisibilityMethod::bsp) return find_bsp(result, progress);
 
-    auto polygons = std::make_shared<const std::vector<Polygon>>(polygons_for(result));
+    const Polygons polygons = polygons_for(result);
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size());
     result.fragments = polygons;
@@ -221,7 +225,7 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
         auto newell = std::make_shared<const NewellOrder>(
             newell_order(*polygons, request.viewpoint, {.epsilon = visibility.epsilon * surface_->diagonal}, progress));
         result.order = newell->order;
-        result.fragments = std::shared_ptr<const std::vector<Polygon>>(newell, &newell->fragments);
+        result.fragments = {newell, &newell->fragments};
         result.problem = newell->problem;
         counters.fragments = static_cast<std::int64_t>(newell->order.size());
         result.newell = std::move(newell);

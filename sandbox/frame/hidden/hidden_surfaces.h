@@ -68,13 +68,16 @@ struct PixelTouch {
     RasterStep fragment;
 };
 
+/// Shared with whatever made them: the scene's surface, a tree, an order.
+using Polygons = std::shared_ptr<const std::vector<Polygon>>;
+
 /// Immutable once made; parts that do not depend on the step are shared with other results.
 struct HiddenResult {
     HiddenRequest request;
     std::shared_ptr<const SceneSurface> surface;
-    std::shared_ptr<const std::vector<Polygon>> fragments;  ///< what is drawn
-    std::vector<int> order;                                 ///< indices into fragments in drawing order, of all steps
-    int drawn = 0;                                          ///< how many of `order` the step has reached
+    Polygons fragments;      ///< what is drawn
+    std::vector<int> order;  ///< indices into fragments in drawing order, of all steps
+    int drawn = 0;           ///< how many of `order` the step has reached
 
     std::shared_ptr<const PainterOrder> painter;
     std::shared_ptr<const NewellOrder> newell;
@@ -131,7 +134,7 @@ private:
     void find_order(HiddenResult& result, WorkProgress* progress);
     void find_bsp(HiddenResult& result, WorkProgress* progress);
     void cast(HiddenResult& result, WorkProgress* progress);
-    std::vector<Polygon> polygons_for(HiddenResult& result) const;
+    Polygons polygons_for(HiddenResult& result) const;
 
     std::shared_ptr<const SceneSurface> surface_;
     Trees trees_;
