@@ -183,7 +183,7 @@ void draw_step_line(Params& params, const HiddenResult& result) {
     ImGui::PopButtonRepeat();
     if (!result.group_ends.empty()) group_buttons(step, result, "⇤", "⇥");
     if (has_touches(result)) touch_buttons(step, result, "←□", "□→");
-    ImGui::SameLine(0.0F, px(8.0F));
+    if (!widgets::CurrentContext().printed) ImGui::SameLine(0.0F, px(8.0F));
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     const std::string progress = progress_sentence(result, step);
