@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <numeric>
 
 #include "frame/hidden/hidden_steps.h"
@@ -153,10 +154,10 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     const bool exact = uses_exact_curves(request);
     Polygons polygons = polygons_for(result);
     if (exact) {
-        auto flat = std::make_shared<std::vector<Polygon>>(*polygons);
-        std::erase_if(*flat, [&](const Polygon& polygon) {
-            return std::any_of(surface_->curved.begin(), surface_->curved.end(),
-                               [&](const CurvedShape& shape) { return shape.object == polygon.object; });
+        auto flat = std::make_shared<std::vector<Polygon>>();
+        std::ranges::copy_if(*polygons, std::back_inserter(*flat), [&](const Polygon& polygon) {
+            return std::none_of(surface_->curved.begin(), surface_->curved.end(),
+                                [&](const CurvedShape& shape) { return shape.object == polygon.object; });
         });
         polygons = std::move(flat);
     }

@@ -23,17 +23,21 @@ OrderRows::OrderRows(const HiddenResult& result, const TreeIndex& index) : resul
     }
 }
 
-OrderRow OrderRows::row(int place) const {
+OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source) {
     OrderRow row;
-    if (!result_.fragments || place < 0 || place >= count()) return row;
-    const int fragment = result_.order[static_cast<std::size_t>(place)];
-    if (fragment < 0 || fragment >= static_cast<int>(result_.fragments->size())) return row;
-    const int source = (*result_.fragments)[static_cast<std::size_t>(fragment)].source;
     row.fragment = fragment;
-    row.name = listed_name(result_.surface.get(), source);
-    row.brief_name = brief_name(result_.surface.get(), source);
+    row.name = listed_name(result.surface.get(), source);
+    row.brief_name = brief_name(result.surface.get(), source);
+    row.color = polygon_color(result.surface.get(), source);
+    return row;
+}
+
+OrderRow OrderRows::row(int place) const {
+    if (!result_.fragments || place < 0 || place >= count()) return {};
+    const int fragment = result_.order[static_cast<std::size_t>(place)];
+    if (fragment < 0 || fragment >= static_cast<int>(result_.fragments->size())) return {};
+    OrderRow row = row_of_polygon(result_, fragment, (*result_.fragments)[static_cast<std::size_t>(fragment)].source);
     row.detail = detail_of(fragment);
-    row.color = polygon_color(result_.surface.get(), source);
     row.is_reached = place < reached_;
     row.is_current = place == current_;
     return row;

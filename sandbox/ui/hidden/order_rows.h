@@ -20,6 +20,9 @@ struct OrderRow {
     bool is_current = false;
 };
 
+/// Of a fragment that is a piece of this polygon: what it is called and its colour; the rest is left to be set.
+OrderRow row_of_polygon(const HiddenResult& result, int fragment, int source);
+
 /// The rows of one result, which outlives them. `index` follows the result where it has a tree.
 class OrderRows {
 public:

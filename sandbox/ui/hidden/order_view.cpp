@@ -53,13 +53,10 @@ void draw_hits(PolygonLinks& links, const HiddenResult& result) {
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
             const RayHitRow& hit = hits[static_cast<std::size_t>(number)];
             const std::string distance = number_text(hit.distance, 3);
-            table.row(number + 1, {.fragment = hit.fragment,
-                                   .name = listed_name(result.surface.get(), hit.source),
-                                   .brief_name = brief_name(result.surface.get(), hit.source),
-                                   .detail = number == 0 ? say("{distance} seen", "distance"_a = distance) : distance,
-                                   .color = polygon_color(result.surface.get(), hit.source),
-                                   .is_reached = number == 0,
-                                   .is_current = number == 0});
+            OrderRow row = row_of_polygon(result, hit.fragment, hit.source);
+            row.detail = number == 0 ? say("{distance} seen", "distance"_a = distance) : distance;
+            row.is_reached = row.is_current = number == 0;
+            table.row(number + 1, row);
         }
 }
 
@@ -86,14 +83,11 @@ void draw_touches(PolygonLinks& links, Params& params, const HiddenResult& resul
         for (int number = clipper.DisplayStart; number < clipper.DisplayEnd; ++number) {
             const PixelTouch& touch = result.touches[static_cast<std::size_t>(number)];
             const int source = (*result.fragments)[static_cast<std::size_t>(touch.fragment.polygon)].source;
-            if (table.row(number + 1, {.fragment = touch.fragment.polygon,
-                                       .name = listed_name(result.surface.get(), source),
-                                       .brief_name = brief_name(result.surface.get(), source),
-                                       .detail = detail_of(result, touch.fragment),
-                                       .color = polygon_color(result.surface.get(), source),
-                                       .is_reached = touch.step <= reached,
-                                       .is_current = touch.step == result.step}))
-                params.visibility.step = touch.step;
+            OrderRow row = row_of_polygon(result, touch.fragment.polygon, source);
+            row.detail = detail_of(result, touch.fragment);
+            row.is_reached = touch.step <= reached;
+            row.is_current = touch.step == result.step;
+            if (table.row(number + 1, row)) params.visibility.step = touch.step;
         }
 }
 

@@ -58,11 +58,14 @@ std::vector<const char*> button_labels(const LessonRun& run, bool departs) {
     return labels;
 }
 
+/// Also outside a frame.
+float text_width(ImFont* font, const std::string& text) {
+    return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
+}
+
 float button_width(const char* label, const widgets::Context& context) {
     const std::string_view shown = std::string_view(label).substr(0, std::string_view(label).find("##"));
-    const std::string text(tr_part(shown));
-    return context.fonts.text->CalcTextSizeA(context.fonts.text->FontSize, FLT_MAX, 0.0F, text.c_str()).x +
-           2.0F * ImGui::GetStyle().FramePadding.x;
+    return text_width(context.fonts.text, std::string(tr_part(shown))) + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
 /// Whether each button begins a new line: where there is no room for it in the one before.
@@ -102,10 +105,8 @@ constexpr float dot_room = 14.0F, clock_gap = 14.0F;  ///< design pixels
 /// The title beside what stands at its right: how far one is, a dot and a clock.
 Paragraph heading(const LessonRun& run, float width, const widgets::Context& context) {
     ImFont* const font = context.fonts.note;
-    const auto room_of = [font](const std::string& text) {
-        return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text.c_str()).x;
-    };
-    const float beside = room_of(place_of(run)) + room_of("00:00") + (dot_room + clock_gap + 12.0F) * context.scale;
+    const float beside =
+        text_width(font, place_of(run)) + text_width(font, "00:00") + (dot_room + clock_gap + 12.0F) * context.scale;
     return paragraph(title_of(run), font, width - beside);
 }
 

@@ -18,8 +18,8 @@ void text_at_right(const std::string& text) {
 }
 
 void shortened_text(const std::string& text, float width, const std::string& brief) {
-    const bool fits = brief.empty() || ImGui::CalcTextSize(text.c_str()).x <= width;
-    const std::string shown = widgets::Shortened(fits ? text : brief, width);
+    std::string shown = widgets::Shortened(text, width);
+    if (shown != text && !brief.empty()) shown = widgets::Shortened(brief, width);
     ImGui::TextUnformatted(shown.c_str());
     if (shown == text) return;
     ImGui::PushStyleColor(ImGuiCol_Text, palette().text);
