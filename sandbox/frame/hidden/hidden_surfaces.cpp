@@ -155,10 +155,11 @@ void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     Polygons polygons = polygons_for(result);
     if (exact) {
         auto flat = std::make_shared<std::vector<Polygon>>();
-        std::ranges::copy_if(*polygons, std::back_inserter(*flat), [&](const Polygon& polygon) {
+        const auto is_flat = [&](const Polygon& polygon) {
             return std::none_of(surface_->curved.begin(), surface_->curved.end(),
                                 [&](const CurvedShape& shape) { return shape.object == polygon.object; });
-        });
+        };
+        std::copy_if(polygons->begin(), polygons->end(), std::back_inserter(*flat), is_flat);
         polygons = std::move(flat);
     }
     HiddenCounters& counters = result.counters;
