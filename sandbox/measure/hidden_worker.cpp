@@ -16,7 +16,8 @@ bool is_same_work(const HiddenQuestion& a, const HiddenQuestion& b) {
 
 struct HiddenWorker::Solver {
     std::unique_ptr<HiddenSurfaceSolver> solver;
-    int scene_version = -1;
+    static constexpr int no_scene = -1;
+    int scene_version = no_scene;
 };
 
 void HiddenWorker::ask(const HiddenQuestion& question, const Scene& scene, int scene_version) {
@@ -105,8 +106,10 @@ void HiddenWorker::start(Job job) {
     if (!solver_) solver_ = std::make_shared<Solver>();
     task_.start([kept = solver_, job = std::move(job)](WorkProgress& progress) -> Result<Answer> {
         if (const Status fits = check_hidden_budget(job.scene, job.question); !fits) return Error{fits.error()};
-        if (kept->scene_version != job.scene_version) kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene);
-        kept->scene_version = job.scene_version;
+        if (kept->scene_version != job.scene_version) {
+            kept->solver = std::make_unique<HiddenSurfaceSolver>(job.scene, &progress);
+            kept->scene_version = is_cancelled(&progress) ? Solver::no_scene : job.scene_version;  // not all of it
+        }
         return std::make_shared<const HiddenAnswer>(answer_hidden_question(*kept->solver, job.question, &progress));
     });
 }

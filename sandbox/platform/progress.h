@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 
 namespace viewing {
 
@@ -38,6 +39,19 @@ inline bool is_cancelled(const WorkProgress* progress) {
     if (progress != nullptr) give_way();
     return progress != nullptr &&
            (progress->cancelled.load(std::memory_order_relaxed) || is_late(*progress) || is_cancelled(progress->whole));
+}
+
+/// Whether the item of a long row is one before which the worker looks whether it is cancelled: not before each, which
+/// would cost more than the items.
+constexpr bool is_time_to_look(std::size_t item) {
+    return item % 4096 == 0;
+}
+
+/// For what is worth having whole where it is quickly made: cancelled, it ends before this item, which is none of the
+/// first 32,768.
+inline bool is_cut_short(std::size_t item, const WorkProgress* progress) {
+    constexpr std::size_t quickly_made = 32'768;
+    return item >= quickly_made && is_time_to_look(item) && is_cancelled(progress);
 }
 
 /// The whole of a part never falls back, even when the part is done once more.

@@ -45,46 +45,73 @@ ScreenArea screen_area(const std::vector<glm::dvec2>& corners) {
     return result;
 }
 
+/// By the eye's side of its plane.
+class PlaneFacing {
+public:
+    PlaneFacing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front)
+        : eye_world_(viewpoint.eye_world()),
+          tolerance_(eye_world_.w != 0.0 ? default_epsilon(polygons) : parallel_sine),
+          front_(front) {}
+    Facing of(const Polygon& polygon) const {
+        return facing_of(glm::dot(polygon.plane, eye_world_), tolerance_, front_);
+    }
+
+private:
+    const glm::dvec4 eye_world_;
+    const double tolerance_;
+    const FrontFace front_;
+};
+
+/// By the sign of its area on the screen.
+class ScreenFacing {
+public:
+    ScreenFacing(const Viewpoint& viewpoint, FrontFace front)
+        : clip_from_world_(viewpoint.clip_from_world()), front_(front) {}
+    Facing of(const Polygon& polygon) const {
+        const auto [twice_area, size] = screen_area(clipped_and_projected(polygon, clip_from_world_));
+        return facing_of(twice_area, smallest_relative_area * size * size, front_);
+    }
+
+private:
+    const glm::dmat4 clip_from_world_;
+    const FrontFace front_;
+};
+
+template <typename Way>
+std::vector<Facing> facing_of_each(std::span<const Polygon> polygons, const Way& way) {
+    std::vector<Facing> result;
+    result.reserve(polygons.size());
+    for (const Polygon& polygon : polygons) result.push_back(way.of(polygon));
+    return result;
+}
+
 }  // namespace
 
 std::vector<Facing> facing_by_plane(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
-    const glm::dvec4 eye_world = viewpoint.eye_world();
-    const double tolerance = eye_world.w != 0.0 ? default_epsilon(polygons) : parallel_sine;
-    std::vector<Facing> result;
-    result.reserve(polygons.size());
-    for (const Polygon& polygon : polygons) {
-        result.push_back(facing_of(glm::dot(polygon.plane, eye_world), tolerance, front));
-    }
-    return result;
+    return facing_of_each(polygons, PlaneFacing(polygons, viewpoint, front));
 }
 
 std::vector<Facing> facing_on_screen(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
-    const glm::dmat4 clip_from_world = viewpoint.clip_from_world();
-    std::vector<Facing> result;
-    result.reserve(polygons.size());
-    for (const Polygon& polygon : polygons) {
-        const auto [twice_area, size] = screen_area(clipped_and_projected(polygon, clip_from_world));
-        result.push_back(facing_of(twice_area, smallest_relative_area * size * size, front));
-    }
-    return result;
+    return facing_of_each(polygons, ScreenFacing(viewpoint, front));
 }
 
-CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front) {
-    const std::vector<Facing> by_plane = facing_by_plane(polygons, viewpoint, front);
-    const std::vector<Facing> on_screen = facing_on_screen(polygons, viewpoint, front);
-    const auto count = [](const std::vector<Facing>& facing, Facing wanted) {
-        return static_cast<int>(std::count(facing.begin(), facing.end(), wanted));
-    };
-    CullCounts counts{.input = static_cast<int>(polygons.size()),
-                      .facing_towards = count(by_plane, Facing::towards),
-                      .facing_away = count(by_plane, Facing::away),
-                      .edge_on = count(by_plane, Facing::neither),
-                      .gl_front = count(on_screen, Facing::towards),
-                      .gl_back = count(on_screen, Facing::away),
-                      .gl_none = count(on_screen, Facing::neither)};
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const bool both_tell = by_plane[i] != Facing::neither && on_screen[i] != Facing::neither;
-        counts.disagree += both_tell && by_plane[i] != on_screen[i];
+CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front,
+                        const WorkProgress* progress) {
+    const PlaneFacing plane(polygons, viewpoint, front);
+    const ScreenFacing screen(viewpoint, front);
+    CullCounts counts;
+    for (const Polygon& polygon : polygons) {
+        if (is_time_to_look(static_cast<std::size_t>(counts.input)) && is_cancelled(progress)) break;
+        const Facing by_plane = plane.of(polygon), on_screen = screen.of(polygon);
+        ++counts.input;
+        ++(by_plane == Facing::neither   ? counts.edge_on
+           : by_plane == Facing::towards ? counts.facing_towards
+                                         : counts.facing_away);
+        ++(on_screen == Facing::neither   ? counts.gl_none
+           : on_screen == Facing::towards ? counts.gl_front
+                                          : counts.gl_back);
+        const bool both_tell = by_plane != Facing::neither && on_screen != Facing::neither;
+        counts.disagree += both_tell && by_plane != on_screen;
     }
     return counts;
 }

@@ -34,8 +34,9 @@ struct CullCounts {
     int disagree = 0;  ///< polygons that one way calls a front and the other a back: none, but for rounding
 };
 
-CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                        FrontFace front = FrontFace::ccw);
+/// Cancelled: of the first of them.
+CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& viewpoint, FrontFace front = FrontFace::ccw,
+                        const WorkProgress* progress = nullptr);
 
 /// What is left after culling by the plane's sign, in the same order. What is seen edge-on is neither a front nor a
 /// back: it stays, and covers no pixel; front_and_back leaves nothing.

@@ -27,13 +27,12 @@ public:
         const double clip_epsilon = std::min(epsilon_, default_epsilon(polygons));
         const glm::dvec4 near = viewpoint.near_plane_world();
         const std::optional<glm::dvec4> eye_plane = viewpoint.eye_plane_world();
-        constexpr std::size_t polygons_between_looks = 4096;
         std::size_t taken = 0;
         for (const Polygon& polygon : polygons) {
-            if (taken++ % polygons_between_looks == 0 && is_cancelled(progress)) stop_cancelled();
-            if (!result_.problem.empty()) {
-                add_fragment(polygon, {});
-                continue;
+            if (is_cut_short(taken++, progress)) {
+                list_.clear();
+                stop(tr("Newell's sort was cancelled before it began: nothing is drawn."));
+                return;
             }
             std::optional<Polygon> seen = clipped(polygon, near, clip_epsilon);
             // Behind an oblique near plane there may be points behind the eye.

@@ -71,8 +71,9 @@ struct NewellOrder {
     std::vector<NewellStep> steps;
     std::int64_t steps_left_out = 0;
     NewellCounters counters;
-    std::string
-        problem;  ///< a sentence when it stopped at a budget or was cancelled: the rest is sorted by farthest vertex
+    /// A sentence when it stopped at a budget or was cancelled: the rest is sorted by farthest vertex; more than 32,768
+    /// polygons are left out where it is cancelled before the first comparison.
+    std::string problem;
 };
 
 /// An order in which painting over is right for this viewpoint. Polygons are clipped at the near plane first. Where

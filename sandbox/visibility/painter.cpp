@@ -66,18 +66,17 @@ private:
 
 PainterOrder painter_order(std::span<const Polygon> polygons, const Viewpoint& viewpoint, PainterKey key,
                            WorkProgress* progress) {
-    constexpr std::size_t polygons_between_looks = 4096;
     PainterOrder result;
     result.distances.reserve(polygons.size());
     for (const Polygon& polygon : polygons) {
-        if (result.distances.size() % polygons_between_looks == 0 && is_cancelled(progress)) break;
+        if (is_time_to_look(result.distances.size()) && is_cancelled(progress)) break;
         result.distances.push_back(key_of(polygon, viewpoint, key));
     }
     result.distances.resize(polygons.size());
     result.order.reserve(polygons.size());
     FarthestFirst heap(result);
     while (!heap.empty()) {
-        if (result.order.size() % polygons_between_looks == 0) {
+        if (is_time_to_look(result.order.size())) {
             report(progress, static_cast<double>(result.order.size()) / static_cast<double>(polygons.size()));
             if (is_cancelled(progress)) break;
         }

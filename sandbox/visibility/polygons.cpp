@@ -42,7 +42,7 @@ std::optional<Polygon> make_polygon(std::vector<glm::dvec3> corners_world, int o
     return Polygon{std::move(corners_world), glm::dvec4(unit, -glm::dot(unit, mean)), object, source};
 }
 
-PolygonSet polygons_of(std::span<const MeshInstance> instances) {
+PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgress* progress) {
     PolygonSet set;
     int source = 0, object = 0;
     std::size_t count = 0;
@@ -55,6 +55,7 @@ PolygonSet polygons_of(std::span<const MeshInstance> instances) {
             return glm::dvec3(instance.world_from_model * glm::dvec4(position, 1.0));
         };
         for (std::size_t i = 0; i < mesh.triangle_count(); ++i, ++source) {
+            if (is_time_to_look(i) && is_cancelled(progress)) return set;
             auto polygon = make_polygon({corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}, object, source);
             if (polygon) {
                 set.polygons.push_back(std::move(*polygon));

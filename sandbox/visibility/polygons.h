@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/mesh.h"
+#include "platform/progress.h"
 
 namespace viewing {
 
@@ -42,8 +43,8 @@ struct PolygonSet {
 };
 
 /// Every triangle of every mesh; `object` is the index in `instances`, `source` counts triangles over all of them.
-/// The winding is the mesh's, also under a mirroring world_from_model, as GL sees it.
-PolygonSet polygons_of(std::span<const MeshInstance> instances);
+/// The winding is the mesh's, also under a mirroring world_from_model, as GL sees it. Cancelled: the first of them.
+PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgress* progress = nullptr);
 
 /// How near to a plane counts as on it, unless a method is told otherwise: 1e−9 of the diagonal of the bounds. The same
 /// fraction of 1 when there is no extent.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "frame/hidden/scene_surface.h"
 #include "state/json.h"
 
 namespace viewing {
@@ -103,6 +104,22 @@ TEST(HiddenWorker, CancelledWorkIsToldAndNotBegunAgain) {
     EXPECT_FALSE(worker.answer(1)->problem().empty());
     worker.ask(question, scene, 1);
     EXPECT_FALSE(worker.fraction());
+}
+
+/// The solver that was being made has not all of the scene: the next question gets one that has.
+TEST(HiddenWorker, WhatIsAskedAfterACancelIsAnsweredOfTheWholeScene) {
+    const Scene scene = slow_scene();
+    const HiddenQuestion painter = question_for(params_with({"visibility.method=painter"}), scene);
+    for (int run = 0; run < 20; ++run) {
+        HiddenWorker worker;
+        worker.ask(question_for(params_with({"visibility.method=bsp"}), scene), scene, 1);
+        std::this_thread::sleep_for(std::chrono::microseconds(50 * run));
+        worker.cancel();
+        worker.ask(painter, scene, 1);
+        worker.wait(-1.0);
+        ASSERT_TRUE(worker.answer(1));
+        EXPECT_EQ(worker.answer(1)->camera->surface->polygons.size(), surface_of(scene).polygons.size());
+    }
 }
 
 TEST(HiddenWorker, AnotherMethodDoesNotWaitForASlowOne) {

@@ -9,11 +9,13 @@
 namespace viewing {
 namespace {
 
-void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result) {
+void add_ordered_triangles(HiddenDrawing& drawing, const HiddenResult& result, const WorkProgress* progress) {
     const SceneSurface& surface = *result.surface;
     std::vector<OrderedVertex>& vertices = drawing.triangles;
     vertices.reserve(static_cast<std::size_t>(result.drawn) * 3);
     for (int place = 0; place < result.drawn; ++place) {
+        drawing.is_cut = is_cut_short(static_cast<std::size_t>(place), progress);
+        if (drawing.is_cut) return;
         const Polygon& polygon =
             (*result.fragments)[static_cast<std::size_t>(result.order[static_cast<std::size_t>(place)])];
         const ObjectDescription& object = surface.scene.objects[static_cast<std::size_t>(polygon.object)].description;
@@ -88,10 +90,10 @@ glm::vec3 linear_from_srgb(const Color& color) {
     return {one(color.r), one(color.g), one(color.b)};
 }
 
-HiddenDrawing hidden_drawing(const HiddenResult& result) {
+HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress) {
     HiddenDrawing made;
     if (!draws_pixels(result.request.visibility)) {
-        add_ordered_triangles(made, result);
+        add_ordered_triangles(made, result, progress);
         return made;
     }
     made.size_px = {result.image.width, result.image.height};

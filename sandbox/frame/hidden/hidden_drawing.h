@@ -40,10 +40,12 @@ struct HiddenDrawing {
     glm::dvec2 share{1.0};                ///< of the view that they fill: HiddenRequest::share
     std::vector<SurfacePixel> pixels;     ///< rows from the top
     std::vector<std::uint32_t> overdraw;  ///< of each pixel; with `pixels`
+    bool is_cut = false;                  ///< cancelled before the last triangle
 };
 
-/// Of the polygons that the step has drawn, or of the picture at the step.
-HiddenDrawing hidden_drawing(const HiddenResult& result);
+/// Of the polygons that the step has drawn, or of the picture at the step. Cancelled, it has at least the first 32,768
+/// of the polygons: what is quickly made is whole.
+HiddenDrawing hidden_drawing(const HiddenResult& result, const WorkProgress* progress = nullptr);
 
 /// Red where two pictures differ, elsewhere a veil.
 struct DifferenceDrawing {

@@ -97,11 +97,16 @@ std::optional<glm::ivec2> traced_pixel(const HiddenResult& result) {
 
 }  // namespace
 
-HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene)
-    : surface_(std::make_shared<const SceneSurface>(surface_of(scene))) {}
+std::string sentence_of_cancelled() {
+    return tr("The method was cancelled: the picture is not finished.");
+}
 
-Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result) const {
+HiddenSurfaceSolver::HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress)
+    : surface_(std::make_shared<const SceneSurface>(surface_of(scene, progress))) {}
+
+Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result, const WorkProgress* progress) const {
     const HiddenRequest& request = result.request;
+    if (is_cancelled(progress)) return std::make_shared<const std::vector<Polygon>>();
     if (!request.cull.enabled) return {surface_, &surface_->polygons};  // not a copy: there may be a million
     auto kept = std::make_shared<const std::vector<Polygon>>(
         culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request)));
@@ -152,7 +157,7 @@ void HiddenSurfaceSolver::find_bsp(HiddenResult& result, WorkProgress* progress)
 void HiddenSurfaceSolver::cast(HiddenResult& result, WorkProgress* progress) {
     const HiddenRequest& request = result.request;
     const bool exact = uses_exact_curves(request);
-    Polygons polygons = polygons_for(result);
+    Polygons polygons = polygons_for(result, progress);
     if (exact) {
         auto flat = std::make_shared<std::vector<Polygon>>();
         const auto is_flat = [&](const Polygon& polygon) {
@@ -211,7 +216,7 @@ void HiddenSurfaceSolver::find_order(HiddenResult& result, WorkProgress* progres
     const VisibilityParams& visibility = request.visibility;
     if (visibility.method == VisibilityMethod::bsp) return find_bsp(result, progress);
 
-    const Polygons polygons = polygons_for(result);
+    const Polygons polygons = polygons_for(result, progress);
     HiddenCounters& counters = result.counters;
     counters.polygons = static_cast<std::int64_t>(polygons->size());
     result.fragments = polygons;
@@ -255,7 +260,7 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     result->touches.clear();
 
     if (same_order == latest_.end())
-        result->facing = count_facing(surface_->polygons, request.viewpoint, winding_for(request));
+        result->facing = count_facing(surface_->polygons, request.viewpoint, winding_for(request), progress);
     const Stopwatch watch;
     if (request.visibility.method == VisibilityMethod::ray_cast) {
         cast(*result, progress);
@@ -282,7 +287,7 @@ std::shared_ptr<const HiddenResult> HiddenSurfaceSolver::solve(const HiddenReque
     }
     result->is_cancelled = is_cancelled(progress);
     if (result->is_cancelled) {
-        if (result->problem.empty()) result->problem = tr("The method was cancelled: the picture is not finished.");
+        if (result->problem.empty()) result->problem = sentence_of_cancelled();
         return result;
     }
     constexpr std::size_t kept_count = 4;  // camera and mirrored eye, for two methods that are compared

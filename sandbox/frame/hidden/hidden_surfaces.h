@@ -101,6 +101,9 @@ struct HiddenResult {
     bool is_cancelled = false;
 };
 
+/// What is said of a method that was cancelled and has nothing better to say.
+std::string sentence_of_cancelled();
+
 /// Whether rays meet curved shapes themselves; their triangles are taken while culling tells sides apart.
 bool uses_exact_curves(const HiddenRequest& request);
 
@@ -111,7 +114,8 @@ bool draws_pixels(const VisibilityParams& visibility);
 /// several threads at once.
 class HiddenSurfaceSolver {
 public:
-    explicit HiddenSurfaceSolver(const Scene& scene);
+    /// Cancelled, it has the first of the scene's polygons: good for an answer to who cancelled it, for nobody after.
+    explicit HiddenSurfaceSolver(const Scene& scene, const WorkProgress* progress = nullptr);
 
     /// `depth_buffer` and `none` give the scene's own order and no picture: that is GL's to draw. Cancelled: a result
     /// with a sentence.
@@ -134,7 +138,7 @@ private:
     void find_order(HiddenResult& result, WorkProgress* progress);
     void find_bsp(HiddenResult& result, WorkProgress* progress);
     void cast(HiddenResult& result, WorkProgress* progress);
-    Polygons polygons_for(HiddenResult& result) const;
+    Polygons polygons_for(HiddenResult& result, const WorkProgress* progress) const;
 
     std::shared_ptr<const SceneSurface> surface_;
     Trees trees_;

@@ -57,7 +57,9 @@ std::optional<HiddenQuestion> hidden_question(const Params& params, const Derive
     return question;
 }
 
-const std::string& HiddenAnswer::problem() const {
+std::string HiddenAnswer::problem() const {
+    for (const auto* drawing : {&pictures.camera, &pictures.mirrored})
+        if (*drawing && (*drawing)->is_cut) return sentence_of_cancelled();
     for (const auto* result : {&mirrored, &other})
         if (*result && camera->problem.empty() && !(*result)->problem.empty()) return (*result)->problem;
     return camera->problem;
@@ -73,11 +75,11 @@ HiddenAnswer answer_hidden_question(HiddenSurfaceSolver& solver, const HiddenQue
     HiddenAnswer answer{.question = question, .camera = solver.solve(question.camera, progress)};
     answer.pictures.bounds_world = solver.surface()->scene.bounds_world;
     if (question.draws_camera)
-        answer.pictures.camera = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.camera));
+        answer.pictures.camera = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.camera, progress));
     answer.painter_fails = painter_failure(solver, question.camera, progress);
     if (question.mirrored) {
         answer.mirrored = solver.solve(*question.mirrored, progress);
-        answer.pictures.mirrored = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.mirrored));
+        answer.pictures.mirrored = std::make_shared<const HiddenDrawing>(hidden_drawing(*answer.mirrored, progress));
     }
     if (question.other) {
         answer.other = solver.solve(*question.other, progress);

@@ -30,7 +30,7 @@ struct HiddenAnswer {
     std::optional<WrongPair> painter_fails{};  ///< of the painter's algorithm; searched in a small picture
 
     /// A sentence when some method stopped at a budget or was cancelled; else empty.
-    const std::string& problem() const;
+    std::string problem() const;
 };
 
 /// Whether the scene is not too large for what is asked (hidden_budget.h).

@@ -37,7 +37,7 @@ glm::dvec3 barycentric(const std::array<glm::dvec3, 3>& corners, const glm::dvec
 
 }  // namespace
 
-SceneSurface surface_of(const Scene& scene) {
+SceneSurface surface_of(const Scene& scene, const WorkProgress* progress) {
     SceneSurface made;
     made.scene = scene;
     std::vector<MeshInstance> instances;
@@ -47,7 +47,7 @@ SceneSurface surface_of(const Scene& scene) {
         made.world_from_normal.push_back(normal_matrix(glm::dmat3(object.world_from_model)));
         made.first_curved_source += static_cast<int>(object.mesh->triangle_count());
     }
-    PolygonSet set = polygons_of(instances);
+    PolygonSet set = polygons_of(instances, progress);
     made.polygons = std::move(set.polygons);
     made.dropped = set.dropped;
     for (std::size_t index = 0; index < scene.objects.size(); ++index)

@@ -27,7 +27,8 @@ struct SceneSurface {
     int first_curved_source = 0;
 };
 
-SceneSurface surface_of(const Scene& scene);
+/// Cancelled: the first of its polygons.
+SceneSurface surface_of(const Scene& scene, const WorkProgress* progress = nullptr);
 
 /// The normal that GL interpolates there, not unit: from the corners of the triangle `source`, or of the curved shape.
 /// A point outside the triangle is carried on; a triangle without area has the normal of its first corner.

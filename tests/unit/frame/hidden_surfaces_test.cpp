@@ -8,6 +8,7 @@
 #include <set>
 
 #include "frame/hidden/hidden_views.h"
+#include "geometry/shapes.h"
 #include "unit/frame/hidden_scenes.h"
 #include "visibility/difference.h"
 
@@ -414,6 +415,35 @@ TEST(HiddenSolver, SaysThatItWasCancelledAndForgetsIt) {
                     *HiddenSurfaceSolver(scene).solve(with_method(request, method)));
         EXPECT_EQ(solver.solve(with_method(request, method))->problem, "");
     }
+}
+
+/// Of a scene of few polygons the picture is drawn whole, of one of many what was made until then; none of them stands
+/// beside a sentence that says otherwise.
+TEST(HiddenSolver, CancelledItDrawsWhatIsQuicklyMade) {
+    Random random(seed + 5);
+    Scene scene;
+    scene.objects.push_back({{}, std::make_shared<const Mesh>(sphere_mesh(200, 101)), glm::dmat4(1.0)});
+    const HiddenRequest request =
+        with_method(request_of(random_view(random), scene, hidden_px), VisibilityMethod::painter);
+    HiddenSurfaceSolver solver(scene);
+    const auto whole = solver.solve(request);
+    ASSERT_GT(whole->drawn, 32'768);
+    WorkProgress progress;
+    EXPECT_FALSE(hidden_drawing(*whole, &progress).is_cut);
+    progress.cancelled = true;
+    const HiddenDrawing cut = hidden_drawing(*whole, &progress);
+    EXPECT_TRUE(cut.is_cut);
+    EXPECT_EQ(cut.triangles.size(), 3U * 32'768);
+    ASSERT_EQ(cut.runs.size(), 1U);
+    EXPECT_EQ(cut.runs.front().vertex_count, 3 * 32'768);
+
+    const HiddenAnswer answer = answer_hidden_question(solver, {.camera = request}, &progress);
+    EXPECT_EQ(answer.camera->drawn, whole->drawn) << "known already";
+    EXPECT_EQ(answer.problem(), "The method was cancelled: the picture is not finished.");
+    EXPECT_EQ(answer_hidden_question(solver, {.camera = request}).problem(), "");
+
+    const HiddenSurfaceSolver begun(scene, &progress);
+    EXPECT_TRUE(begun.surface()->polygons.empty());
 }
 
 TEST(HiddenSurface, NormalsAreThoseThatGlInterpolates) {

@@ -9,6 +9,7 @@
 
 #include "geometry/shapes.h"
 #include "scenes.h"
+#include "visibility/culling.h"
 #include "visibility/newell.h"
 #include "visibility/painter.h"
 
@@ -78,6 +79,26 @@ TEST(Cost, ACancelledNewellComparesNothing) {
     const NewellOrder cut = newell_order(boxes_in_a_row(1000), viewpoint_on_z(), {}, &progress);
     EXPECT_EQ(cut.counters.pairs, 0);
     EXPECT_FALSE(cut.problem.empty());
+}
+
+/// What is made of each polygon before and beside the methods ends with them, whatever their number.
+TEST(Cost, CancelledBeforeItBeganNothingIsMadeOfManyPolygons) {
+    const Mesh box = box_mesh();
+    const std::vector<MeshInstance> instances(4000, MeshInstance{&box});
+    const std::vector<Polygon> polygons = polygons_of(instances).polygons;
+    ASSERT_GT(polygons.size(), 32'768U) << "fewer are quickly taken";
+    WorkProgress progress;
+    progress.cancelled = true;
+    EXPECT_TRUE(polygons_of(instances, &progress).polygons.empty());
+    EXPECT_EQ(count_facing(polygons, viewpoint_on_z(), FrontFace::ccw, &progress).input, 0);
+
+    const std::size_t before = allocated_bytes;
+    const NewellOrder cut = newell_order(polygons, viewpoint_on_z(), {}, &progress);
+    EXPECT_EQ(cut.problem, "Newell's sort was cancelled before it began: nothing is drawn.");
+    EXPECT_TRUE(cut.order.empty());
+    const std::size_t of_cut = allocated_bytes - before;
+    newell_order(polygons, viewpoint_on_z(), {.max_pairs = 1});
+    EXPECT_LT(of_cut, (allocated_bytes - before - of_cut) * 9 / 10);
 }
 
 }  // namespace
