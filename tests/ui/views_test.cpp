@@ -420,6 +420,50 @@ TEST_F(ObserverHandles, NearAndFarArePulledAlongTheView) {
     EXPECT_GT(params.projection.far, 4.0);
 }
 
+/// What was drawn last over a place of the window, by its colour; 0: nothing.
+ImU32 color_at(ImVec2 at) {
+    const auto side = [&](const ImVec2& a, const ImVec2& b) {
+        return (b.x - a.x) * (at.y - a.y) - (b.y - a.y) * (at.x - a.x);
+    };
+    ImU32 color = 0;
+    const ImDrawData* data = ImGui::GetDrawData();
+    for (int i = 0; i < data->CmdListsCount; ++i) {
+        const ImDrawList& list = *data->CmdLists[i];
+        for (const ImDrawCmd& command : list.CmdBuffer)
+            for (unsigned first = command.IdxOffset; first + 2 < command.IdxOffset + command.ElemCount; first += 3) {
+                const auto corner = [&](unsigned at_corner) -> const ImDrawVert& {
+                    const auto index = list.IdxBuffer[static_cast<int>(first + at_corner)];
+                    return list.VtxBuffer[static_cast<int>(command.VtxOffset + index)];
+                };
+                const ImDrawVert &a = corner(0), &b = corner(1), &c = corner(2);
+                const float ab = side(a.pos, b.pos), bc = side(b.pos, c.pos), ca = side(c.pos, a.pos);
+                const bool is_inside = (ab > 0.0F && bc > 0.0F && ca > 0.0F) || (ab < 0.0F && bc < 0.0F && ca < 0.0F);
+                if (is_inside) color = a.col;
+            }
+    }
+    return color;
+}
+
+TEST_F(ViewsTest, ALegendLiesOverAHandle) {
+    params.view.shows = Shows::facing;
+    desk.settle();
+    const Rect view = desk.layout().camera;
+    const ImVec2 at(view.min.x + 12.5F, view.max.y - 14.5F);  // on the legend's plate, beside its letters
+    const ImVec2 beside(at.x + 1.3F, at.y + 0.6F);            // not where triangles of a disc meet
+    const ImU32 plate = color_at(beside);
+    EXPECT_EQ(plate >> IM_COL32_A_SHIFT, 225U);
+    const glm::dvec4 clip(2.0 * (at.x - view.min.x) / view.width() - 1.0,
+                          1.0 - 2.0 * (at.y - view.min.y) / view.height(), 0.9, 1.0);
+    const glm::dvec4 world = glm::inverse(desk.derived.clip_from_world) * clip;
+    params.lights.front().position = glm::dvec4(glm::dvec3(world) / world.w, 1.0);
+    desk.settle();
+    expect_near(desk.in_camera_view(light()), at, 0.1F);
+    EXPECT_EQ(color_at(beside), plate) << "not the lamp's";
+    params.view.shows = Shows::color;
+    desk.settle();
+    EXPECT_NE(color_at(beside), plate) << "the lamp's";
+}
+
 TEST_F(ViewsTest, ALampOutsideThePictureIsAnArrowAtItsEdge) {
     const Rect rect{{100.0F, 50.0F}, {500.0F, 350.0F}};
     const glm::dmat4 clip_from_world = clip_from_view({}, 4.0 / 3.0);  // looks along −z

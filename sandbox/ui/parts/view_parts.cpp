@@ -79,7 +79,7 @@ void draw_plate(ImDrawList* draw, const Rect& rect, ImVec2 margin_px) {
                         {rect.max.x + margin_px.x, rect.max.y + margin_px.y}, plate, px(4.0F));
 }
 
-void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries) {
+Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries) {
     const widgets::Context& context = widgets::CurrentContext();
     ImGui::PushFont(context.fonts.note);
     const float swatch = px(11.0F), gap = px(6.0F), between = px(14.0F), margin = px(8.0F);
@@ -92,9 +92,14 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
     std::size_t count = 0;
     while (count < entries.size() && width + between + width_of(entries[count]) < rect.width() - 4.0F * margin)
         width += between + width_of(entries[count++]);
+    if (count == 0) {
+        ImGui::PopFont();
+        return {};
+    }
     const float height = ImGui::GetTextLineHeight();
     ImVec2 at(rect.min.x + 2.0F * margin, rect.max.y - 2.0F * margin - height);
-    draw_plate(draw, {at, {at.x + width, at.y + height}}, {margin, margin * 0.5F});
+    const Rect covered{{at.x - margin, at.y - margin * 0.5F}, {at.x + width + margin, at.y + height + margin * 0.5F}};
+    draw_plate(draw, covered, {});
     for (const LegendEntry& entry : entries.first(count)) {
         const float top = std::round(at.y + (height - swatch) * 0.5F);
         const ImVec2 end(at.x + swatch, top + swatch);
@@ -104,6 +109,7 @@ void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry
         at.x += width_of(entry) + between;
     }
     ImGui::PopFont();
+    return covered;
 }
 
 Rect sentence_over_picture(ImDrawList* draw, const Rect& rect, ImU32 color, const char* whole, const char* brief) {

@@ -36,8 +36,8 @@ struct LegendEntry {
     Color color;
     const char* meaning;
 };
-/// In the lower left corner of a view.
-void draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
+/// In the lower left corner of a view; returns what it covers.
+Rect draw_legend(ImDrawList* draw, const Rect& rect, std::span<const LegendEntry> entries);
 
 /// At the lower edge of a picture: the whole sentence in one line where there is room, else the brief one in as many
 /// lines as it takes. Returns what it covers.

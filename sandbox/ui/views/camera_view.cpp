@@ -56,8 +56,12 @@ void view_choices(Params& params, const Rect& rect) {
     }
 }
 
+void show_legend(Overlay& overlay, std::span<const LegendEntry> entries) {
+    overlay.keep_labels_off(draw_legend(overlay.draw(), overlay.rect(), entries));
+}
+
 /// The low four bits are the patch's own value, one more for each mirror; the high ones are the missing lights.
-void stencil_legend(const Overlay& overlay, const Params& params) {
+void stencil_legend(Overlay& overlay, const Params& params) {
     const std::size_t planes = params.planes.size(), lights = params.lights.size();
     const std::string patches = planes > 1 ? say("1–{last}: the planes", "last"_a = planes) : tr("1: the patch");
     std::string values = "+16";
@@ -68,10 +72,10 @@ void stencil_legend(const Overlay& overlay, const Params& params) {
                                    {stencil_colors[1], patches.c_str()},
                                    {stencil_colors[2], missing.c_str()},
                                    {stencil_colors[3], marked("16 and more: beside the patch")}};
-    draw_legend(overlay.draw(), overlay.rect(), std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
+    show_legend(overlay, std::span(entries).first(params.shadow.clip_to_receiver ? 3 : 4));
 }
 
-void camera_legend(const Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
+void camera_legend(Overlay& overlay, const Params& params, const HiddenStatus& hidden) {
     if (params.view.shows == Shows::difference && hidden.answer && hidden.answer->different_pixels >= 0) {
         const std::int64_t pixels = hidden.answer->different_pixels, all = hidden.answer->compared_pixels;
         const double share = all > 0 ? static_cast<double>(pixels) / static_cast<double>(all) : 0.0;
@@ -79,19 +83,19 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
             say_count(pixels, "one pixel differs, away from edges: {share}",
                       "{count} pixels differ, away from edges: {share}", "share"_a = percent(share));
         const LegendEntry entries[] = {{difference_color, differ.c_str()}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     }
     if (params.view.shows == Shows::facing) {
         const LegendEntry entries[] = {{front_color, marked("front faces")},
                                        {back_color, marked("back faces (striped)")}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     } else if (params.view.shows == Shows::stencil) {
         stencil_legend(overlay, params);
     } else if (params.view.shows == Shows::shadow_w) {
         const LegendEntry entries[] = {{caster_colors[0], marked("w > 0: projected")},
                                        {caster_colors[1], marked("w > 0 behind the plane")},
                                        {caster_colors[2], marked("w ≤ 0: clipped away")}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     } else if (params.view.shows == Shows::overdraw) {
         const LegendEntry entries[] = {{overdraw_colors[0], "0"},
                                        {overdraw_colors[1], "1"},
@@ -100,14 +104,14 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
                                        {overdraw_colors[4], "4"},
                                        {overdraw_colors[6], "6"},
                                        {overdraw_colors[8], marked("8 or more times drawn")}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     } else if (params.view.shows == Shows::fighting) {
         const LegendEntry entries[] = {{heat_colors[0], marked("gap ÷ safe gap: 0")},
                                        {heat_colors[1], "½"},
                                        {heat_colors[3], "1"},
                                        {heat_colors[4], "2"},
                                        {heat_colors[5], marked("4 and more")}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     } else if (params.view.shows == Shows::depth) {
         const Color unwritten = ground_of(params.ui.theme).unwritten;
         const DepthColors colors = params.view.depth_colors;
@@ -116,7 +120,7 @@ void camera_legend(const Overlay& overlay, const Params& params, const HiddenSta
         const std::string near = "z = " + number_text(range.x, 2), far = number_text(range.y, 2);
         const LegendEntry entries[] = {
             {near_color(colors), near.c_str()}, {far_color(colors), far.c_str()}, {unwritten, marked("never written")}};
-        draw_legend(overlay.draw(), overlay.rect(), entries);
+        show_legend(overlay, entries);
     }
 }
 
@@ -255,15 +259,23 @@ void draw_camera_view(ViewState& state, Session& session, const Derived& derived
         hovered = movable_handle(state, handle_at(overlay, places, mouse));
     if (hovered != Handle::none) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     camera_mouse(state, session, derived, overlay, hovered, pictures.hidden, input, motion);
+
+    // The legend lies over what is drawn into the picture, whose labels keep off it.
+    ImDrawListSplitter layers;
+    layers.Split(overlay.draw(), 2);
+    layers.SetCurrentChannel(overlay.draw(), 1);
     camera_legend(overlay, params, pictures.hidden);
+    layers.SetCurrentChannel(overlay.draw(), 0);
     PolygonLinks& links = state.hidden.links;
     if (over) links.next.hovered_fragment = fragment_at(pictures.hidden, overlay, mouse);
     draw_hidden_overlay(links.now, session, pictures.hidden, overlay);
     if (state.pinned.pixel) draw_pin(overlay, *state.pinned.pixel);
     if (state.target) overlay.target(state.target->point_world, state.target->label.c_str(), palette().accent);
-    if (!has_handles) return;
-    draw_handles(overlay, places, derived, hovered);
-    draw_derivation_overlay(overlay, params, derived);
+    if (has_handles) {
+        draw_handles(overlay, places, derived, hovered);
+        draw_derivation_overlay(overlay, params, derived);
+    }
+    layers.Merge(overlay.draw());
 }
 
 }  // namespace viewing
