@@ -13,10 +13,14 @@ import browser
 import native
 
 HOST = """<!DOCTYPE html><title>Slides</title>
-<iframe id="sandbox" width="800" height="450" src="{address}#embed&preset=teapot"></iframe>
+<iframe id="sandbox" width="800" height="450" src="{address}#embed&preset=teapot&matrices=V"></iframe>
 <script>
 const said = [];
-window.addEventListener('message', (event) => said.push(event.data));
+window.addEventListener('message', (event) => {{
+  said.push(event.data);
+  if (event.data.is !== 'ready') return;
+  event.source.postMessage({{to: 'viewing-sandbox', id: 'first', get: 'state'}}, '*');
+}});
 const ask = (what) => new Promise((done) => {{
   const id = Math.random();
   const hear = ({{data}}) => {{
@@ -67,6 +71,11 @@ class Embedded(browser.Test):
                 for number, expected_number in zip(row, expected_row):
                     self.assertAlmostEqual(number, expected_number, delta=1e-12, msg=name)
         self.assertRegex(self.get("link"), "^#1")
+
+    def test_it_greets_when_what_the_address_names_is_shown(self):
+        first = self.page.js("said.find((data) => data.id === 'first')")["answer"]
+        self.assertEqual(first["scene"], native.state("teapot")["scene"])
+        self.assertEqual(first["view"]["layout"]["matrices"], ["V"])
 
     def test_it_gives_its_picture(self):
         data = self.picture()

@@ -50,7 +50,7 @@ const page = (() => {
 
   // ---- What the page shows of the program's state beside the picture
 
-  let cursor = '', opened = '', said = '', rest_timer = 0, is_embedded = false;
+  let cursor = '', opened = '', said = '', rest_timer = 0, is_embedded = false, is_arranging = false;
 
   const follow = () => {
     const shape = UTF8ToString(Module._page_cursor());
@@ -427,7 +427,7 @@ const page = (() => {
     if (location.hash.length > 1) openLink();
     canvas.focus();
     ask();
-    if (window.parent !== window) window.parent.postMessage({from: 'viewing-sandbox', is: 'ready'}, '*');
+    if (window.parent !== window) greet();
   };
 
   // ---- The address: "#preset=NAME", "#lesson=ID&step=N", "#1…" (a state); "#embed&…" for somebody else's page
@@ -456,12 +456,20 @@ const page = (() => {
     const arrange = () => {  // when what was opened is there
       if (!Module._page_rests()) return setTimeout(arrange, 20);
       for (const setting of shown) set(setting);
+      is_arranging = false;
     };
+    is_arranging = true;
     arrange();
   };
   const set = (setting) => UTF8ToString(call('page_set', 'number', ['string'], [setting]));
 
   // ---- Messages from the page around it: README, "In a page of your own"
+
+  /// The page around it may ask from now on: what the address names is shown.
+  const greet = () => {
+    if (is_arranging || !Module._page_rests()) return setTimeout(greet, 20);
+    window.parent.postMessage({from: 'viewing-sandbox', is: 'ready'}, '*');
+  };
 
   const answers = {
     state: () => JSON.parse(text('page_state')),
