@@ -55,7 +55,7 @@ PolygonSet polygons_of(std::span<const MeshInstance> instances, const WorkProgre
             return glm::dvec3(instance.world_from_model * glm::dvec4(position, 1.0));
         };
         for (std::size_t i = 0; i < mesh.triangle_count(); ++i, ++source) {
-            if (is_time_to_look(i) && is_cancelled(progress)) return set;
+            if (is_time_to_look(static_cast<std::size_t>(source)) && is_cancelled(progress)) return set;
             auto polygon = make_polygon({corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}, object, source);
             if (polygon) {
                 set.polygons.push_back(std::move(*polygon));

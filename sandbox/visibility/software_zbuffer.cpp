@@ -13,7 +13,6 @@ namespace {
 
 /// Depths nearer to one another than this are one surface: far below a step of any stored format, above rounding.
 constexpr double same_depth = 1e-12;
-constexpr int polygons_between_reports = 4096;
 
 /// The first pixel whose centre is at or beyond `position`, within 0 … limit.
 int first_pixel(double position, int limit) {
@@ -231,7 +230,7 @@ RasterResult rasterise(std::span<const Polygon> polygons, std::span<const int> o
     result.tested_after.reserve(order.size());
     Rasteriser rasteriser(clip_from_world, options, result);
     for (std::size_t i = 0; i < order.size() && !rasteriser.stopped(); ++i) {
-        if (i % polygons_between_reports == 0) {
+        if (is_time_to_look(i)) {
             if (is_cancelled(progress)) break;
             report(progress, static_cast<double>(i) / static_cast<double>(order.size()));
         }
