@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "frame/draw_calls.h"
 #include "frame/ground.h"
@@ -41,6 +42,7 @@ struct Renderer::Implementation {
     GpuMesh quad = upload(quad_mesh());
     Presenter presenter{capabilities, programs};
     std::map<gl::DepthKind, std::optional<StoredDepth>> stored_depths;
+    bool has_drawn = false;
 
     Status draw_frame(const FramePlan& plan, const Scene& scene, glm::ivec2 size_px, View& view,
                       std::optional<Shading> identify = {});
@@ -207,6 +209,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
     const bool writes_depth = writes_depth_by_shader(plan.depth_format, plan.depth_mapping, plan.logarithm_per_vertex);
     const FrameState frame{plan, scene, target, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
+    const bool is_first = !std::exchange(has_drawn, true);
     int next_call = 0, next_pass = 0;
     for (const Pass& pass : plan.passes) {
         if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
@@ -217,6 +220,7 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);
         if (Status drawn = draw_pass(frame, pass, mask, first_call); !drawn) return drawn;
+        if (is_first) glFlush();  // it is rasterised while the driver compiles what the next pass needs
         if (!mask.fills) continue;
         Result<const FillProgram*> fill = programs.fill();
         if (!fill) return Error{fill.error()};

@@ -1,0 +1,98 @@
+// The heap's large pages: asked for where the heap then lies, and nothing lost where memory is short. In children,
+// because a process keeps the heap that it got.
+#include "platform/heap.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace viewing {
+namespace {
+
+std::uintptr_t end_of_heap() {
+    return reinterpret_cast<std::uintptr_t>(::sbrk(0));
+}
+
+/// Not a sanitizer's, which lies elsewhere and knows nothing of all this.
+bool has_the_librarys_heap() {
+    void* volatile block = std::malloc(64);
+    const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
+    std::free(block);
+    return is_inside;
+}
+
+/// A line of numbers of this process: "Rss", "VmFlags"; of the mapping that holds the address.
+std::string mapping_line(std::uintptr_t address, const std::string& name) {
+    std::ifstream mappings("/proc/self/smaps");
+    bool is_inside = false;
+    for (std::string line; std::getline(mappings, line);) {
+        std::uintptr_t from = 0, to = 0;
+        char dash = 0;
+        if (std::istringstream head(line); head >> std::hex >> from >> dash >> to && dash == '-')
+            is_inside = from <= address && address < to;
+        else if (is_inside && line.rfind(name + ":", 0) == 0)
+            return line.substr(name.size() + 1) + " ";
+    }
+    return "";
+}
+
+int status_of_child(int (*run)()) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(run());
+    int state = 0;
+    EXPECT_EQ(::waitpid(child, &state, 0), child);
+    return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+}
+
+TEST(Heap, IsGrownAtOnceAndAskedForInLargePages) {
+    if (!has_the_librarys_heap() || !std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
+    EXPECT_EQ(status_of_child([] {
+                  const std::uintptr_t before = end_of_heap();
+                  prefer_large_pages();
+                  const std::uintptr_t after = end_of_heap();
+                  if (after - before < 31U << 20) return 1;
+                  if (mapping_line(after - 1, "VmFlags").find(" hg ") == std::string::npos) return 2;
+                  // Asked for is not touched: three pages at most.
+                  return std::stoi(mapping_line(after - 1, "Rss")) > 6144 ? 3 : 0;
+              }),
+              0);
+}
+
+TEST(Heap, BlocksOfAPictureComeFromIt) {
+    if (!has_the_librarys_heap()) GTEST_SKIP();
+    EXPECT_EQ(status_of_child([] {
+                  prefer_large_pages();
+                  void* block = std::malloc(4 << 20);
+                  const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
+                  std::free(block);
+                  return is_inside ? 0 : 1;
+              }),
+              0);
+}
+
+TEST(Heap, WhereItMayNotGrowThereIsMemoryStill) {
+    if (!has_the_librarys_heap()) GTEST_SKIP();
+    EXPECT_EQ(status_of_child([] {
+                  const rlimit limit{16U << 20, 16U << 20};
+                  if (::setrlimit(RLIMIT_DATA, &limit) != 0) return 1;
+                  const std::uintptr_t before = end_of_heap();
+                  prefer_large_pages();
+                  if (end_of_heap() - before > 16U << 20) return 2;
+                  void* block = std::malloc(1 << 20);
+                  const bool is_there = block != nullptr;
+                  std::free(block);
+                  return is_there ? 0 : 3;
+              }),
+              0);
+}
+
+}  // namespace
+}  // namespace viewing
