@@ -117,14 +117,13 @@ CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& view
 }
 
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
-                            FrontFace front) {
+                            FrontFace front, const WorkProgress* progress) {
     std::vector<Polygon> left;
     if (faces == CullFace::front_and_back) return left;
     const Facing goes = faces == CullFace::front ? Facing::towards : Facing::away;
-    const std::vector<Facing> facing = facing_by_plane(polygons, viewpoint, front);
-    for (std::size_t i = 0; i < polygons.size(); ++i) {
-        if (facing[i] != goes) left.push_back(polygons[i]);
-    }
+    const PlaneFacing facing(polygons, viewpoint, front);
+    for (std::size_t i = 0; i < polygons.size() && !is_cut_short(i, progress); ++i)
+        if (facing.of(polygons[i]) != goes) left.push_back(polygons[i]);
     return left;
 }
 

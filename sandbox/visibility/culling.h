@@ -39,8 +39,8 @@ CullCounts count_facing(std::span<const Polygon> polygons, const Viewpoint& view
                         const WorkProgress* progress = nullptr);
 
 /// What is left after culling by the plane's sign, in the same order. What is seen edge-on is neither a front nor a
-/// back: it stays, and covers no pixel; front_and_back leaves nothing.
+/// back: it stays, and covers no pixel; front_and_back leaves nothing. Cancelled: of the first of them.
 std::vector<Polygon> culled(std::span<const Polygon> polygons, const Viewpoint& viewpoint, CullFace faces,
-                            FrontFace front = FrontFace::ccw);
+                            FrontFace front = FrontFace::ccw, const WorkProgress* progress = nullptr);
 
 }  // namespace viewing

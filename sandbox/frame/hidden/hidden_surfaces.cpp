@@ -109,8 +109,9 @@ Polygons HiddenSurfaceSolver::polygons_for(HiddenResult& result, const WorkProgr
     if (is_cancelled(progress)) return std::make_shared<const std::vector<Polygon>>();
     if (!request.cull.enabled) return {surface_, &surface_->polygons};  // not a copy: there may be a million
     auto kept = std::make_shared<const std::vector<Polygon>>(
-        culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request)));
-    result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept->size());
+        culled(surface_->polygons, request.viewpoint, request.cull.face, winding_for(request), progress));
+    if (!is_cancelled(progress))  // else some were not even looked at
+        result.counters.culled = static_cast<std::int64_t>(surface_->polygons.size() - kept->size());
     return kept;
 }
 

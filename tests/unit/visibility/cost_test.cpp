@@ -91,6 +91,11 @@ TEST(Cost, CancelledBeforeItBeganNothingIsMadeOfManyPolygons) {
     progress.cancelled = true;
     EXPECT_TRUE(polygons_of(instances, &progress).polygons.empty());
     EXPECT_EQ(count_facing(polygons, viewpoint_on_z(), FrontFace::ccw, &progress).input, 0);
+    const auto left = [&](std::span<const Polygon> of, const WorkProgress* watched) {
+        return culled(of, viewpoint_on_z(), CullFace::front, FrontFace::ccw, watched).size();
+    };
+    EXPECT_EQ(left(polygons, &progress), left(std::span(polygons).first(32'768), nullptr));
+    EXPECT_LT(left(polygons, &progress), left(polygons, nullptr));
 
     const std::size_t before = allocated_bytes;
     const NewellOrder cut = newell_order(polygons, viewpoint_on_z(), {}, &progress);
