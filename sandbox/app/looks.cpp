@@ -2,7 +2,7 @@
 
 #include <backends/imgui_impl_opengl3.h>
 
-#include "state/language.h"
+#include "state/person/language.h"
 #include "text/catalogue.h"
 #include "ui/window/font_files.h"
 #include "ui/window/fonts.h"

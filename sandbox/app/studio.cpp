@@ -9,7 +9,7 @@
 
 #include "gl/dialect.h"
 #include "report/state_numbers.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/catalogue.h"
 #include "ui/depth/pixel_words.h"
 #include "ui/window/recording.h"

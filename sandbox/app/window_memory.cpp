@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "platform/file.h"
-#include "state/language.h"
+#include "state/person/language.h"
 #include "text/catalogue.h"
 
 namespace viewing {

@@ -1,11 +1,12 @@
-// Theme, scale, language and the window's place as they come back the next time. Read state/remembered.h for the file.
+// Theme, scale, language and the window's place as they come back the next time. Read state/person/remembered.h for the
+// file.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "platform/background.h"
-#include "state/remembered.h"
+#include "state/person/remembered.h"
 #include "ui/window/workbench.h"
 
 namespace viewing {

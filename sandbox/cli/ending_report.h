@@ -9,7 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 

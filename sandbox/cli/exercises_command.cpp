@@ -14,7 +14,7 @@
 #include "lesson/notes.h"
 #include "report/exercise_check.h"
 #include "report/state_numbers.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/words.h"
 
 namespace viewing {

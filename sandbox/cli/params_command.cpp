@@ -5,8 +5,8 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/values.h"
-#include "state/json.h"
-#include "state/schema.h"
+#include "state/file/json.h"
+#include "state/file/schema.h"
 #include "suite/schema.h"
 
 namespace viewing {

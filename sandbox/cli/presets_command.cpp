@@ -2,7 +2,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
-#include "state/document.h"
+#include "state/file/document.h"
 #include "state/presets.h"
 #include "state/scene.h"
 

@@ -18,7 +18,7 @@
 #include "gl/facts.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

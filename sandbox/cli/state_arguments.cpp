@@ -10,7 +10,7 @@
 #include "cli/values.h"
 #include "platform/text_file.h"
 #include "state/fields.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/words.h"
 
 namespace viewing {

@@ -7,8 +7,8 @@
 #include "cli/output.h"
 #include "cli/results/bundle.h"
 #include "cli/state_arguments.h"
-#include "state/json.h"
-#include "state/link.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
 
 namespace viewing {
 namespace {

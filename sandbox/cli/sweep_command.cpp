@@ -20,9 +20,9 @@
 #include "image/png.h"
 #include "platform/file.h"
 #include "report/lesson_numbers.h"
-#include "state/flight.h"
-#include "state/json.h"
-#include "state/variation.h"
+#include "state/file/flight.h"
+#include "state/file/json.h"
+#include "state/file/variation.h"
 #include "text/numbers.h"
 #include "text/words.h"
 

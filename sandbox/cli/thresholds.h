@@ -9,7 +9,7 @@
 #include "cli/output.h"
 #include "image/compare.h"
 #include "image/mask_source.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 

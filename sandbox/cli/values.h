@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/options.h"
-#include "state/language.h"
+#include "state/person/language.h"
 
 namespace viewing {
 

@@ -1,6 +1,6 @@
 #include "frame/say.h"
 
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 

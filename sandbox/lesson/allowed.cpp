@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "state/json.h"
-#include "state/reader.h"
+#include "state/file/json.h"
+#include "state/file/reader.h"
 
 namespace viewing {
 namespace {

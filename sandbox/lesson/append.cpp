@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "lesson/allowed.h"
+#include "state/file/reader.h"
 #include "state/presets.h"
-#include "state/reader.h"
 
 namespace viewing {
 namespace {

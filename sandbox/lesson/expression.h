@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "state/document.h"
+#include "state/file/document.h"
 #include "text/result.h"
 
 namespace viewing {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "state/language.h"
+#include "state/person/language.h"
 #include "state/presets.h"
 
 namespace viewing {

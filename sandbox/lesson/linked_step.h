@@ -1,5 +1,5 @@
-// A step of a lesson as a link: #lesson=ID&step=N (state/link.h). Only the program's own lessons can be named: a link
-// opens no files.
+// A step of a lesson as a link: #lesson=ID&step=N (state/file/link.h). Only the program's own lessons can be named: a
+// link opens no files.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "lesson/lesson.h"
-#include "state/link.h"
+#include "state/file/link.h"
 
 namespace viewing {
 

@@ -5,7 +5,7 @@
 
 #include "lesson/judge.h"
 #include "lesson/targets.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "state/scene.h"
 #include "text/words.h"
 

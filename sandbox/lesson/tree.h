@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lesson/lesson.h"
-#include "state/reader.h"
+#include "state/file/reader.h"
 
 namespace viewing {
 

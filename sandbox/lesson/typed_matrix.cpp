@@ -1,6 +1,6 @@
 #include "lesson/typed_matrix.h"
 
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/numbers.h"
 
 namespace viewing {

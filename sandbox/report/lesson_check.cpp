@@ -5,7 +5,7 @@
 #include "lesson/allowed.h"
 #include "lesson/judge.h"
 #include "report/lesson_numbers.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/words.h"
 
 namespace viewing {

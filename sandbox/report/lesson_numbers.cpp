@@ -13,7 +13,7 @@
 #include "report/order_report.h"
 #include "report/pixel_as_json.h"
 #include "report/visibility_report.h"
-#include "state/reader.h"
+#include "state/file/reader.h"
 
 namespace viewing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "frame/derive.h"
 #include "frame/problems.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/renderer.h"
-#include "state/document.h"
+#include "state/file/document.h"
 #include "state/scene.h"
 
 namespace viewing {

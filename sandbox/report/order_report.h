@@ -1,7 +1,7 @@
 // Who hides whom in a state, as JSON. Read visibility/hiding.h for how it is found.
 #pragma once
 
-#include "state/document.h"
+#include "state/file/document.h"
 #include "state/params.h"
 #include "state/scene.h"
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "render/renderer.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 

@@ -12,7 +12,7 @@
 #include "lesson/run.h"
 #include "platform/background.h"
 #include "session/session.h"
-#include "state/lesson_progress.h"
+#include "state/person/lesson_progress.h"
 
 namespace viewing {
 

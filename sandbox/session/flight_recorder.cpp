@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "platform/free_file.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

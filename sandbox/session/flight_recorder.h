@@ -1,10 +1,10 @@
-// Records a flight: the parameters of every frame that is drawn. Read state/flight.h first.
+// Records a flight: the parameters of every frame that is drawn. Read state/file/flight.h first.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 
-#include "state/flight.h"
+#include "state/file/flight.h"
 
 namespace viewing {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lesson/blend.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 

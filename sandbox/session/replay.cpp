@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -8,7 +8,7 @@
 #include "lesson/hand_in.h"
 #include "lesson/lesson.h"
 #include "session/session.h"
-#include "state/flight.h"
+#include "state/file/flight.h"
 
 namespace viewing {
 

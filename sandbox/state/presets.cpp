@@ -6,9 +6,9 @@
 #include "image/figure_note.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
-#include "state/document.h"
-#include "state/json.h"
-#include "state/link.h"
+#include "state/file/document.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
 #include "state/scene.h"
 #include "text/words.h"
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "state/file/flight.h"
+#include "state/file/titles.h"
 #include "state/file_reach.h"
-#include "state/flight.h"
 #include "state/params.h"
-#include "state/titles.h"
 #include "text/result.h"
 
 namespace viewing {

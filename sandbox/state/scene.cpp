@@ -6,9 +6,9 @@
 #include <unordered_set>
 
 #include "platform/text_file.h"
-#include "state/coplanar.h"
-#include "state/json.h"
-#include "state/mesh_cache.h"
+#include "state/file/json.h"
+#include "state/mesh/coplanar.h"
+#include "state/mesh/mesh_cache.h"
 #include "state/presets.h"
 #include "text/words.h"
 

@@ -12,7 +12,7 @@
 #include "report/mirror_report.h"
 #include "report/order_report.h"
 #include "report/visibility_report.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/numbers.h"
 
 namespace viewing {

@@ -7,7 +7,7 @@
 
 #include "frame/problems.h"
 #include "render/renderer.h"
-#include "state/document.h"
+#include "state/file/document.h"
 #include "suite/suite.h"
 
 namespace viewing {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 

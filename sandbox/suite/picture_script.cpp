@@ -1,6 +1,6 @@
 #include "suite/picture_script.h"
 
-#include "state/document.h"
+#include "state/file/document.h"
 #include "text/html.h"
 
 namespace viewing {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "state/reader.h"
+#include "state/file/reader.h"
 #include "text/numbers.h"
 #include "text/words.h"
 

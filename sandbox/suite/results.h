@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "state/document.h"
+#include "state/file/document.h"
 #include "suite/suite.h"
 
 namespace viewing {

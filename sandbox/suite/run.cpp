@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "platform/child_process.h"
-#include "state/reader.h"
+#include "state/file/reader.h"
 #include "text/numbers.h"
 
 namespace viewing {

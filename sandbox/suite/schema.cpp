@@ -1,7 +1,7 @@
 #include "suite/schema.h"
 
 #include "app/picture.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 namespace {

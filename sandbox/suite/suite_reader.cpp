@@ -6,7 +6,7 @@
 
 #include "lesson/tree.h"
 #include "platform/file.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "suite/results.h"
 #include "suite/suite.h"
 #include "text/words.h"

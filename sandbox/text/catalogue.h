@@ -10,7 +10,7 @@
 //     label,
 //                                name, tip, title and sentence that it draws. Literals given to a widget need nothing.
 //
-// Who chooses among languages is state/language.h.
+// Who chooses among languages is state/person/language.h.
 //
 // Templates and marked texts are literals, so that tests/catalogue finds them; what the program itself lists (fields,
 // presets) it finds through tests/texts. Object names, GL names and code are not texts. assets/text/*.po has the rest.

@@ -2,7 +2,7 @@
 // steps or say why not, with nothing measured.
 #include "fuzz.h"
 #include "lesson/exercise.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "state/scene.h"
 
 using namespace viewing;

@@ -1,8 +1,8 @@
 // libFuzzer: any text as a flight. What is accepted is written and comes back exactly; each of its pictures is a state
 // that is written and comes back, or says why not; and it is the same whichever way one comes to it.
 #include "fuzz.h"
-#include "state/flight.h"
-#include "state/json.h"
+#include "state/file/flight.h"
+#include "state/file/json.h"
 
 using namespace viewing;
 

@@ -1,7 +1,7 @@
 // libFuzzer: any text as a lesson. What is accepted has steps, and their states are written and come back exactly.
 #include "fuzz.h"
 #include "lesson/lesson.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "state/scene.h"
 
 namespace {

@@ -2,8 +2,8 @@
 #include <cstdlib>
 
 #include "platform/text_file.h"
-#include "state/json.h"
-#include "state/link.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "state/obj.h"
+#include "state/mesh/obj.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // libFuzzer: any text as a scene file. What is accepted must be written and come back exactly.
 #include <cstdlib>
 
-#include "state/json.h"
+#include "state/file/json.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

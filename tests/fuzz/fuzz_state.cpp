@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "state/fields.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include "app/picture.h"
 #include "gl/gl_test.h"
 #include "image/compare.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "frame/hidden/scene_surface.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -16,8 +16,8 @@
 
 #include "frame/problems.h"
 #include "state/fields.h"
-#include "state/json.h"
-#include "state/language.h"
+#include "state/file/json.h"
+#include "state/person/language.h"
 #include "state/scene.h"
 #include "text/catalogue.h"
 #include "text/po.h"

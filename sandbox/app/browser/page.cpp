@@ -22,9 +22,9 @@
 #include "platform/browser/standstill.h"
 #include "platform/file.h"
 #include "report/matrices_report.h"
-#include "state/json.h"
-#include "state/language.h"
-#include "state/link.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
+#include "state/person/language.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 

@@ -17,7 +17,7 @@
 #include "platform/file.h"
 #include "platform/text_file.h"
 #include "report/as_json.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/words.h"
 
 namespace viewing {

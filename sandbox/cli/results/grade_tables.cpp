@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "cli/results/csv.h"
-#include "state/document.h"
+#include "state/file/document.h"
 #include "text/numbers.h"
 #include "text/words.h"
 

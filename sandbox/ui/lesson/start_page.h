@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "session/guide.h"
-#include "state/lesson_progress.h"
+#include "state/person/lesson_progress.h"
 #include "ui/lesson/cards.h"
 #include "ui/lesson/presenter.h"
 #include "ui/views/views.h"

@@ -4,7 +4,7 @@
 
 #include "frame/depth/depth_colors.h"
 #include "state/fields.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/catalogue.h"
 #include "text/numbers.h"
 #include "ui/depth/depth_views.h"

@@ -13,7 +13,7 @@ bool begin_area(const char* name, const Rect& rect, ImGuiWindowFlags extra = 0);
 /// Puts the whole state into the clipboard.
 void copy(Session& session);
 
-/// Puts a link to it there (state/link.h), or to the lesson's step where that is what is seen.
+/// Puts a link to it there (state/file/link.h), or to the lesson's step where that is what is seen.
 void copy_link(const Guide& guide, Session& session);
 
 /// Takes the state that the clipboard holds, or that of a link, or is led through the lesson that one names; says why

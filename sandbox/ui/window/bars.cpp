@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "state/fields.h"
-#include "state/link.h"
+#include "state/file/link.h"
 #include "text/catalogue.h"
 #include "text/words.h"
 #include "ui/parts/controls.h"

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "image/png.h"
-#include "state/json.h"
-#include "state/link.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
 #include "state/presets.h"
 
 namespace viewing::test {

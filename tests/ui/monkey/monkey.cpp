@@ -25,7 +25,7 @@
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "lesson/exercise.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "ui/desk.h"
 #include "ui/monkey/confined.h"
 #include "ui/monkey/hands.h"

@@ -13,7 +13,7 @@
 
 #include "frame/problems.h"
 #include "geometry/shapes.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing::testing {
 

@@ -3,7 +3,7 @@
 
 #include "frame/problems.h"
 
-#include "state/json.h"
+#include "state/file/json.h"
 #include "text/numbers.h"
 #include "unit/frame/frame_test.h"
 

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "lesson/allowed.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "state/presets.h"
 #include "unit/lesson/has.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "lesson/lesson.h"
-#include "state/document.h"
+#include "state/file/document.h"
 
 namespace viewing {
 namespace {

@@ -14,7 +14,7 @@
 #include "lesson/variants.h"
 #include "platform/text_file.h"
 #include "session/guide.h"
-#include "state/json.h"
+#include "state/file/json.h"
 #include "unit/state/scratch_folder.h"
 
 namespace viewing {

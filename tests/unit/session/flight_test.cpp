@@ -3,7 +3,7 @@
 
 #include "session/flight_recorder.h"
 #include "session/replay.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "session/session.h"
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -2,7 +2,7 @@
 // what is allowed.
 #include <gtest/gtest.h>
 
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

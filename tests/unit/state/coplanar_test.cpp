@@ -1,5 +1,5 @@
 // The scene `coplanar` against the numbers that it was designed with, and what its three parameters are to do.
-#include "state/coplanar.h"
+#include "state/mesh/coplanar.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "random_params.h"
-#include "state/flight.h"
-#include "state/json.h"
+#include "state/file/flight.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

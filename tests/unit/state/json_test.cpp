@@ -1,5 +1,5 @@
 // State files out and in: defaults, order, exactness, scenes, the `params` command.
-#include "state/json.h"
+#include "state/file/json.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Languages come from .po files alone: a further one needs no more than its file, shown here with the pseudo-language;
 // what is wrong with a file is a sentence, and English goes on.
-#include "state/language.h"
+#include "state/person/language.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>

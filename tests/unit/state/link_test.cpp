@@ -3,8 +3,8 @@
 #include <zlib.h>
 
 #include "random_params.h"
-#include "state/json.h"
-#include "state/link.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
 #include "state/presets.h"
 
 namespace viewing {

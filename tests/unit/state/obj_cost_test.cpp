@@ -7,9 +7,9 @@
 #include <random>
 #include <sstream>
 
-#include "state/obj.h"
-#include "state/obj_vertices.h"
-#include "state/polygon.h"
+#include "state/mesh/obj.h"
+#include "state/mesh/obj_vertices.h"
+#include "state/mesh/polygon.h"
 
 namespace viewing {
 namespace {

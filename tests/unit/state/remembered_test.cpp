@@ -1,5 +1,5 @@
 // What the window remembers from one time to the next: read back as written, and one sentence for what is broken.
-#include "state/remembered.h"
+#include "state/person/remembered.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // --set PATH=VALUE.
 #include <gtest/gtest.h>
 
-#include "state/json.h"
+#include "state/file/json.h"
 
 namespace viewing {
 namespace {

@@ -1,0 +1,392 @@
+// Fields and groups of a state from a JSON tree; the list of fields says what there is. The way back is in writer.cpp.
+#include "state/file/reader.h"
+
+#include <algorithm>
+
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+
+namespace {
+
+constexpr std::string_view scene_must_be = "a scene's name, a path, or an object with \"objects\"";
+
+std::string_view last_of(std::string_view path) {
+    return path.substr(path.rfind('.') + 1);
+}
+
+template <typename Vector>
+void read_vector(Vector& vector, const Field& field, const Json& value, const Where& where) {
+    if (!value.is_array() || value.size() != static_cast<std::size_t>(Vector::length())) {
+        refuse_value(value, where, allowed_text(field));
+    }
+    for (int i = 0; i < Vector::length(); ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        vector[i] = read_number(value[index], where.at(index), component_range(field, i));
+    }
+}
+
+glm::ivec2 read_pixel(const Json& value, const Field& field, const Where& where) {
+    if (!value.is_array() || value.size() != 2) {
+        refuse_value(value, where, allowed_text(field));
+    }
+    const auto whole = [&](std::size_t i) {
+        return read_whole(value[i], where.at(i), static_cast<int>(field.min), static_cast<int>(field.max));
+    };
+    return {whole(0), whole(1)};
+}
+
+Follow read_follow(const Json& value, const Field& field, const Where& where) {
+    static const std::vector<std::string> keys = {"object", "vertex"};
+    require_object(value, where, allowed_text(field));
+    Follow follow;
+    for (const auto& [key, member] : value.items()) {
+        require_known_key(key, where, keys);
+        if (key == "object") {
+            follow.object = read_name(member, where.key(key));
+        } else {
+            follow.vertex = read_whole(member, where.key(key), 0, 1'000'000'000);
+        }
+    }
+    if (follow.object.empty()) {
+        where.key("object").refuse("is missing: the name of an object of the scene");
+    }
+    return follow;
+}
+
+/// A place in a picture as fractions of its width and height.
+glm::dvec2 read_fraction(const Json& value, const Field& field, const Where& where) {
+    if (!value.is_array() || value.size() != 2) {
+        refuse_value(value, where, "two numbers [u, v], each " + range_text({field.min, field.max}));
+    }
+    glm::dvec2 fraction;
+    for (int i = 0; i < 2; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        fraction[i] = read_number(value[index], where.at(index), {field.min, field.max});
+    }
+    return fraction;
+}
+
+Pin read_pin(const Json& value, const Field& field, const Where& where) {
+    static const std::vector<std::string> keys = {"object", "at"};
+    require_object(value, where, allowed_text(field));
+    Pin pin;
+    for (const auto& [key, member] : value.items()) {
+        require_known_key(key, where, keys);
+        if (key == "object") {
+            pin.object = read_name(member, where.key(key));
+        } else if (!member.is_null()) {
+            pin.at = read_fraction(member, field, where.key(key));
+        }
+    }
+    if (pin == Pin{}) {
+        refuse_value(value, where, allowed_text(field));
+    }
+    return pin;
+}
+
+std::vector<std::string> read_names(const Json& value, const Field& field, const Where& where) {
+    const std::vector<std::string> allowed = allowed_names(field);
+    require_array(value, where, allowed.size(), allowed_text(field));
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const std::string name = read_name(value[i], where.at(i));
+        if (std::find(allowed.begin(), allowed.end(), name) == allowed.end()) {
+            where.at(i).refuse("must be " + allowed_name_text(field) + ", got " + describe(value[i]) +
+                               suggestion(name, allowed));
+        }
+        if (std::find(names.begin(), names.end(), name) != names.end()) {
+            where.at(i).refuse(describe(value[i]) + " stands in the list twice");
+        }
+        names.push_back(name);
+    }
+    return names;
+}
+
+/// One of the lights or planes of a list; what the object leaves out keeps its default.
+void read_element(std::string_view group, Params& params, std::size_t element, const Json& object, const Where& where) {
+    std::vector<std::string> names;
+    for (const Field* field : fields_of(group)) {
+        names.emplace_back(field->name());
+    }
+    require_object(object, where, "a " + std::string(group) + " " + element_form(group));
+    for (const auto& [key, value] : object.items()) {
+        require_known_key(key, where, names);
+        read_field(field(std::string(group) + "." + key), params, value, where.key(key), element);
+    }
+}
+
+/// S or R by hand; one that is given already is refused.
+void read_override_matrix(std::optional<glm::dmat4>& matrix, const Json& value, const Field& field,
+                          const Where& where) {
+    if (value.is_null()) {
+        return;
+    }
+    if (matrix) {
+        where.refuse("is given twice for that plane and light");
+    }
+    matrix = read_matrix(value, where, component_range(field, 0));
+}
+
+/// One element of overrides.further.
+void read_override(std::array<PlaneOverrides, most_planes>& overrides, const Json& object, const std::string& must_be,
+                   const Where& where) {
+    static const std::vector<std::string> keys = {"plane", "light", "shadow_from_world", "mirror_from_world"};
+    require_object(object, where, must_be);
+    for (const auto& [key, value] : object.items()) {
+        require_known_key(key, where, keys);
+    }
+    const auto index_of = [&](const char* key, std::size_t most) {
+        const int number =
+            object.contains(key) ? read_whole(object[key], where.key(key), 1, static_cast<int>(most)) : 1;
+        return static_cast<std::size_t>(number - 1);
+    };
+    const std::size_t plane = index_of("plane", most_planes), light = index_of("light", most_lights);
+    const auto read = [&](const char* key, std::optional<glm::dmat4>& matrix, bool has_own_field) {
+        if (!object.contains(key)) {
+            return;
+        }
+        const std::string path = std::string("overrides.") + key;
+        if (has_own_field && !object[key].is_null()) {
+            where.key(key).refuse("that of the first one is " + path);
+        }
+        read_override_matrix(matrix, object[key], field(path), where.key(key));
+    };
+    read("shadow_from_world", overrides[plane].shadowed_world_from_world[light], plane == 0 && light == 0);
+    read("mirror_from_world", overrides[plane].mirrored_world_from_world, plane == 0);
+}
+
+/// Reads one JSON value into whatever a field is. One operator for each alternative of FieldRef.
+struct FieldReader {
+    const Field& field;
+    Params& params;
+    const Json& value;
+    const Where& where;
+
+    void operator()(bool* target) const { *target = read_bool(value, where); }
+    void operator()(int* target) const {
+        if (field.min == field.max && value != *target) {
+            refuse_value(value, where, format_number(field.min) + ", the only one that this program reads");
+        }
+        if (field.path == "view.samples" && value != 0 && value != 4) {
+            refuse_value(value, where, allowed_text(field));
+        }
+        *target = read_whole(value, where, static_cast<int>(field.min), static_cast<int>(field.max));
+    }
+    void operator()(double* target) const {
+        const double number = read_number(value, where, component_range(field, 0));
+        if (field.path == "projection.aspect" && number > 0.0 && number < min_aspect) {
+            refuse_value(value, where, allowed_text(field));
+        }
+        *target = number;
+    }
+    void operator()(glm::dvec3* target) const { read_vector(*target, field, value, where); }
+    void operator()(glm::dvec4* target) const { read_vector(*target, field, value, where); }
+    void operator()(Color* target) const { *target = read_color(value, where); }
+    void operator()(EnumRef target) const { target.set(read_choice(value, where, target.names)); }
+    void operator()(SceneSource* target) const {
+        if (value.is_string()) {
+            *target = read_name(value, where);
+        } else {
+            require_object(value, where, std::string(scene_must_be));
+            *target = read_scene(value, where);
+        }
+    }
+    template <typename Element>
+    void operator()(Further<Element> list) const {
+        require_array(value, where, list.most, allowed_text(field));
+        list.all->resize(1);
+        list.all->resize(1 + value.size());
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            read_element(list.group, params, i + 1, value[i], where.at(i));
+        }
+    }
+    void operator()(std::optional<glm::dmat4>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_matrix(value, where, component_range(field, 0));
+        }
+    }
+    void operator()(FurtherOverrides overrides) const {
+        require_array(value, where, most_planes * most_lights, allowed_text(field));
+        for (std::size_t plane = 0; plane < most_planes; ++plane) {
+            PlaneOverrides& cleared = (*overrides.all)[plane];
+            if (plane > 0) {
+                cleared.mirrored_world_from_world.reset();
+            }
+            for (std::size_t light = plane > 0 ? 0 : 1; light < most_lights; ++light) {
+                cleared.shadowed_world_from_world[light].reset();
+            }
+        }
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            read_override(*overrides.all, value[i], allowed_text(field), where.at(i));
+        }
+    }
+    void operator()(std::optional<Follow>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_follow(value, field, where);
+        }
+    }
+    void operator()(std::optional<glm::dvec2>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            read_vector(target->emplace(), field, value, where);
+            if (!((*target)->x < (*target)->y)) {
+                refuse_value(value, where, allowed_text(field));
+            }
+        }
+    }
+    void operator()(std::optional<glm::ivec2>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_pixel(value, field, where);
+        }
+    }
+    void operator()(std::optional<Pin>* target) const {
+        target->reset();
+        if (!value.is_null()) {
+            *target = read_pin(value, field, where);
+        }
+    }
+    void operator()(std::vector<std::string>* target) const { *target = read_names(value, field, where); }
+};
+
+void check_light(const glm::dvec4& position, const Where& where) {
+    if (glm::length(position) < min_length) {
+        where.refuse("must not be zero: a point light has w = 1, a parallel light a direction");
+    }
+}
+
+/// Where the file has an element of a list: "light", then "lights[0]".
+Where element(const Where& root, const std::string& group, std::size_t index) {
+    return index == 0 ? root.key(group) : root.key(group + "s").at(index - 1);
+}
+
+void check_chosen(int number, std::size_t count, const Where& where) {
+    if (number > static_cast<int>(count)) {
+        const std::string allowed =
+            count == 1 ? "1: the state has no other" : "from 1 to " + std::to_string(count) + ": the state has no more";
+        where.refuse("must be " + allowed + ", got " + std::to_string(number));
+    }
+}
+
+/// Matrices by hand belong to planes and lights that are there.
+void check_overrides(const Params& params, const Where& where) {
+    for (std::size_t plane = 0; plane < most_planes; ++plane) {
+        const PlaneOverrides& overrides = params.overrides[plane];
+        bool is_used = overrides.mirrored_world_from_world.has_value();
+        for (std::size_t light = 0; light < most_lights; ++light) {
+            const bool has_shadow = overrides.shadowed_world_from_world[light].has_value();
+            if (has_shadow && light >= params.lights.size()) {
+                where.refuse("there is no light " + std::to_string(light + 1));
+            }
+            is_used = is_used || has_shadow;
+        }
+        if (is_used && plane >= params.planes.size()) {
+            where.refuse("there is no plane " + std::to_string(plane + 1));
+        }
+    }
+}
+
+void check_plane(const glm::dvec4& equation, const Where& where) {
+    if (glm::length(glm::dvec3(equation)) < min_length) {
+        where.refuse("the normal (a, b, c) must not be zero");
+    }
+}
+
+}  // namespace
+
+bool is_group(std::string_view path) {
+    return std::any_of(fields().begin(), fields().end(), [path](const Field& field) {
+        return field.path.size() > path.size() && is_in(field.path, path);
+    });
+}
+
+void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element) {
+    std::visit(FieldReader{field, params, value, where}, field.in(params, element));
+}
+
+void read_group(Params& params, const Json& object, const Where& where) {
+    require_object(object, where, "an object");
+    for (const auto& [key, value] : object.items()) {
+        const Where inside = where.key(key);
+        if (key.empty() || key.find('.') != std::string::npos) {
+            inside.refuse("no such field: a key is one name, and groups are objects within objects");
+        }
+        if (const Field* known = find_field(inside.path)) {
+            read_field(*known, params, value, inside);
+        } else if (is_group(inside.path)) {
+            read_group(params, value, inside);
+        } else {
+            refuse_unknown(inside);
+        }
+    }
+}
+
+void refuse_unknown(const Where& where) {
+    const std::vector<std::string> known = known_paths();
+    const std::string_view word = last_of(where.path);
+    // A slip somewhere in the path, or the right word in the wrong group.
+    const auto distance = [&](const std::string& path) {
+        return std::min(edit_distance(where.path, path), edit_distance(word, last_of(path)) + 1);
+    };
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+        return distance(a) < distance(b);
+    });
+    if (is_near(distance(*nearest), word.size())) {
+        where.refuse("no such field; did you mean " + *nearest + "?");
+    }
+    const std::string_view group = is_group(group_of(where.path)) ? group_of(where.path) : "";
+    std::string all;
+    for (const std::string& path : known) {
+        if (group_of(path) == group) {
+            all += (all.empty() ? "" : ", ") + std::string(last_of(path));
+        }
+    }
+    where.refuse("no such field; " + (group.empty() ? "there are " : std::string(group) + " has ") + all);
+}
+
+void check_together(const Params& params, const std::string& prefix) {
+    const Where root{prefix, ""};
+    const auto [near, far] = std::pair(params.projection.near, params.projection.far);
+    if (near >= far) {
+        root.key("projection.near")
+            .refuse("must be less than projection.far (" + format_number(far) + "), got " + format_number(near));
+    }
+    for (std::size_t i = 0; i < params.lights.size(); ++i) {
+        check_light(params.lights[i].position, element(root, "light", i).key("position"));
+    }
+    for (std::size_t i = 0; i < params.planes.size(); ++i) {
+        check_plane(params.planes[i].equation, element(root, "plane", i).key("equation"));
+    }
+    check_chosen(params.view.plane, params.planes.size(), root.key("view.plane"));
+    check_chosen(params.view.light, params.lights.size(), root.key("view.light"));
+    check_overrides(params, root.key("overrides.further"));
+}
+
+Titles take_titles(Json& document, const Where& where) {
+    Titles titles;
+    if (!document.is_object()) {
+        return titles;
+    }
+    const auto take = [&](const char* key, std::string& text) {
+        if (!document.contains(key)) {
+            return;
+        }
+        if (!document[key].is_string()) {
+            refuse_value(document[key], where.key(key), "a text");
+        }
+        text = document[key].get<std::string>();
+        document.erase(key);
+    };
+    take("$schema", titles.schema);
+    take("title", titles.title);
+    take("about", titles.about);
+    take("group", titles.group);
+    take("mended_by", titles.mended_by);
+    return titles;
+}
+
+}  // namespace viewing

@@ -1,0 +1,84 @@
+// For what reads states as trees, here, in lesson/ and in report/: single values, fields, groups and scenes from a JSON
+// tree, and back. Everything that reads throws Refusal with the whole message. Used by json.cpp and settings.cpp.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "state/fields.h"
+#include "state/file/document.h"
+#include "state/file/flight.h"
+#include "state/file/titles.h"
+#include "state/params.h"
+
+namespace viewing {
+
+// ---- single values (values.cpp) -----------------------------------------------------------------------------------
+
+/// `must_be` follows "must be" in the message.
+[[noreturn]] void refuse_value(const Json& value, const Where& where, const std::string& must_be);
+
+double read_number(const Json& value, const Where& where, const Range& range);
+int read_whole(const Json& value, const Where& where, int min, int max);
+bool read_bool(const Json& value, const Where& where);
+Color read_color(const Json& value, const Where& where);
+int read_choice(const Json& value, const Where& where, std::span<const char* const> names);
+glm::dmat4 read_matrix(const Json& value, const Where& where, const Range& range);
+
+/// A text that names something: not empty, at most 1024 bytes, UTF-8, no control characters.
+std::string read_name(const Json& value, const Where& where);
+
+/// Refuses a JSON value that is not an object, or not an array.
+void require_object(const Json& value, const Where& where, const std::string& must_be);
+void require_array(const Json& value, const Where& where, std::size_t max_count, const std::string& must_be);
+
+/// Refuses a key that is none of `known`.
+void require_known_key(std::string_view key, const Where& where, std::span<const std::string> known);
+/// Refuses what is no object, and a key that is none of `known`.
+void require_keys(const Json& object, const Where& where, const std::vector<std::string>& known);
+
+glm::dvec3 read_vec3(const Json& value, const Where& where, const Range& range, const std::string& must_be);
+
+Json color_as_json(const Color& color);
+Json vector_as_json(const glm::dvec3& vector);
+Json vector_as_json(const glm::dvec4& vector);
+Json matrix_as_json(const glm::dmat4& matrix);  ///< four rows, top row first
+
+// ---- fields and groups (reader.cpp, writer.cpp) -------------------------------------------------------------------
+
+bool is_group(std::string_view path);
+void read_field(const Field& field, Params& params, const Json& value, const Where& where, std::size_t element = 0);
+/// The fields that the object names change, the others stay.
+void read_group(Params& params, const Json& object, const Where& where);
+Json field_as_json(const Field& field, Params& params, std::size_t element = 0);
+Json params_as_document(Params params);
+
+/// Refuses a path or key that no field or group has, with the nearest known one.
+[[noreturn]] void refuse_unknown(const Where& where);
+
+/// Rules that tie fields together or are broken for a moment between two settings: near < far, a normal, a light.
+void check_together(const Params& params, const std::string& prefix);
+
+/// Checks what a file says about itself, which it need not, and takes it out of the tree.
+Titles take_titles(Json& document, const Where& where);
+
+// ---- settings (settings.cpp) -------------------------------------------------------------------------------------
+
+/// {"projection.near": 0.1, …} as PATH=VALUE, and back.
+std::vector<std::string> read_settings(const Json& object, const Where& where);
+Json settings_as_json(const std::vector<std::string>& settings);
+
+// ---- flights (flight.cpp) -----------------------------------------------------------------------------------------
+
+bool is_flight(const Json& document);
+Flight read_flight(const Json& document, const Where& where);
+
+// ---- scenes (scene_reader.cpp) ------------------------------------------------------------------------------------
+
+SceneDescription read_scene(const Json& value, const Where& where);
+Json scene_as_json(const SceneDescription& scene);
+
+}  // namespace viewing

@@ -1,0 +1,216 @@
+#include "state/file/schema.h"
+
+#include "state/file/reader.h"
+#include "state/file/scene_limits.h"
+#include "state/overloaded.h"
+
+namespace viewing {
+namespace {
+
+constexpr const char* draft = "https://json-schema.org/draft/2020-12/schema";
+
+Json number_in(const Range& range) {
+    return {{"type", "number"}, {"minimum", range.min}, {"maximum", range.max}};
+}
+
+Json whole_in(double min, double max) {
+    return {{"type", "integer"}, {"minimum", min}, {"maximum", max}};
+}
+
+/// An array with exactly these items.
+Json tuple(Json items) {
+    const std::size_t count = items.size();
+    return {{"type", "array"}, {"prefixItems", std::move(items)}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json list_of(std::size_t count, const Json& item) {
+    return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json at_most(std::size_t count, Json item) {
+    return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", count}};
+}
+
+Json null_or(Json schema) {
+    return {{"anyOf", Json::array({{{"type", "null"}}, std::move(schema)})}};
+}
+
+Json object_of(Json properties) {
+    return {{"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+Json name() {
+    return {{"type", "string"}, {"minLength", 1}, {"maxLength", 1024}};
+}
+
+Json color() {
+    return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+}
+
+Json one_of(std::span<const char* const> names) {
+    return {{"enum", std::vector<std::string>(names.begin(), names.end())}};
+}
+
+Json matrix(const Range& range) {
+    return null_or(list_of(4, list_of(4, number_in(range))));
+}
+
+template <typename Vector>
+Json vector(const Field& field) {
+    Json items = Json::array();
+    for (int i = 0; i < Vector::length(); ++i) items.push_back(number_in(component_range(field, i)));
+    return tuple(std::move(items));
+}
+
+Json described(const Field& field);
+
+/// The elements of a list: the fields of a group of their own.
+Json element(std::string_view group) {
+    Json properties = Json::object();
+    for (const Field* field : fields_of(group)) properties[std::string(field->name())] = described(*field);
+    return object_of(std::move(properties));
+}
+
+Json further_override() {
+    const Range entries = component_range(field("overrides.shadow_from_world"), 0);
+    return object_of({{"plane", whole_in(1, most_planes)},
+                      {"light", whole_in(1, most_lights)},
+                      {"shadow_from_world", matrix(entries)},
+                      {"mirror_from_world", matrix(entries)}});
+}
+
+Json of_type(const Field& field) {
+    const Range range{field.min, field.max};
+    Params defaults;
+    return std::visit(
+        Overloaded{
+            [](bool*) -> Json {
+                return {{"type", "boolean"}};
+            },
+            [&](int* value) -> Json {
+                if (field.path == "view.samples") return {{"enum", {0, 4}}};
+                if (range.min == range.max) return {{"const", *value}};
+                return whole_in(range.min, range.max);
+            },
+            [&](double*) -> Json {
+                if (field.path != "projection.aspect") return number_in(range);
+                return {{"anyOf", Json::array({{{"const", 0}}, number_in({min_aspect, range.max})})}};
+            },
+            [&](glm::dvec3*) { return vector<glm::dvec3>(field); },
+            [&](glm::dvec4*) { return vector<glm::dvec4>(field); },
+            [](Color*) { return color(); },
+            [](EnumRef choice) { return one_of(choice.names); },
+            [](SceneSource*) -> Json {
+                return {{"anyOf", Json::array({name(), {{"$ref", "#/$defs/scene"}}})}};
+            },
+            []<typename Element>(Further<Element> list) { return at_most(list.most, element(list.group)); },
+            [&](std::optional<glm::dmat4>*) { return matrix(component_range(field, 0)); },
+            [](FurtherOverrides) { return at_most(most_planes * most_lights, further_override()); },
+            [](std::optional<Follow>*) {
+                Json follow = object_of({{"object", name()}, {"vertex", whole_in(0, 1'000'000'000)}});
+                follow["required"] = {"object"};
+                return null_or(std::move(follow));
+            },
+            [&](std::optional<glm::dvec2>*) { return null_or(list_of(2, number_in(range))); },
+            [&](std::optional<glm::ivec2>*) { return null_or(list_of(2, whole_in(range.min, range.max))); },
+            [&](std::optional<Pin>*) {
+                Json pin = object_of({{"object", name()}, {"at", null_or(list_of(2, number_in(range)))}});
+                pin["minProperties"] = 1;
+                return null_or(std::move(pin));
+            },
+            [&](std::vector<std::string>*) {
+                const std::vector<std::string> allowed = allowed_names(field);
+                Json names = at_most(allowed.size(), {{"enum", allowed}});
+                names["uniqueItems"] = true;
+                return names;
+            },
+        },
+        field.in(defaults));
+}
+
+Json described(const Field& field) {
+    Json schema = of_type(field);
+    Params defaults;
+    schema["description"] = field.help;
+    schema["default"] = field_as_json(field, defaults);
+    return schema;
+}
+
+/// A key that one shape needs, or may have, and the others must not.
+Json only_of(ShapeKind shape, const char* key, bool is_needed) {
+    const Json is_shape = {{"properties", {{"shape", {{"const", name_of(shape)}}}}}};
+    const Json has_key = {{"required", Json::array({key})}};
+    return {{"if", is_shape}, {"then", is_needed ? has_key : Json(true)}, {"else", {{"not", has_key}}}};
+}
+
+Json scene_object() {
+    const Json factor = {
+        {"anyOf", Json::array({number_in(scale_range), number_in({-scale_range.max, -scale_range.min})})}};
+    const Json place = list_of(3, number_in(position_range));
+    Json object = object_of({{"name", name()},
+                             {"shape", one_of(names_of<ShapeKind>())},
+                             {"position", place},
+                             {"rotation", list_of(3, number_in(angle_range))},
+                             {"scale", list_of(3, factor)},
+                             {"color", color()},
+                             {"decal", {{"type", "boolean"}}},
+                             {"vertices", list_of(3, place)},
+                             {"file", name()},
+                             {"resolution", whole_in(1, max_resolution)}});
+    object["required"] = {"name", "shape"};
+    object["allOf"] =
+        Json::array({only_of(ShapeKind::triangle, "vertices", true), only_of(ShapeKind::mesh, "file", true),
+                     only_of(ShapeKind::teapot, "resolution", false)});
+    return object;
+}
+
+/// Either lists its objects or is made by a formula.
+Json scene_properties() {
+    return {{"objects", at_most(max_objects, scene_object())}, {"made_by", one_of(formulas)}};
+}
+
+Json scene_of(Json properties) {
+    Json scene = object_of(std::move(properties));
+    scene["oneOf"] = Json::array({{{"required", {"objects"}}}, {{"required", {"made_by"}}}});
+    return scene;
+}
+
+/// What a file says about itself stands before the rest.
+Json with_titles(const Json& properties) {
+    Json all = Json::object();
+    for (const char* key : {"$schema", "title", "about", "group", "mended_by"}) all[key] = {{"type", "string"}};
+    all.update(properties);
+    return all;
+}
+
+Json document(const char* title, const Json& content) {
+    Json schema = {{"$schema", draft}, {"title", title}};
+    schema.update(content);
+    return schema;
+}
+
+}  // namespace
+
+std::string state_schema() {
+    Json root = object_of(Json::object());
+    for (const Field& field : fields()) {
+        Json* group = &root;
+        std::string_view rest = field.path;
+        for (std::size_t dot = rest.find('.'); dot != std::string_view::npos; dot = rest.find('.')) {
+            Json& inner = (*group)["properties"][std::string(rest.substr(0, dot))];
+            if (inner.is_null()) inner = object_of(Json::object());
+            group = &inner;
+            rest.remove_prefix(dot + 1);
+        }
+        (*group)["properties"][std::string(rest)] = described(field);
+    }
+    root["properties"] = with_titles(root["properties"]);
+    root["$defs"] = {{"scene", scene_of(scene_properties())}};
+    return print_document(document("A state of Viewing Sandbox", root)) + "\n";
+}
+
+std::string scene_schema() {
+    return print_document(document("A scene of Viewing Sandbox", scene_of(with_titles(scene_properties())))) + "\n";
+}
+
+}  // namespace viewing

@@ -1,0 +1,150 @@
+// `--set PATH=VALUE`: a path names a field, a group of fields, or a part of a field's value.
+#include <charconv>
+#include <optional>
+
+#include "state/file/json.h"
+#include "state/file/reader.h"
+
+namespace viewing {
+
+namespace {
+
+/// VALUE is JSON, else a string.
+Json value_of(const std::string& text, const Where& where) {
+    try {
+        return parse_document(text, where.prefix + where.path + ": ");
+    } catch (const SyntaxRefusal&) {
+        return text;
+    }
+}
+
+/// The field that the path is or leads into; what follows its own path is left in `rest`.
+const Field* field_at(std::string_view path, std::string_view& rest) {
+    for (const Field& field : fields()) {
+        if (path.starts_with(field.path)) {
+            rest = path.substr(field.path.size());
+            if (rest.empty() || rest.front() == '.' || rest.front() == '[') {
+                return &field;
+            }
+        }
+    }
+    return nullptr;
+}
+
+/// The part of a value that `[2]` at the front of `rest` names; one place behind the end is made, so that arrays grow.
+Json& element(Json& value, std::string_view& rest, Where& where) {
+    const std::size_t close = rest.find(']');
+    std::size_t index = 0;
+    const char* end = close == std::string_view::npos ? nullptr : rest.data() + close;
+    if (end == nullptr || close < 2 || close > 6 || std::from_chars(rest.data() + 1, end, index).ptr != end) {
+        where.refuse("\"" + std::string(rest) + "\" is not an index such as [0]");
+    }
+    rest.remove_prefix(close + 1);
+    if (!value.is_array()) {
+        where.refuse("has no elements, it is " + describe(value));
+    }
+    if (index > value.size()) {
+        where.at(index).refuse("there is no such element, the array has " + std::to_string(value.size()));
+    }
+    where = where.at(index);
+    if (index == value.size()) {
+        value.push_back(nullptr);
+    }
+    return value[index];
+}
+
+/// The part of a value that `.name` at the front of `rest` names; null becomes an object.
+Json& member(Json& value, std::string_view& rest, Where& where) {
+    const std::string_view name = rest.substr(1, rest.find_first_of(".[", 1) - 1);
+    rest.remove_prefix(1 + name.size());
+    if (!value.is_object() && !value.is_null()) {
+        where.refuse("has no fields, it is " + describe(value));
+    }
+    where = where.key(name);
+    return value[std::string(name)];
+}
+
+/// Changes a part of a field's value and reads the whole field again, so that the same rules hold.
+void set_part(const Field& field, std::string_view rest, const Json& value, Params& params, const std::string& prefix) {
+    Json whole = field_as_json(field, params);
+    Json* part = &whole;
+    Where where{prefix, std::string(field.path)};
+    while (!rest.empty()) {
+        if (rest.front() != '.' && rest.front() != '[') {
+            where.refuse("\"" + std::string(rest) + "\" cannot follow");
+        }
+        part = rest.front() == '[' ? &element(*part, rest, where) : &member(*part, rest, where);
+    }
+    *part = value;
+    read_field(field, params, whole, {prefix, std::string(field.path)});
+}
+
+void apply(const std::string& setting, Params& params, const std::string& prefix) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw Refusal(prefix + setting + ": must be PATH=VALUE, such as projection.near=0.01");
+    }
+    const Where where{prefix, setting.substr(0, equals)};
+    const Json value = value_of(setting.substr(equals + 1), where);
+
+    std::string_view rest;
+    if (const Field* field = field_at(where.path, rest)) {
+        set_part(*field, rest, value, params, prefix);
+    } else if (is_group(where.path)) {
+        read_group(params, value, where);
+    } else {
+        refuse_unknown(where);
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> read_settings(const Json& object, const Where& where) {
+    require_object(object, where, "an object of paths and values");
+    std::vector<std::string> settings;
+    for (const auto& [path, value] : object.items()) {
+        if (path.find('=') != std::string::npos) where.key(path).refuse("no such field");
+        settings.push_back(path + "=" + value.dump());
+    }
+    return settings;
+}
+
+Json settings_as_json(const std::vector<std::string>& settings) {
+    Json object = Json::object();
+    for (const std::string& setting : settings) {
+        const std::size_t sign = setting.find('=');
+        object[setting.substr(0, sign)] = Json::parse(setting.substr(sign + 1), nullptr, false);
+    }
+    return object;
+}
+
+std::vector<std::string> settings_to(Params before, Params after) {
+    std::vector<std::string> settings;
+    for (const Field& field : fields()) {
+        const Json value = field_as_json(field, after);
+        if (value != field_as_json(field, before))
+            settings.push_back(std::string(field.path) + "=" +
+                               value.dump(-1, ' ', false, Json::error_handler_t::replace));  // names of files are bytes
+    }
+    return settings;
+}
+
+std::string default_setting(std::string_view path) {
+    Params defaults;
+    const Json value = field_as_json(field(path), defaults);
+    return std::string(path) + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+Result<Params> apply_settings(Params params, std::span<const std::string> settings, const std::string& source) {
+    return guarded([&] {
+        for (const std::string& setting : settings) {
+            apply(setting, params, source);
+        }
+        if (!settings.empty()) {
+            check_together(params, source);
+        }
+        return params;
+    });
+}
+
+}  // namespace viewing

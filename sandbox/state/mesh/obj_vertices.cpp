@@ -1,0 +1,53 @@
+#include "state/mesh/obj_vertices.h"
+
+#include <limits>
+
+namespace viewing {
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr int longest_chain = 16;
+
+}  // namespace
+
+/// Steele, Lea and Flood 2014 (SplitMix64): keys that follow a pattern must not meet in one bucket.
+std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
+    key += 0x9e3779b97f4a7c15ULL;
+    key = (key ^ (key >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    key = (key ^ (key >> 27U)) * 0x94d049bb133111ebULL;
+    return static_cast<std::size_t>(key ^ (key >> 31U));
+}
+
+ObjVertices::ObjVertices(const ObjContent& content, bool with_normals, Mesh& mesh)
+    : content_(content), with_normals_(with_normals), mesh_(mesh), first_(content.positions.size(), none) {
+    // Mostly a position is one vertex.
+    made_.reserve(content.positions.size());
+    mesh.positions.reserve(content.positions.size());
+    if (with_normals) mesh.normals.reserve(content.positions.size());
+}
+
+std::uint32_t ObjVertices::vertex(const ObjCorner& corner) {
+    const int normal = with_normals_ ? corner.normal : ObjCorner::no_normal;
+    std::uint32_t* link = &first_[static_cast<std::size_t>(corner.position)];
+    for (int length = 0; length < longest_chain; ++length) {
+        ++steps_;
+        if (*link == none) {
+            *link = static_cast<std::uint32_t>(made_.size());
+            return made(corner, normal);
+        }
+        if (made_[*link].normal == normal) return *link;
+        link = &made_[*link].next;
+    }
+    const std::uint64_t key = (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(normal);
+    const auto [found, is_new] = further_.try_emplace(key, static_cast<std::uint32_t>(made_.size()));
+    return is_new ? made(corner, normal) : found->second;
+}
+
+std::uint32_t ObjVertices::made(const ObjCorner& corner, int normal) {
+    made_.push_back({normal, none});
+    mesh_.positions.push_back(content_.positions[static_cast<std::size_t>(corner.position)]);
+    if (with_normals_) mesh_.normals.push_back(glm::normalize(content_.normals[static_cast<std::size_t>(normal)]));
+    return static_cast<std::uint32_t>(made_.size() - 1);
+}
+
+}  // namespace viewing

@@ -1,0 +1,120 @@
+// How a tree diagram is looked at: fitting, zooming, moving, and folding what is too wide to be read.
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/inner.h"
+#include "widgets/tree/tree_inner.h"
+
+namespace widgets::inner {
+
+namespace {
+
+constexpr double smallest_zoom = 0.02, largest_zoom = 3.0;
+constexpr double margin = 26.0;  ///< around a fitted tree, from its outer nodes' centres, in design pixels
+
+glm::dvec2 ViewSize(const TreeCamera& camera) {
+    return glm::dvec2(camera.max.x - camera.min.x, camera.max.y - camera.min.y) / camera.unit;
+}
+
+/// The nodes of a level that have something below them.
+std::unordered_set<int> ParentsAt(const TreeLayout& layout, int level) {
+    std::unordered_set<int> parents;
+    for (const int node : layout.Level(level)) {
+        if (layout.subtree_size[static_cast<std::size_t>(node)] > 1) parents.insert(node);
+    }
+    return parents;
+}
+
+}  // namespace
+
+TreeCamera::TreeCamera(ImVec2 view_min, ImVec2 view_max, const TreeDiagramState& state)
+    : min(view_min),
+      max(view_max),
+      unit(Px(1) * CurrentContext().palette.type_scale),
+      zoom(state.zoom),
+      pan(state.pan) {}
+
+ImVec2 TreeCamera::At(double x, int level) const {
+    return ImVec2(min.x + static_cast<float>(unit * (pan.x + pitch * zoom * x)),
+                  min.y + static_cast<float>(unit * (pan.y + row * zoom * level)));
+}
+
+ImVec2 TreeCamera::At(const TreeLayout& layout, int node) const {
+    const auto index = static_cast<std::size_t>(node);
+    return At(layout.x[index], layout.level[index]);
+}
+
+ImVec2 TreeCamera::HalfBox() const {
+    const double size = std::min(zoom, 1.25) * unit;
+    return ImVec2(static_cast<float>(18.0 * size), static_cast<float>(11.0 * size));
+}
+
+bool FoldWide(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDiagramState& state) {
+    constexpr int least_levels = 3;
+    const double room = ViewSize(camera).x - 2.0 * margin;
+    const auto fits = [room](const TreeLayout& layout) {
+        return (layout.max_x - layout.min_x) * TreeCamera::pitch * TreeCamera::comfortable_zoom <= room;
+    };
+    if (fits(state.layout) || state.layout.LevelCount() <= least_levels) return false;
+    // A tree with more levels is at least as wide.
+    int fitting = least_levels, too_many = state.layout.LevelCount();
+    while (too_many - fitting > 1) {
+        const int levels = (fitting + too_many) / 2;
+        (fits(LayOutTree(nodes, ParentsAt(state.layout, levels - 1))) ? fitting : too_many) = levels;
+    }
+    state.collapsed = ParentsAt(state.layout, fitting - 1);
+    return true;
+}
+
+void Fit(const TreeCamera& camera, TreeDiagramState& state, bool whole) {
+    const TreeLayout& layout = state.layout;
+    const glm::dvec2 size = ViewSize(camera);
+    const glm::dvec2 tree((layout.max_x - layout.min_x) * TreeCamera::pitch,
+                          (layout.LevelCount() - 1) * TreeCamera::row);
+    // What is around a node becomes smaller with it.
+    const glm::dvec2 fitting = size / (tree + 2.0 * margin);
+    const double zoom = std::min(fitting.x, fitting.y);
+    const bool fits = whole || zoom >= TreeCamera::readable_zoom;
+    const double largest = CurrentContext().printed ? 2.0 : 1.0;
+    state.zoom = std::clamp(zoom, fits ? smallest_zoom : TreeCamera::comfortable_zoom, largest);
+    const double edge = margin * state.zoom;
+    const glm::dvec2 zoomed = tree * state.zoom, room = size - 2.0 * edge;
+    const double to_left = -layout.min_x * TreeCamera::pitch * state.zoom;
+    if (zoomed.x <= room.x) {
+        state.pan.x = 0.5 * (size.x - zoomed.x) + to_left;
+    } else {
+        state.pan.x = std::clamp(0.5 * size.x, size.x - edge - (zoomed.x - to_left), edge + to_left);
+    }
+    state.pan.y = zoomed.y <= room.y ? 0.5 * (size.y - zoomed.y) : edge;
+}
+
+void KeepInView(const TreeCamera& camera, TreeDiagramState& state) {
+    const TreeLayout& layout = state.layout;
+    const glm::dvec2 step = glm::dvec2(TreeCamera::pitch, TreeCamera::row) * state.zoom;
+    const glm::dvec2 size = ViewSize(camera),
+                     edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
+    const glm::dvec2 first = glm::dvec2(layout.min_x, 0.0) * step;
+    const glm::dvec2 last = glm::dvec2(layout.max_x, layout.LevelCount() - 1) * step;
+    state.pan = glm::clamp(state.pan, edge - last, size - edge - first);
+}
+
+void ZoomAbout(const TreeCamera& camera, ImVec2 pointer, double factor, TreeDiagramState& state) {
+    const double zoom = std::clamp(state.zoom * factor, smallest_zoom, largest_zoom);
+    const glm::dvec2 at = glm::dvec2(pointer.x - camera.min.x, pointer.y - camera.min.y) / camera.unit;
+    state.pan = at - (at - state.pan) * (zoom / state.zoom);
+    state.zoom = zoom;
+}
+
+void MoveIntoView(const TreeCamera& camera, int node, TreeDiagramState& state) {
+    const auto index = static_cast<std::size_t>(node);
+    if (state.zoom < TreeCamera::readable_zoom) {
+        ZoomAbout(camera, camera.At(state.layout, node), TreeCamera::comfortable_zoom / state.zoom, state);
+    }
+    const glm::dvec2 size = ViewSize(camera),
+                     edge = glm::min(glm::dvec2(margin * std::min(state.zoom, 1.0)), 0.5 * size);
+    const glm::dvec2 at(state.layout.x[index] * TreeCamera::pitch, state.layout.level[index] * TreeCamera::row);
+    const glm::dvec2 seen = state.pan + at * state.zoom;
+    state.pan += glm::clamp(seen, edge, size - edge) - seen;
+}
+
+}  // namespace widgets::inner
