@@ -8,6 +8,8 @@
 
 namespace viewing::testing {
 
+inline constexpr glm::ivec2 hidden_px(48, 36);
+
 /// Flat triangles; every polygon becomes a fan.
 inline Mesh mesh_of(std::span<const Polygon> polygons) {
     Mesh mesh;
@@ -50,6 +52,12 @@ inline Params random_view(Random& random) {
 
 inline HiddenRequest request_of(const Params& params, const Scene& scene, glm::ivec2 size_px) {
     return hidden_request(params, derive(params, scene, Viewport{size_px}), size_px);
+}
+
+inline HiddenRequest with_method(HiddenRequest request, VisibilityMethod method, int step = -1) {
+    request.visibility.method = method;
+    request.visibility.step = step;
+    return request;
 }
 
 }  // namespace viewing::testing
