@@ -50,6 +50,8 @@ struct Renderer::Implementation {
                        std::optional<Shading> identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
     bool shows_anything(const FrameState& frame, const Pass& pass);
+    /// Whether the pass would draw the same without its clip planes: then it needs no program of its own.
+    bool cuts_nothing(const FrameState& frame, const Pass& pass);
     Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
     void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
     void draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
@@ -137,6 +139,16 @@ bool Renderer::Implementation::shows_anything(const FrameState& frame, const Pas
     });
 }
 
+bool Renderer::Implementation::cuts_nothing(const FrameState& frame, const Pass& pass) {
+    if (pass.subject == Subject::patch)
+        return is_kept_whole(quad.bounds, {}, pass, frame.plan.patches[pass.plane].world_from_patch());
+    if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;  // these are of the scene
+    return std::all_of(frame.scene.objects.begin(), frame.scene.objects.end(), [&](const SceneObject& object) {
+        return !is_chosen(pass.chosen, object) ||
+               is_kept_whole(meshes.of(object.mesh).bounds, object.mesh->positions, pass, object.world_from_model);
+    });
+}
+
 Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask,
                                            int first_call) {
     if (pass.subject == Subject::difference)
@@ -149,10 +161,11 @@ Status Renderer::Implementation::draw_pass(const FrameState& frame, const Pass& 
                                                             : Source::object;
     const bool has_vertices = source != Source::picture;
     const Shading shading = frame.shading_of(pass);
+    const bool has_pattern = is_patch && (shading == Shading::lit || shading == Shading::unlit);
     const std::size_t lights = shading == Shading::lit ? pass.lights_world.size() : 0;
     Result<const SurfaceProgram*> found =
         programs.surface({.shading = shading,
-                          .is_patch = is_patch,
+                          .is_patch = has_pattern,
                           .clips = !pass.clip_planes.empty(),
                           .write_depth = frame.writes_depth || !has_vertices,
                           .source = source,
@@ -211,11 +224,12 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
     begin_frame(frame, target, clear_depth);
     const bool is_first = !std::exchange(has_drawn, true);
     int next_call = 0, next_pass = 0;
-    for (const Pass& pass : plan.passes) {
+    for (Pass pass : plan.passes) {
         if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
         const int first_call = next_call;
         next_call += call_count(pass, scene);
         if (identify && pass.is_mirror_image) continue;  // what is there is the mirror
+        if (cuts_nothing(frame, pass)) pass.clip_planes.clear();
         const MaskUse mask = mask_use(pass, target);
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);

@@ -39,4 +39,19 @@ bool is_out_of_sight(const Bounds& box_model, const Pass& pass, const glm::dmat4
     return false;
 }
 
+bool is_kept_whole(const Bounds& box_model, std::span<const glm::vec3> positions_model, const Pass& pass,
+                   const glm::dmat4& world_from_model) {
+    constexpr std::size_t most_asked = 4096;
+    if (box_model.empty()) return true;
+    const std::array<glm::dvec4, 8> corners = corners_of(box_model);
+    return std::all_of(pass.clip_planes.begin(), pass.clip_planes.end(), [&](const ClipPlane& plane) {
+        const glm::dvec4 plane_model = plane * world_from_model;
+        const auto is_kept = [&](const glm::dvec4& point) { return glm::dot(plane_model, point) >= 0.0; };
+        if (std::all_of(corners.begin(), corners.end(), is_kept)) return true;
+        return !positions_model.empty() && positions_model.size() <= most_asked &&
+               std::all_of(positions_model.begin(), positions_model.end(),
+                           [&](const glm::vec3& position) { return is_kept(glm::dvec4(position, 1.0)); });
+    });
+}
+
 }  // namespace viewing

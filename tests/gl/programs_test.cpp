@@ -175,6 +175,37 @@ private:
     EGLContext context_ = EGL_NO_CONTEXT;
 };
 
+/// How many GL has in this context.
+int program_count() {
+    constexpr GLuint beyond_all_names = 5000;
+    int count = 0;
+    for (GLuint name = 1; name < beyond_all_names; ++name) count += glIsProgram(name) == GL_TRUE;
+    return count;
+}
+
+/// How many a picture needs, in a renderer of its own.
+int programs_for(const Params& params, const Scene& scene) {
+    const int before = program_count();
+    Result<Renderer> made = Renderer::make();
+    EXPECT_TRUE(made) << made.error();
+    Renderer renderer = *std::move(made);
+    View view;
+    constexpr glm::ivec2 size_px(64, 36);
+    EXPECT_TRUE(renderer.draw(plan(params, derive(params, scene, {size_px, false})), scene, size_px, view));
+    return program_count() - before;
+}
+
+class ProgramCount : public testing::GlTest {};
+
+/// Five passes: what masks and shadows, the patch, and what is lit, in the mirror too. With a plane that cuts something
+/// off its image and its shadow come two more.
+TEST_F(ProgramCount, IsThatOfWhatThePictureNeeds) {
+    Scene scene = scene_named("torus-and-boxes");
+    EXPECT_EQ(programs_for(Params{}, scene), 3);
+    scene.objects.back().world_from_model[3].y -= 0.1;
+    EXPECT_EQ(programs_for(Params{}, scene), 5);
+}
+
 TEST(ProgramsInEs, CompileWithTheSameTables) {
     const EsContext context;
     if (!context) GTEST_SKIP() << "EGL gives no OpenGL ES 3.0 context";

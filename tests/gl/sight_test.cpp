@@ -56,5 +56,52 @@ TEST(Sight, WhatTouchesTheEdgeAndWhatIsEmptyAreDrawn) {
     EXPECT_FALSE(is_out_of_sight({{1.01, -1.0, 0.0}, {2.0, 1.0, 0.0}}, pass, glm::dmat4(1.0)));
 }
 
+/// Told from the vertices where there are few; a box that reaches beyond its mesh is not asked alone.
+TEST(Sight, APlaneCutsSomethingOffWhereAVertexLiesBehindIt) {
+    SCOPED_TRACE("seed 8");
+    Random random(8);
+    int whole = 0, only_by_vertices = 0;
+    for (int i = 0; i < 3000; ++i) {
+        std::vector<glm::vec3> positions;
+        Bounds box;
+        for (int k = 0; k < 40; ++k) {
+            positions.emplace_back(random.direction());  // a ball's, whose box has empty corners
+            box.add(glm::dvec3(positions.back()));
+        }
+        Pass pass;
+        for (int k = 0; k < 1 + i % 2; ++k)
+            pass.clip_planes.emplace_back(unit_plane(glm::dvec4(random.direction(), random.number(0.0, 3.0))));
+        const glm::dmat4 world_from_model =
+            viewing::world_from_model(random.vec3(1.0), random.angles(), glm::dvec3(0.2) + glm::abs(random.vec3(1.0)));
+        double least = 1e9;
+        for (const ClipPlane& plane : pass.clip_planes)
+            for (const glm::vec3& position : positions)
+                least = std::min(least, glm::dot(plane, world_from_model * glm::dvec4(position, 1.0)));
+        if (std::abs(least) < 1e-9) continue;  // a matter of rounding
+        const bool is_whole = is_kept_whole(box, positions, pass, world_from_model);
+        EXPECT_EQ(is_whole, least > 0.0) << "at " << i;
+        whole += is_whole;
+        const bool is_box_whole = is_kept_whole(box, {}, pass, world_from_model);
+        EXPECT_FALSE(is_box_whole && !is_whole) << "at " << i;
+        only_by_vertices += is_whole && !is_box_whole;
+    }
+    EXPECT_GT(whole, 500);
+    EXPECT_LT(whole, 2500);
+    EXPECT_GT(only_by_vertices, 50);
+}
+
+TEST(Sight, WhatStandsOnAClipPlaneIsKeptWhole) {
+    Pass pass;
+    pass.clip_planes.emplace_back(glm::dvec4(0.0, 1.0, 0.0, 0.0));
+    const Mesh box = box_mesh();
+    const auto is_whole_at = [&](double y) {
+        const glm::dmat4 placed = world_from_model({3.0, y, 1.0}, {12.0, 0.0, 0.0}, glm::dvec3(0.4));
+        return is_kept_whole(bounds_of(box), box.positions, pass, placed);
+    };
+    EXPECT_TRUE(is_whole_at(0.4));
+    EXPECT_FALSE(is_whole_at(0.39));
+    EXPECT_TRUE(is_kept_whole({}, {}, pass, glm::dmat4(1.0)));
+}
+
 }  // namespace
 }  // namespace viewing
