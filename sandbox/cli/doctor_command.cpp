@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "gl/debug.h"
 #include "gl/egl_context.h"
 #include "gl/facts.h"
+#include "platform/file.h"
 #include "render/driver_depth.h"
 #include "render/renderer.h"
 #include "report/as_json.h"
@@ -202,6 +204,17 @@ void examine_surroundings(Examination& examination) {
         examination.steps.push_back({"display", Health::fine, displays, ""});
 }
 
+/// What a write that was ended at once has left here.
+void examine_leftovers(Examination& examination) {
+    std::string names;
+    for (const std::filesystem::path& file : files_in(".", ".partial"))
+        if (const std::string name = file.filename().string(); name.starts_with(".viewing-sandbox-"))
+            names += (names.empty() ? "" : ", ") + one_line(name);
+    if (!names.empty())
+        examination.steps.push_back({"left behind", Health::remark, names,
+                                     "unfinished files of a program that was ended while it wrote: remove them"});
+}
+
 const char* word(Health health) {
     switch (health) {
         case Health::fine:
@@ -263,6 +276,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     else
         examination.status = ExitStatus::no_context;
     examine_surroundings(examination);
+    examine_leftovers(examination);
     print(json ? print_document(as_json(examination)) + "\n" : as_text(examination));
     return examination.status;
 }
@@ -278,7 +292,7 @@ constinit const Command doctor_command{
     "in. "
     "Presets, scenes, lessons and exercises come from the folder assets beside the program, else from "
     "../share/viewing-sandbox; the environment variable VIEWING_SANDBOX_ASSETS names another. Without them the exit "
-    "status is 2.",
+    "status is 2. Last it names what a program that was ended while it wrote has left in this folder.",
     "doctor\n"
     "doctor --json",
     "023489",

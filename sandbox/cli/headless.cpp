@@ -8,9 +8,10 @@ namespace viewing {
 
 void require_threads() {
     if (!can_start_threads(threads_of_a_driver()))
-        throw Failure(ExitStatus::internal_error,
-                      "no further threads can be started here, and the graphics driver needs some; ulimit -u and the "
-                      "limits of the container tell how many there may be");
+        throw Failure(
+            ExitStatus::internal_error,
+            "no further threads can be started here, and the graphics driver needs some, with memory for each; "
+            "ulimit -u, ulimit -v and the limits of the container tell how many there may be");
 }
 
 Result<gl::EglContext> context_for_pictures(const std::string& device) {

@@ -171,8 +171,8 @@ std::string annotation(const Suite& suite, const EntryResult& entry) {
         return safe;
     };
     return "::" + std::string(entry.outcome == Outcome::fresh ? "warning" : "error") +
-           " file=" + plain(suite.argument.string(), true) +
-           ",title=" + plain(entry.name + ": " + name_of(entry.outcome), true) +
+           " file=" + plain(one_line(suite.argument.string()), true) +
+           ",title=" + plain(one_line(entry.name) + ": " + name_of(entry.outcome), true) +
            "::" + plain(reasons_in_lines(entry), false) + "\n";
 }
 
@@ -217,7 +217,7 @@ bool run_one(const Suite& whole, const Typed& typed, const Shard& shard, const R
     const std::vector<std::string> strays = stray_references(suite);
     if (!strays.empty())
         print(std::to_string(strays.size()) + (strays.size() == 1 ? " reference belongs" : " references belong") +
-              " to no entry: " + joined(strays) + "\n");
+              " to no entry: " + one_line(joined(strays)) + "\n");
     const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
     print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
     return run.is_good(typed.accept_new);
@@ -262,6 +262,7 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
 
 /// Not for people: run starts it.
 ExitStatus work(const Options& options, const Typed& typed, const Suite& whole) {
+    end_with_parent();
     const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
     Headless headless(device_option(options, typed.device));
     // By the program's own bytes another build draws anew.

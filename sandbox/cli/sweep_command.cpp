@@ -228,7 +228,7 @@ private:
 
 std::string cell(const Json& value) {
     if (value.is_null()) return "";
-    if (value.is_number()) return shortest_number(value.get<double>());
+    if (value.is_number()) return std::isnan(value.get<double>()) ? "nan" : shortest_number(value.get<double>());
     return csv_quoted(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
@@ -282,6 +282,12 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
     const LoadedState start = state_arguments.load();
     Wish wish = checked(options, typed, start.flight != nullptr);
+    if (!start.flight && wish.variations.size() == 2 && !typed.together) {
+        const std::int64_t count = std::int64_t{wish.variations.front().count} * wish.variations.back().count;
+        if (count > Variation::most_frames)
+            options.refuse("--vary: " + std::to_string(count) + " pictures are more than " +
+                           std::to_string(Variation::most_frames));
+    }
     const bool resamples = typed.fps || wish.kind == Kind::film;
     const std::vector<Stop> stops = start.flight
                                         ? stops_of(*start.flight, resamples ? std::optional(wish.fps) : std::nullopt)

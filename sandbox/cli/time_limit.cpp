@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
+#include "platform/file.h"
 #include "platform/last_words.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -23,6 +24,7 @@ void end_process(int) {
     constexpr int status = static_cast<int>(ExitStatus::out_of_time);
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
     say_last_words(status);
+    remove_unfinished_files();
     ::_exit(status);
 }
 

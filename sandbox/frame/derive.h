@@ -37,7 +37,7 @@ struct Facts {
     double view_residual = 0.0;              ///< largest absolute entry of V C − I
     double depth_step_at_target = 0.0;       ///< depth_step() at the camera's target
     double resolvable_step_at_target = 0.0;  ///< resolvable_depth_step() there
-    double target_distance = 0.0;            ///< eye distance of the target, at least near
+    double target_distance = 0.0;            ///< eye distance of the target, kept within near … far
 };
 
 /// The shadow that one light throws on one plane.

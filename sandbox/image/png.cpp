@@ -18,6 +18,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "image/deflate.h"
 #include "platform/file.h"
 
 namespace viewing {
@@ -69,9 +70,56 @@ struct Reader {
     Reader& operator=(const Reader&) = delete;
 };
 
-bool read_header(const Reader& reader, ReadSource& source) {
+/// The chunk of text that is the note, packed or not, as the file has it. It is taken out of libpng's hands, which
+/// would unpack every text of the file, to whatever size.
+struct NoteChunk {
+    std::vector<std::uint8_t> text;
+    bool is_there = false, is_packed = false;
+};
+
+/// "tEXt": key 0, text. "zTXt": key 0, a 0, packed text. "iTXt": key 0, packed or not, a 0, language 0, translated key
+/// 0, text.
+void take_note(NoteChunk& note, std::string_view type, std::span<const std::uint8_t> chunk) {
+    const std::string_view bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    const std::string_view key(png_note_key, sizeof png_note_key);  // with the 0 behind it
+    if (note.is_there || !bytes.starts_with(key)) return;
+    std::size_t begin = key.size();
+    if (type == "zTXt") ++begin;
+    if (type == "iTXt") {
+        const std::size_t language_end = bytes.find('\0', begin + 2);
+        const std::size_t end = language_end == bytes.npos ? bytes.npos : bytes.find('\0', language_end + 1);
+        if (end == bytes.npos) return;
+        begin = end + 1;
+    }
+    if (begin > bytes.size()) return;
+    note.is_there = true;
+    note.is_packed = type == "zTXt" || (type == "iTXt" && bytes[key.size()] != 0);
+    note.text.assign(chunk.begin() + static_cast<std::ptrdiff_t>(begin), chunk.end());
+}
+
+constexpr png_byte text_chunks[] = "tEXt\0zTXt\0iTXt";
+
+/// 1: libpng need not keep it; −1: there is no memory.
+int on_chunk(png_structp png, png_unknown_chunkp chunk) {
+    const std::string_view type(reinterpret_cast<const char*>(chunk->name));
+    if (type != "tEXt" && type != "zTXt" && type != "iTXt") return 1;
+    try {
+        take_note(*static_cast<NoteChunk*>(png_get_user_chunk_ptr(png)), type, {chunk->data, chunk->size});
+    } catch (const std::bad_alloc&) {
+        return -1;
+    }
+    return 1;
+}
+
+/// `note`: null where nobody asks for it. Whatever else is no picture is passed over, and costs nothing.
+bool read_header(const Reader& reader, ReadSource& source, NoteChunk* note = nullptr) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);
+    png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+    if (note != nullptr) {
+        png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_ALWAYS, text_chunks, 3);
+        png_set_read_user_chunk_fn(reader.png, note, on_chunk);
+    }
     png_set_sig_bytes(reader.png, 8);
     png_set_user_limits(reader.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(reader.png, reader.info);
@@ -216,12 +264,13 @@ Result<std::string> read_png_note(const std::filesystem::path& path) try {
     const Reader reader(failure);
     if (reader.info == nullptr) throw std::bad_alloc();
     ReadSource source{file->get(), &failure};
-    if (!read_header(reader, source)) return read_failure(path.string(), failure);
-    png_textp texts = nullptr;
-    const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
-    for (const png_text& text : std::span(texts, static_cast<std::size_t>(count)))
-        if (std::string_view(text.key) == png_note_key) return std::string(text.text);
-    return std::string();
+    NoteChunk note;
+    if (!read_header(reader, source, &note)) return read_failure(path.string(), failure);
+    if (!note.is_packed) return std::string(note.text.begin(), note.text.end());
+    Inflated found = inflated(note.text, most_note_bytes);
+    if (found.end == InflateEnd::too_long) return Error{path.string() + ": the state in it is longer than 16 MiB"};
+    if (found.end != InflateEnd::whole) return Error{path.string() + ": the state in it is cut off or damaged"};
+    return std::move(found.text);
 } catch (const std::bad_alloc&) {
     return not_enough_memory(path.string());
 }

@@ -52,4 +52,7 @@ private:
 /// The file of the program that runs.
 std::string own_program();
 
+/// For a child: from now on it ends with the thread that started it, however that ended.
+void end_with_parent();
+
 }  // namespace viewing

@@ -3,10 +3,16 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#ifdef __linux__
+#include <sys/vfs.h>
+#endif
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <deque>
 #include <fstream>
 #include <iterator>
@@ -62,6 +68,18 @@ void keep_folder(const fs::path& folder) {
     ::close(opened);
 }
 
+/// The files that wait for their names, for who ends the process from within a signal: no locks and no memory there.
+std::array<std::atomic<const char*>, 64> unfinished{};
+
+/// Two names change places. False: not on this file system.
+bool exchange_names([[maybe_unused]] const fs::path& a, [[maybe_unused]] const fs::path& b) {
+#ifdef RENAME_EXCHANGE
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+#else
+    return false;
+#endif
+}
+
 /// A file that is complete beside its target and waits for its name; gone if that never comes.
 class Prepared {
 public:
@@ -71,31 +89,58 @@ public:
         const int file = open_new(target, beside_);
         if (file < 0) return errno;
         is_there_ = true;
+        for (std::atomic<const char*>& place : unfinished)
+            if (const char* nobody = nullptr; place.compare_exchange_strong(nobody, beside_.c_str())) break;
         struct stat old {};
-        if (::stat(target.c_str(), &old) == 0) ::fchmod(file, old.st_mode & 07777U);
+        was_new_ = ::stat(target.c_str(), &old) != 0;
+        if (!was_new_) ::fchmod(file, old.st_mode & 07777U);
         return write_all(file, bytes, true);
     }
 
     const fs::path& target() const { return target_; }
 
-    /// 0 or the errno of what failed.
+    /// 0 or the errno of what failed. What was there before has the name beside it until this ends.
     int take_name() {
-        if (::rename(beside_.c_str(), target_.c_str()) != 0) return errno;
-        is_there_ = false;
-        keep_folder(folder_of(target_));
+        has_exchanged_ = exchange_names(beside_, target_);
+        if (!has_exchanged_) {
+            if (::rename(beside_.c_str(), target_.c_str()) != 0) return errno;
+            forget();
+        }
+        has_name_ = true;
         return 0;
+    }
+
+    /// As if it had not taken its name, where the file system can.
+    void give_name_back() {
+        if (!has_name_) return;
+        if (has_exchanged_)
+            exchange_names(beside_, target_);
+        else if (was_new_)
+            ::unlink(target_.c_str());
+        has_name_ = false;
     }
 
     Prepared() = default;
     Prepared(const Prepared&) = delete;
     Prepared& operator=(const Prepared&) = delete;
     ~Prepared() {
-        if (is_there_) ::unlink(beside_.c_str());
+        if (is_there_) {
+            ::unlink(beside_.c_str());
+            forget();
+        }
+        if (has_name_) keep_folder(folder_of(target_));
     }
 
 private:
+    void forget() {
+        is_there_ = false;
+        for (std::atomic<const char*>& place : unfinished)
+            if (const char* own = beside_.c_str(); place.compare_exchange_strong(own, nullptr)) break;
+    }
+
     fs::path target_, beside_;
-    bool is_there_ = false;
+    bool is_there_ = false;  ///< something has the name beside the target
+    bool was_new_ = false, has_exchanged_ = false, has_name_ = false;
 };
 
 /// A device or pipe; 0 or the errno of what failed.
@@ -106,6 +151,19 @@ int write_into(const fs::path& path, std::span<const std::uint8_t> bytes) {
 
 Error cannot_write(const fs::path& path, int code) {
     return {path.string() + ": cannot be written: " + std::generic_category().message(code)};
+}
+
+/// Whether the kernel makes the file up while it is read: some of these wait for what happens next (/proc/kmsg).
+bool is_made_up([[maybe_unused]] const fs::path& file) {
+#ifdef __linux__
+    constexpr std::array<unsigned long, 4> made_up{0x9fa0, 0x62656572, 0x64626720,
+                                                   0x74726163};  // proc, sys, debug, trace
+    struct statfs system {};
+    return ::statfs(file.c_str(), &system) == 0 &&
+           std::find(made_up.begin(), made_up.end(), static_cast<unsigned long>(system.f_type)) != made_up.end();
+#else
+    return false;
+#endif
 }
 
 }  // namespace
@@ -146,7 +204,10 @@ Status write_files(std::span<const FileBytes> files, const std::function<void()>
     }
     if (before_names) before_names();
     for (Prepared& file : prepared)
-        if (const int failure = file.take_name(); failure != 0) return cannot_write(file.target(), failure);
+        if (const int failure = file.take_name(); failure != 0) {
+            for (Prepared& earlier : prepared) earlier.give_name_back();
+            return cannot_write(file.target(), failure);
+        }
     for (const FileBytes& file : files) hand_over(file.path);
     return std::monostate{};
 }
@@ -154,6 +215,16 @@ Status write_files(std::span<const FileBytes> files, const std::function<void()>
 Status write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     const FileBytes file{path, bytes};
     return write_files({&file, 1});
+}
+
+Status copy_bytes(const fs::path& from, const fs::path& to) {
+    if (const Status readable = check_readable(from); !readable) return Error{readable.error()};
+    return write_file(to, all_bytes(from));
+}
+
+void remove_unfinished_files() {
+    for (const std::atomic<const char*>& place : unfinished)
+        if (const char* const name = place.load(); name != nullptr) ::unlink(name);
 }
 
 bool is_there(const fs::path& file) {
@@ -187,6 +258,7 @@ Status check_readable(const fs::path& file) {
     if (status.type() == fs::file_type::none) return cannot_read(error);
     if (fs::is_directory(status)) return Error{file.string() + ": is a directory, not a file"};
     if (!fs::is_regular_file(status)) return Error{file.string() + ": is not a file"};
+    if (is_made_up(file)) return Error{file.string() + ": is not a file on a disk"};
     const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (opened < 0) return cannot_read({errno, std::generic_category()});
     ::close(opened);

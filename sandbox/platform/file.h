@@ -35,9 +35,16 @@ struct FileBytes {
     std::span<const std::uint8_t> bytes;
 };
 
-/// All of them or none, as far as that can be told before: each is complete before the first one takes its name.
-/// `before_names` runs in between; where it throws, none does.
+/// All of them or none: each is complete before the first one takes its name, and where one cannot take it those before
+/// it give theirs back (on a file system that cannot exchange names, only what is new). `before_names` runs in between;
+/// where it throws, none does.
 Status write_files(std::span<const FileBytes> files, const std::function<void()>& before_names = {});
+
+/// The bytes of one file into another, as write_file.
+Status copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Removes what still waits for its name. For who ends the process at once, also from within a signal.
+void remove_unfinished_files();
 
 /// Where a chain of links ends, be there a file or not; none for one that goes round.
 std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
@@ -53,8 +60,9 @@ bool is_there(const std::filesystem::path& file);
 /// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Whether a file is there that can be read without waiting for anybody: a pipe, say, is refused. The sentence names
-/// it and says why it cannot be: missing, a directory, or what the system says.
+/// Whether a file is there that can be read without waiting for anybody: a pipe is refused, and
+/// what the kernel makes up while it is read. The sentence names it and says why it cannot be: missing, a directory, or
+/// what the system says.
 Status check_readable(const std::filesystem::path& file);
 
 }  // namespace viewing

@@ -13,7 +13,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::size_t most_polygons = 20'000;
+constexpr std::size_t most_polygons = 20'000, most_pairs = 1'000'000;
 
 /// `name` of an index in the order's own numbers.
 template <typename Name>
@@ -63,7 +63,10 @@ Result<Json> order_as_json(const Params& params, const Scene& scene, glm::ivec2 
                      std::to_string(most_polygons)};
 
     const std::vector<HidingPair> pairs =
-        hiding_pairs(polygons, viewpoint, params.visibility.epsilon * surface.diagonal);
+        hiding_pairs(polygons, viewpoint, params.visibility.epsilon * surface.diagonal, most_pairs);
+    if (pairs.size() > most_pairs)
+        return Error{"of the " + std::to_string(polygons.size()) +
+                     " polygons more than a million pairs hide one another: too many to list"};
     std::vector<int> object_of;
     for (const Polygon& polygon : polygons) object_of.push_back(polygon.object);
     const auto object = [&](int index) { return scene.objects[static_cast<std::size_t>(index)].description.name; };

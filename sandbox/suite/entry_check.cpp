@@ -126,9 +126,7 @@ private:
         if (report.different > 0) result_.details["compare"] = Json::parse(viewing::as_json(report));
         if (report.equal) return;
         worsen(Outcome::different, "the picture is " + sentence(report));
-        std::error_code error;
-        fs::copy_file(reference, files_.expected, fs::copy_options::overwrite_existing, error);
-        if (error) throw Broken(files_.expected.string() + ": cannot be written: " + error.message());
+        or_broken(copy_bytes(reference, files_.expected));
         const std::vector<std::uint8_t> difference = encode_png(diff_picture(drawn, expected, entry_.limits, mask));
         write(files_.difference, difference);
         or_broken(write_file(files_.script, picture_script(entry_.file_name, all_bytes(reference), as_text(actual),

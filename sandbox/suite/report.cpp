@@ -23,21 +23,21 @@ Status make_folder(const fs::path& folder) {
     return std::monostate{};
 }
 
-Status copied(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-    if (error) return Error{to.string() + ": cannot be written: " + error.message()};
-    return std::monostate{};
-}
-
 std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// XML has no way to write most control characters.
+/// XML has no way to write most control characters, nor what is no UTF-8 or no character.
 std::string xml_text(const std::string& text) {
     std::string clean;
-    for (const char c : text) clean += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        clean += (begin > 0 ? "\n" : "") + printable(std::string_view(text).substr(begin, end - begin));
+        begin = end + 1;
+    }
+    for (const std::string_view nothing : {"\xef\xbf\xbe", "\xef\xbf\xbf"})  // U+FFFE, U+FFFF
+        for (std::size_t at = clean.find(nothing); at != std::string::npos; at = clean.find(nothing, at))
+            clean.replace(at, nothing.size(), " ");
     return escaped(clean);
 }
 
@@ -155,7 +155,7 @@ Result<RunResult> merge_reports(const Suite& suite, const std::vector<fs::path>&
             {theirs.script, ours.script}, {theirs.state, ours.state},       {theirs.numbers, ours.numbers}};
         for (const auto& [source, target] : pairs)
             if (is_there(source) && source != target)
-                if (const Status done = copied(source, target); !done) return Error{done.error()};
+                if (const Status done = copy_bytes(source, target); !done) return Error{done.error()};
         whole.entries.push_back(std::move(result->second));
         found.erase(result);
     }
@@ -185,7 +185,7 @@ Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::st
                                                        {files.numbers, reference.string() + ".json"}};
         for (const auto& [source, target] : pairs)
             if (is_there(source))
-                if (const Status done = copied(source, target); !done) return Error{done.error()};
+                if (const Status done = copy_bytes(source, target); !done) return Error{done.error()};
         result.outcome = Outcome::passed;
         result.reasons = {"accepted"};
         result.key.clear();

@@ -36,6 +36,7 @@ public:
     GatheredResults all() {
         while (finished_ < done_.size() && !results_.failure) {
             hire();
+            if (results_.failure) break;
             listen();
             for (std::size_t i = workers_.size(); i-- > 0;)
                 if (!serve(workers_[i])) workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -76,7 +77,7 @@ private:
     /// False: this worker is no more.
     bool serve(Worker& worker) {
         for (const std::string& line : worker.process.take_lines())
-            if (!hear(worker, line)) return lose(worker, "said what cannot be read: " + line.substr(0, 80));
+            if (!hear(worker, line)) return lose(worker, "said what cannot be read: " + excerpt(line));
         if (!worker.process.is_running()) return lose(worker, "");
         if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s) {
             worker.process.kill();

@@ -257,13 +257,15 @@ void name_files(Suite& suite, const std::string& prefix) {
 /// Entries that were read later have the thresholds of "loosened", each with its reason.
 void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
     require_array(list, where, most_of_suite, "a list of names with thresholds and a reason");
+    std::map<std::string, SuiteEntry*> by_name;
+    for (SuiteEntry& entry : entries) by_name.emplace(entry.name, &entry);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Where at = where.at(i);
         require_keys(list[i], at, {"name", "about", "profile", "worst", "share", "reach"});
         const std::string name = name_at(list[i], "name", at);
-        const auto entry =
-            std::find_if(entries.begin(), entries.end(), [&](const SuiteEntry& each) { return each.name == name; });
-        if (entry == entries.end()) at.key("name").refuse("there is no entry " + excerpt(name));
+        const auto found = by_name.find(name);
+        if (found == by_name.end()) at.key("name").refuse("there is no entry " + excerpt(name));
+        SuiteEntry* const entry = found->second;
         const std::string reason = name_at(list[i], "about", at);
         entry->about += (entry->about.empty() ? "" : "; ") + reason;
         Json thresholds = list[i];
@@ -296,14 +298,22 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
     const Where entries = where.key("entries");
     if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
     require_array(document["entries"], entries, most_of_suite, "a list of entries");
+    std::size_t settings = 0;  // with those that each entry has of the defaults
+    const auto add = [&](SuiteEntry entry) {
+        constexpr std::size_t most_settings = 1'000'000;
+        settings += entry.settings.size();
+        if (suite.entries.size() == most_of_suite)
+            entries.refuse("are more than " + std::to_string(most_of_suite) + " with those that stand for several");
+        if (settings > most_settings) entries.refuse("have more than a million settings with those of the defaults");
+        suite.entries.push_back(std::move(entry));
+    };
     for (std::size_t i = 0; i < document["entries"].size(); ++i) {
         const Json& object = document["entries"][i];
         require_object(object, entries.at(i), "an object");
         if (has(object, "each"))
-            for (SuiteEntry& entry : read_each(object, entries.at(i), suite.folder, defaults))
-                suite.entries.push_back(std::move(entry));
+            for (SuiteEntry& entry : read_each(object, entries.at(i), suite.folder, defaults)) add(std::move(entry));
         else
-            suite.entries.push_back(read_entry(object, entries.at(i), suite.folder, defaults));
+            add(read_entry(object, entries.at(i), suite.folder, defaults));
     }
     if (has(document, "loosened")) loosen(document["loosened"], where.key("loosened"), suite.entries);
     return suite;
@@ -318,6 +328,8 @@ Suite suite_of_folder(const fs::path& folder) {
     suite.references = folder / "references";
     suite.report = folder / "report";
     for (const fs::path& file : files_in(folder, ".json")) {
+        if (!is_utf8(file.filename().string()))
+            throw Refusal(one_line(file.string()) + ": the file's name is not UTF-8, and reports are");
         SuiteEntry entry;
         entry.name = file.stem().string();
         entry.state = file.string();

@@ -67,6 +67,15 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
+bool is_utf8(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const Character character = character_at(text.substr(at));
+        if (!character.code_point) return false;
+        at += character.bytes;
+    }
+    return true;
+}
+
 std::string excerpt(std::string_view text) {
     constexpr std::size_t longest = 20;
     std::size_t end = 0;

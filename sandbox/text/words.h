@@ -31,6 +31,8 @@ std::string printable(std::string_view text);
 /// A text of the person's own, fit for a message: printable, and cut between two characters beyond 200 bytes.
 std::string one_line(std::string_view text);
 
+bool is_utf8(std::string_view text);
+
 /// A word of a file, fit for a message: printable, and not more than 20 characters of it.
 std::string excerpt(std::string_view text);
 

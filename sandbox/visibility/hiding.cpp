@@ -98,12 +98,12 @@ std::vector<int> way_back(int start, const std::vector<std::vector<int>>& later)
 }  // namespace
 
 std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                     std::optional<double> epsilon) {
+                                     std::optional<double> epsilon, std::size_t most) {
     const double near_enough = epsilon.value_or(default_epsilon(polygons));
     const glm::dvec4 eye = viewpoint.eye_world();
     const std::vector<Seen> seen = seen_polygons(polygons, viewpoint, near_enough);
     std::vector<HidingPair> pairs;
-    for (std::size_t a = 0; a < seen.size(); ++a)
+    for (std::size_t a = 0; a < seen.size() && pairs.size() <= most; ++a)
         for (std::size_t b = a + 1; b < seen.size(); ++b) judge(seen[a], seen[b], eye, near_enough, pairs);
     std::sort(pairs.begin(), pairs.end());
     return pairs;

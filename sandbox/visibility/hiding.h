@@ -3,6 +3,8 @@
 // Source: Newell, Newell and Sancha 1972 for the test of a pair; Kahn 1962 for the order.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,9 +23,11 @@ struct HidingPair {
 
 /// All pairs that hide one another in this view, sorted. Polygons are clipped at the near plane. Two that run through
 /// each other stand in it both ways round; of coplanar ones the one with the lowest source counts as in front. What is
-/// seen edge-on hides nothing. Every polygon is compared with every other one: for thousands, not for more.
+/// seen edge-on hides nothing. Every polygon is compared with every other one: for thousands, not for more. Ends soon
+/// after `most` pairs, with more than these and not with all.
 std::vector<HidingPair> hiding_pairs(std::span<const Polygon> polygons, const Viewpoint& viewpoint,
-                                     std::optional<double> epsilon = std::nullopt);
+                                     std::optional<double> epsilon = std::nullopt,
+                                     std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The same between groups, `group_of` each index: sorted, each once, without pairs inside a group.
 std::vector<HidingPair> grouped(std::span<const HidingPair> pairs, std::span<const int> group_of);

@@ -17,6 +17,13 @@ int on_lost_display(void*) {
     ::_exit(status_when_lost);
 }
 
+/// Xlib's own would print five lines and end with 1. Whose window another program has destroyed has lost it.
+int on_x_error(void* /*display*/, void* /*event*/) {
+    constexpr std::string_view sentence = "the window is gone: the display refuses what is drawn into it\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, sentence.data(), sentence.size());
+    ::_exit(status_when_lost);
+}
+
 }  // namespace
 
 void end_when_display_is_lost(int exit_status) {
@@ -28,6 +35,10 @@ void end_when_display_is_lost(int exit_status) {
     status_when_lost = exit_status;
     if (const auto set_handler = reinterpret_cast<SetHandler>(::dlsym(xlib, "XSetIOErrorHandler")))
         set_handler(on_lost_display);
+    using ErrorHandler = int (*)(void* display, void* event);
+    using SetErrorHandler = ErrorHandler (*)(ErrorHandler);
+    if (const auto set_handler = reinterpret_cast<SetErrorHandler>(::dlsym(xlib, "XSetErrorHandler")))
+        set_handler(on_x_error);
     ::dlclose(xlib);  // GLFW's own hold on it stays
 }
 

@@ -4,12 +4,14 @@
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>
@@ -195,6 +197,12 @@ void ChildProcess::listen(std::span<ChildProcess* const> children, double second
     const double waited_s = std::clamp(seconds, 0.0, longest_s);
     ::poll(files.data(), files.size(), static_cast<int>(waited_s * 1e3));
     for (ChildProcess* const child : children) child->state_->read_all();
+}
+
+void end_with_parent() {
+    constexpr pid_t nobody = 1;
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() == nobody) ::_exit(EXIT_FAILURE);  // it had ended before
 }
 
 std::string own_program() {

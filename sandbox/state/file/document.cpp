@@ -235,6 +235,9 @@ Json parse_document(std::string_view text, const std::string& prefix) {
     if (text.size() > max_document_bytes) {
         throw Refusal(prefix + "longer than 16 MiB");
     }
+    // Where the parser would take the end to be.
+    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
+        throw Refusal(prefix + "not JSON: it has a NUL, byte " + std::to_string(nul + 1));
     Builder builder(text, prefix);
     Json::sax_parse(text.begin(), text.end(), &builder);
     return builder.take();

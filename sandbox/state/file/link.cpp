@@ -1,7 +1,5 @@
 #include "state/file/link.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -12,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "image/deflate.h"
 #include "platform/text_file.h"
 #include "state/file/reader.h"
 #include "text/html.h"
@@ -51,44 +50,19 @@ std::optional<std::vector<std::uint8_t>> bytes_of(std::string_view text) {
     return bytes;
 }
 
-std::vector<std::uint8_t> deflated(const std::string& text) {
-    uLongf size = compressBound(text.size());
-    std::vector<std::uint8_t> bytes(size);
-    compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()), text.size(), Z_BEST_COMPRESSION);
-    bytes.resize(size);
-    return bytes;
-}
-
-/// Ends inflate() however it is left.
-struct Inflating {
-    z_stream stream{};
-    bool has_begun = inflateInit(&stream) == Z_OK;
-    Inflating() = default;
-    Inflating(const Inflating&) = delete;
-    Inflating& operator=(const Inflating&) = delete;
-    ~Inflating() {
-        if (has_begun) inflateEnd(&stream);
+Result<std::string> unpacked(const std::vector<std::uint8_t>& bytes) {
+    Inflated found = inflated(bytes, max_document_bytes);
+    switch (found.end) {
+        case InflateEnd::whole:
+            return std::move(found.text);
+        case InflateEnd::followed:
+            return Error{"link: something follows the end of its state"};
+        case InflateEnd::too_long:
+            return Error{"link: its state is longer than 16 MiB"};
+        case InflateEnd::damaged:
+            break;
     }
-};
-
-Result<std::string> inflated(std::vector<std::uint8_t> bytes) {
-    Inflating inflating;
-    z_stream& stream = inflating.stream;
-    if (!inflating.has_begun) return Error{"link: no memory to unpack it"};
-    stream.next_in = bytes.data();
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    std::string text;
-    std::array<char, 65536> part{};
-    for (int state = Z_OK; state != Z_STREAM_END;) {
-        stream.next_out = reinterpret_cast<Bytef*>(part.data());
-        stream.avail_out = static_cast<uInt>(part.size());
-        state = inflate(&stream, Z_NO_FLUSH);
-        if (state != Z_OK && state != Z_STREAM_END) return Error{broken};
-        text.append(part.data(), part.size() - stream.avail_out);
-        if (text.size() > max_document_bytes) return Error{"link: its state is longer than 16 MiB"};
-    }
-    if (stream.avail_in > 0) return Error{"link: something follows the end of its state"};
-    return text;
+    return Error{broken};
 }
 
 /// What follows #, in its parts.
@@ -132,9 +106,9 @@ Result<std::string> state_in(std::string_view text) {
     if (text.front() != '1')
         return Error{"link: its form has version " + std::string(1, text.front()) + ", this program reads version 1"};
     if (text.size() > max_document_bytes) return Error{"link: longer than 16 MiB"};
-    std::optional<std::vector<std::uint8_t>> bytes = bytes_of(text.substr(1));
+    const std::optional<std::vector<std::uint8_t>> bytes = bytes_of(text.substr(1));
     if (!bytes) return Error{broken};
-    return inflated(*std::move(bytes));
+    return unpacked(*bytes);
 }
 
 bool is_name(std::string_view text) {
