@@ -9,15 +9,19 @@
 
 namespace viewing {
 
-Result<std::string> read_text(std::istream& stream, const std::string& name) {
+std::string longer_than(std::size_t bytes) {
+    return "longer than " + std::to_string(bytes >> 20U) + " MiB";
+}
+
+Result<std::string> read_text(std::istream& stream, const std::string& name, std::size_t most_bytes) {
     std::string text;
     std::array<char, 16U << 10U> block;
     errno = 0;
     while (stream) {
         stream.read(block.data(), block.size());
         text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
-        if (text.size() > max_document_bytes) {
-            return Error{name + ": longer than 16 MiB"};
+        if (text.size() > most_bytes) {
+            return Error{name + ": " + longer_than(most_bytes)};
         }
     }
     if (stream.bad()) {
@@ -27,7 +31,7 @@ Result<std::string> read_text(std::istream& stream, const std::string& name) {
     return text;
 }
 
-Result<std::string> read_text_file(const std::filesystem::path& file) {
+Result<std::string> read_text_file(const std::filesystem::path& file, std::size_t most_bytes) {
     const std::string name = file.string();
     if (Status checked = check_readable(file); !checked) {
         return Error{checked.error()};
@@ -36,7 +40,7 @@ Result<std::string> read_text_file(const std::filesystem::path& file) {
     if (!stream) {
         return Error{name + ": cannot be read"};
     }
-    return read_text(stream, name);
+    return read_text(stream, name, most_bytes);
 }
 
 }  // namespace viewing

@@ -101,11 +101,12 @@ EntryResult read_entry_result(const Json& value, const Where& where) {
 
 Result<RunResult> read_run(const fs::path& folder) {
     const fs::path file = folder / "report.json";
-    const Result<std::string> text = read_text_file(file);
+    constexpr DocumentLimits of_a_report{.bytes = 256U << 20U, .values = 10'000'000};  // of 100,000 entries
+    const Result<std::string> text = read_text_file(file, of_a_report.bytes);
     if (!text) return Error{text.error()};
     return guarded([&] {
         const Where root{file.string() + ": ", ""};
-        const Json document = parse_document(*text, root.prefix);
+        const Json document = parse_document(*text, root.prefix, of_a_report);
         require_object(document, root, "a report");
         if (!document.contains("report") || document["report"] != 1) root.key("report").refuse("must be 1");
         RunResult run;

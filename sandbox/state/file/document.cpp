@@ -70,7 +70,8 @@ std::string syntax_complaint(std::string_view text, std::size_t offset, std::str
 /// Builds the tree from the parser's events and stops at what the contract refuses.
 class Builder : public nlohmann::json_sax<Json> {
 public:
-    Builder(std::string_view text, const std::string& prefix) : text_(text), here_{prefix, ""} {}
+    Builder(std::string_view text, const std::string& prefix, std::size_t most_values)
+        : text_(text), here_{prefix, ""}, most_values_(most_values) {}
 
     Json take() { return std::move(root_); }
 
@@ -136,8 +137,11 @@ private:
     }
 
     Json* put(Json value) {
-        if (++values_ > max_document_values) {
-            here_.refuse("more than a million values");
+        if (++values_ > most_values_) {
+            constexpr std::size_t million = 1'000'000;
+            here_.refuse("more than " +
+                         (most_values_ == million ? "a million" : std::to_string(most_values_ / million) + " million") +
+                         " values");
         }
         if (open_.empty()) {
             root_ = std::move(value);
@@ -175,6 +179,7 @@ private:
     std::vector<Json*> open_;  ///< the containers that are not closed yet, outermost first
     std::string key_;
     std::size_t values_ = 0;
+    const std::size_t most_values_;
 };
 
 bool is_plain(const Json& value) {
@@ -231,15 +236,15 @@ void Where::refuse(const std::string& what) const {
     throw Refusal(prefix + (path.empty() ? "" : one_line(path) + ": ") + what);
 }
 
-Json parse_document(std::string_view text, const std::string& prefix) {
-    if (text.size() > max_document_bytes) {
-        throw Refusal(prefix + "longer than 16 MiB");
+Json parse_document(std::string_view text, const std::string& prefix, const DocumentLimits& limits) {
+    if (text.size() > limits.bytes) {
+        throw Refusal(prefix + longer_than(limits.bytes));
     }
-    // Where the parser would take the end to be.
-    if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos)
-        throw Refusal(prefix + "not JSON: it has a NUL, byte " + std::to_string(nul + 1));
-    Builder builder(text, prefix);
+    Builder builder(text, prefix, limits.values);
     Json::sax_parse(text.begin(), text.end(), &builder);
+    // Which the parser takes for the end, whatever follows; within a text it has refused it.
+    if (text.find('\0') != std::string_view::npos)
+        throw SyntaxRefusal(prefix + "not JSON: something follows the end of the document: a NUL");
     return builder.take();
 }
 

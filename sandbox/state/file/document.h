@@ -50,9 +50,14 @@ struct Where {
     [[noreturn]] void refuse(const std::string& what) const;
 };
 
+/// What a document may hold. A report that this program wrote itself may be larger than what people write.
+struct DocumentLimits {
+    std::size_t bytes = max_document_bytes, values = max_document_values;
+};
+
 /// Parses a JSON text whose messages open with `prefix`. Throws Refusal: not JSON (with line and column), not UTF-8, a
 /// key twice in one object, too long, too deep, too many values. A byte order mark at the beginning is skipped.
-Json parse_document(std::string_view text, const std::string& prefix);
+Json parse_document(std::string_view text, const std::string& prefix, const DocumentLimits& limits = {});
 
 /// Two spaces a level, arrays of plain values on one line, doubles in their shortest exact form; ends without a
 /// newline.

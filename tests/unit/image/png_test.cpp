@@ -6,6 +6,7 @@
 #include <png.h>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <array>
 #include <csignal>
@@ -282,6 +283,65 @@ TEST_F(PngFiles, AWriteThatBreaksHalfwayLeavesTheOldFile) {
     EXPECT_EQ(status.error(), path.string() + ": cannot be written: File too large");
     EXPECT_EQ(bytes_of(path), "kept");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "something was left behind";
+}
+
+/// A PNG of one pixel with a chunk before it, made by hand.
+std::string with_chunk(const std::string& type, const std::string& data) {
+    const auto number = [](std::uint32_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> static_cast<unsigned>(shift));
+        return bytes;
+    };
+    const std::string checked = type + data;
+    const auto sum = static_cast<std::uint32_t>(
+        ::crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size())));
+    const auto made = encode_png(random_image(1, 1, true, 9));
+    constexpr std::size_t header_bytes = 8 + 25;  // the signature and IHDR
+    std::string file(made.begin(), made.end());
+    return file.insert(header_bytes, number(static_cast<std::uint32_t>(data.size())) + checked + number(sum));
+}
+
+std::string packed(const std::string& text) {
+    uLongf size = ::compressBound(text.size());
+    std::string bytes(size, '\0');
+    ::compress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(text.data()), text.size());
+    return bytes.substr(0, size);
+}
+
+TEST_F(PngFiles, NotesAreReadFromEveryKindOfText) {
+    const std::string key = std::string(png_note_key) + '\0', state = R"({"version": 1})", none(1, '\0');
+    const fs::path path = folder / "note.png";
+    for (const auto& [type, data] : {std::pair<std::string, std::string>{"tEXt", key + state},
+                                     {"zTXt", key + none + packed(state)},
+                                     {"iTXt", key + none + none + "en" + none + "state" + none + state},
+                                     {"iTXt", key + '\1' + none + none + none + packed(state)}}) {
+        put(path, with_chunk(type, data));
+        const Result<std::string> note = read_png_note(path);
+        ASSERT_TRUE(note) << type << ": " << note.error();
+        EXPECT_EQ(*note, state) << type;
+        EXPECT_TRUE(read_png(path)) << type;
+    }
+    put(path, with_chunk("tEXt", "another" + none + state));
+    EXPECT_EQ(*read_png_note(path), "");
+    for (const std::string& cut :
+         {key + '\1' + none, key + '\1' + none + "en", key + '\1' + none + "en" + none + "x"}) {
+        put(path, with_chunk("iTXt", cut));
+        EXPECT_EQ(*read_png_note(path), "");
+    }
+}
+
+TEST_F(PngFiles, NotesThatGrowBeyondMeasureOrAreDamagedAreRefused) {
+    const std::string key = std::string(png_note_key) + '\0', none(1, '\0');
+    const fs::path path = folder / "note.png";
+    put(path, with_chunk("zTXt", key + none + packed(std::string(most_note_bytes, ' '))));
+    EXPECT_EQ(read_png_note(path)->size(), most_note_bytes);
+    put(path, with_chunk("zTXt", key + none + packed(std::string(most_note_bytes + 1, ' '))));
+    EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is longer than 16 MiB");
+    EXPECT_TRUE(read_png(path)) << "a picture's pixels need no text";
+    std::string damaged = packed(std::string(1000, 'x'));
+    damaged.resize(damaged.size() - 4);
+    put(path, with_chunk("zTXt", key + none + damaged));
+    EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is cut off or damaged");
 }
 
 }  // namespace

@@ -121,6 +121,51 @@ TEST_F(Files, OfOneResultAreWrittenTogether) {
     EXPECT_EQ(read(folder / "old") + read(folder / "second"), "newnew");
 }
 
+/// The second cannot take its name, since its folder has gone: then the first gives its own back.
+TEST_F(Files, OfOneResultNoneIsReplacedWhereOneCannotBe) {
+    for (const bool was_there : {true, false}) {
+        const fs::path first = folder / "first", sub = folder / "sub";
+        fs::remove(first);
+        if (was_there) {
+            ASSERT_TRUE(write(first, "old"));
+        }
+        fs::create_directory(sub);
+        const std::string bytes = "new";
+        const std::span<const std::uint8_t> span(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+        const FileBytes files[] = {{first, span}, {sub / "second", span}};
+        const Status written = write_files(files, [&sub] { fs::remove_all(sub); });
+        ASSERT_FALSE(written);
+        EXPECT_NE(written.error().find("second: cannot be written: No such file"), std::string::npos)
+            << written.error();
+        EXPECT_EQ(fs::exists(first), was_there);
+        EXPECT_EQ(read(first), was_there ? "old" : "");
+        EXPECT_EQ(file_count(), was_there ? 1U : 0U);
+    }
+}
+
+TEST_F(Files, WhoEndsTheProcessRemovesWhatIsUnfinished) {
+    const std::string bytes = "new";
+    const FileBytes file{folder / "file", {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}};
+    std::size_t before = 0, after = 1;
+    const Status written = write_files({&file, 1}, [&] {
+        before = file_count();
+        remove_unfinished_files();
+        after = file_count();
+    });
+    EXPECT_FALSE(written);
+    EXPECT_EQ(before, 1U);
+    EXPECT_EQ(after, 0U);
+    ASSERT_TRUE(write(folder / "file", "more"));
+    remove_unfinished_files();
+    EXPECT_EQ(file_count(), 1U) << "what has its name is finished";
+}
+
+TEST_F(Files, WhatTheKernelMakesUpIsNotRead) {
+    const Status readable = check_readable("/proc/self/status");
+    ASSERT_FALSE(readable);
+    EXPECT_EQ(readable.error(), "/proc/self/status: is not a file on a disk");
+}
+
 TEST_F(Files, APipeIsRefusedAndNotWaitedFor) {
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const Result<std::string> text = read_text_file(folder / "pipe");

@@ -1,5 +1,5 @@
 // The heap's large pages: asked for where the heap then lies, and nothing lost where memory is short. In children,
-// because a process keeps the heap that it got.
+// because a process keeps the heap that it got, and at this program's beginning.
 #include "platform/heap.h"
 
 #include <gtest/gtest.h>
@@ -48,50 +48,61 @@ int status_of_child(int (*run)()) {
     const pid_t child = ::fork();
     if (child == 0) ::_exit(run());
     int state = 0;
-    EXPECT_EQ(::waitpid(child, &state, 0), child);
+    if (::waitpid(child, &state, 0) != child) return -2;
     return WIFEXITED(state) ? WEXITSTATUS(state) : -1;
 }
 
+int grown_and_large() {
+    const std::uintptr_t before = end_of_heap();
+    prefer_large_pages();
+    const std::uintptr_t after = end_of_heap();
+    if (after - before < 31U << 20) return 1;
+    if (mapping_line(after - 1, "VmFlags").find(" hg ") == std::string::npos) return 2;
+    // Asked for is not touched: three pages at most.
+    return std::stoi(mapping_line(after - 1, "Rss")) > 6144 ? 3 : 0;
+}
+
+int blocks_from_it() {
+    prefer_large_pages();
+    void* block = std::malloc(4 << 20);
+    const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
+    std::free(block);
+    return is_inside ? 0 : 1;
+}
+
+int memory_where_it_may_not_grow() {
+    const rlimit limit{16U << 20, 16U << 20};
+    if (::setrlimit(RLIMIT_DATA, &limit) != 0) return 1;
+    const std::uintptr_t before = end_of_heap();
+    prefer_large_pages();
+    if (end_of_heap() - before > 16U << 20) return 2;
+    void* block = std::malloc(1 << 20);
+    const bool is_there = block != nullptr;
+    std::free(block);
+    return is_there ? 0 : 3;
+}
+
+/// Before any other test has used memory up, after which malloc may have turned to another arena.
+struct Found {
+    bool has_heap = has_the_librarys_heap();
+    int grown = status_of_child(grown_and_large), blocks = status_of_child(blocks_from_it),
+        limited = status_of_child(memory_where_it_may_not_grow);
+};
+const Found found;
+
 TEST(Heap, IsGrownAtOnceAndAskedForInLargePages) {
-    if (!has_the_librarys_heap() || !std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
-    EXPECT_EQ(status_of_child([] {
-                  const std::uintptr_t before = end_of_heap();
-                  prefer_large_pages();
-                  const std::uintptr_t after = end_of_heap();
-                  if (after - before < 31U << 20) return 1;
-                  if (mapping_line(after - 1, "VmFlags").find(" hg ") == std::string::npos) return 2;
-                  // Asked for is not touched: three pages at most.
-                  return std::stoi(mapping_line(after - 1, "Rss")) > 6144 ? 3 : 0;
-              }),
-              0);
+    if (!found.has_heap || !std::filesystem::exists("/sys/kernel/mm/transparent_hugepage")) GTEST_SKIP();
+    EXPECT_EQ(found.grown, 0);
 }
 
 TEST(Heap, BlocksOfAPictureComeFromIt) {
-    if (!has_the_librarys_heap()) GTEST_SKIP();
-    EXPECT_EQ(status_of_child([] {
-                  prefer_large_pages();
-                  void* block = std::malloc(4 << 20);
-                  const bool is_inside = reinterpret_cast<std::uintptr_t>(block) < end_of_heap();
-                  std::free(block);
-                  return is_inside ? 0 : 1;
-              }),
-              0);
+    if (!found.has_heap) GTEST_SKIP();
+    EXPECT_EQ(found.blocks, 0);
 }
 
 TEST(Heap, WhereItMayNotGrowThereIsMemoryStill) {
-    if (!has_the_librarys_heap()) GTEST_SKIP();
-    EXPECT_EQ(status_of_child([] {
-                  const rlimit limit{16U << 20, 16U << 20};
-                  if (::setrlimit(RLIMIT_DATA, &limit) != 0) return 1;
-                  const std::uintptr_t before = end_of_heap();
-                  prefer_large_pages();
-                  if (end_of_heap() - before > 16U << 20) return 2;
-                  void* block = std::malloc(1 << 20);
-                  const bool is_there = block != nullptr;
-                  std::free(block);
-                  return is_there ? 0 : 3;
-              }),
-              0);
+    if (!found.has_heap) GTEST_SKIP();
+    EXPECT_EQ(found.limited, 0);
 }
 
 }  // namespace

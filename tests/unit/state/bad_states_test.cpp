@@ -46,6 +46,7 @@ TEST(BadStates, NotJson) {
         {"", "line 1, column 1", "ends too early"},
         {"  \n ", "line 2, column 2", "ends too early"},
         {"{", "line 1, column 2", "ends too early"},
+        {std::string("{}\0 garbage {{{", 15), "not JSON", "something follows the end of the document: a NUL"},
         {R"({"version": 1)", "line 1, column 14", "ends too early"},
         {"{\n  \"version\": 1,\n}", "line 3, column 1", "unexpected"},
         {"{\n  // a comment\n}", "line 2, column 3", "comments are not allowed"},

@@ -13,6 +13,7 @@
 #include "suite/numbers_apart.h"
 #include "suite/report.h"
 #include "suite/run.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
@@ -161,6 +162,7 @@ TEST_F(Workers, ThatCannotBeginEndTheRun) {
 
     RunWish nobody = wish(2);
     nobody.worker = {(folder_ / "nobody").string()};
+    nobody.entry_timeout_s = 3600.0;  // which nobody waits for
     const GatheredResults none = run_entries(suite, nobody);
     ASSERT_TRUE(none.failure);
     EXPECT_NE(none.failure->complaint.find("cannot be started"), std::string::npos) << none.failure->complaint;
@@ -195,6 +197,64 @@ TEST(Report, JunitCountsAndEscapes) {
     EXPECT_NE(xml.find("message=\"a &lt; b\""), std::string::npos) << xml;
     EXPECT_EQ(xml.find('\x01'), std::string::npos);
     EXPECT_NE(xml.find("<system-err>]]&gt;</system-err>"), std::string::npos) << xml;
+}
+
+TEST(Report, JunitHoldsNothingThatXmlCannotWrite) {
+    RunResult run = made_run();
+    run.entries.front().name = "a\xef\xbf\xbe b\xff";  // U+FFFE, and a byte that is no UTF-8
+    run.entries.front().output = "first\n\x1b[31m\xe2\x80\xaesecond";
+    const std::string xml = junit_of(run);
+    EXPECT_TRUE(is_utf8(xml));
+    EXPECT_EQ(xml.find("\xef\xbf\xbe"), std::string::npos);
+    EXPECT_EQ(xml.find('\x1b'), std::string::npos);
+    EXPECT_NE(xml.find("<system-err>first\n\\u001b[31m\\u202esecond</system-err>"), std::string::npos) << xml;
+}
+
+TEST(Report, OfManyEntriesIsReadBackToo) {
+    const fs::path folder = fs::temp_directory_path() / ("suite-many-" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    RunResult run = made_run();
+    run.entries.assign(90'000, run.entries.back());
+    ASSERT_TRUE(write_report(folder, run));
+    EXPECT_GT(fs::file_size(folder / "report.json"), 16U << 20U);
+    const Result<RunResult> again = read_run(folder);
+    fs::remove_all(folder);
+    ASSERT_TRUE(again) << again.error();
+    EXPECT_EQ(again->entries.size(), 90'000U);
+}
+
+class SuiteFiles : public ::testing::Test {
+protected:
+    SuiteFiles() { fs::create_directories(folder); }
+    ~SuiteFiles() override { fs::remove_all(folder); }
+    std::string refusal_of(const std::string& text) const {
+        std::ofstream(folder / "suite.json") << text;
+        const Result<Suite> suite = load_suite((folder / "suite.json").string());
+        return suite ? "" : suite.error().substr(folder.string().size() + 1);
+    }
+    static std::string repeated(const std::string& first, int count) {
+        std::string all = first;
+        for (int i = 1; i < count; ++i) all += "," + first;
+        return all;
+    }
+    const fs::path folder = fs::temp_directory_path() / ("suite-files-" + std::to_string(::getpid()));
+};
+
+/// Small files that would stand for much are refused before it is made.
+TEST_F(SuiteFiles, ThatStandForTooMuchAreRefused) {
+    const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 2000) + "]";
+    const std::string set = "\"defaults\":{\"set\":[" + repeated(R"("projection.near=0.5")", 1000) + "]}";
+    EXPECT_EQ(refusal_of("{\"suite\":1," + set + "," + entries + "}"),
+              "suite.json: entries: have more than a million settings with those of the defaults");
+    EXPECT_EQ(refusal_of("{\"suite\":1,\"entries\":[" + repeated(R"({"each":"preset","name":"{}"})", 5000) + "]}"),
+              "suite.json: entries: are more than 100000 with those that stand for several");
+}
+
+TEST_F(SuiteFiles, WithNamesThatAreNoUtf8AreRefusedAsAFolder) {
+    std::ofstream(folder / "b\xff.json") << "{}";
+    const Result<Suite> suite = load_suite(folder.string());
+    ASSERT_FALSE(suite);
+    EXPECT_NE(suite.error().find("b\\xff.json: the file's name is not UTF-8"), std::string::npos) << suite.error();
 }
 
 TEST(Report, ReadsBackWhatItWrote) {

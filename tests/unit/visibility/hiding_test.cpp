@@ -153,6 +153,17 @@ TEST(HidingPairs, OfParallelSquaresAreByDepthAlone) {
     EXPECT_EQ(whole_order(4, expected).order, (std::vector<int>{0, 2, 1, 3}));
 }
 
+TEST(HidingPairs, EndSoonAfterAsManyAsAreWanted) {
+    std::vector<Polygon> pile;
+    for (int i = 0; i < 60; ++i)
+        add(pile, {{-1, -1, 0.01 * i}, {1, -1, 0.01 * i}, {1, 1, 0.01 * i}, {-1, 1, 0.01 * i}});
+    const std::size_t all = hiding_pairs(pile, viewpoint_on_z(true)).size();
+    EXPECT_EQ(all, 60U * 59U / 2U);
+    const std::size_t some = hiding_pairs(pile, viewpoint_on_z(true), std::nullopt, 100).size();
+    EXPECT_GT(some, 100U);
+    EXPECT_LT(some, 100U + 2U * 60U);
+}
+
 TEST(HidingPairs, OfWhatRunsThroughEachOtherStandBothWaysRound) {
     std::vector<Polygon> crossing;
     add(crossing, {{-1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}});
