@@ -9,6 +9,7 @@
 #include "platform/child_process.h"
 #include "state/file/reader.h"
 #include "text/numbers.h"
+#include "text/words.h"
 
 namespace viewing {
 namespace {
