@@ -50,8 +50,8 @@ struct Renderer::Implementation {
                        std::optional<Shading> identify);
     void begin_frame(const FrameState& frame, const gl::Target& target, bool clear_depth) const;
     bool shows_anything(const FrameState& frame, const Pass& pass);
-    /// Whether the pass would draw the same without its clip planes: then it needs no program of its own.
-    bool cuts_nothing(const FrameState& frame, const Pass& pass);
+    /// Whether the pass has clip planes and would draw the same without: then it needs no program of its own.
+    bool cuts_in_vain(const FrameState& frame, const Pass& pass);
     Status draw_pass(const FrameState& frame, const Pass& pass, const MaskUse& mask, int first_call);
     void draw_objects(const FrameState& frame, const Pass& pass, const SurfaceProgram& program, int first_call);
     void draw_ordered(const FrameState& frame, const Pass& pass, const SurfaceProgram& program);
@@ -139,7 +139,8 @@ bool Renderer::Implementation::shows_anything(const FrameState& frame, const Pas
     });
 }
 
-bool Renderer::Implementation::cuts_nothing(const FrameState& frame, const Pass& pass) {
+bool Renderer::Implementation::cuts_in_vain(const FrameState& frame, const Pass& pass) {
+    if (pass.clip_planes.empty()) return false;
     if (pass.subject == Subject::patch)
         return is_kept_whole(quad.bounds, {}, pass, frame.plan.patches[pass.plane].world_from_patch());
     if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;  // these are of the scene
@@ -224,12 +225,14 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
     begin_frame(frame, target, clear_depth);
     const bool is_first = !std::exchange(has_drawn, true);
     int next_call = 0, next_pass = 0;
-    for (Pass pass : plan.passes) {
+    for (const Pass& planned : plan.passes) {
         if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
         const int first_call = next_call;
-        next_call += call_count(pass, scene);
-        if (identify && pass.is_mirror_image) continue;  // what is there is the mirror
-        if (cuts_nothing(frame, pass)) pass.clip_planes.clear();
+        next_call += call_count(planned, scene);
+        if (identify && planned.is_mirror_image) continue;  // what is there is the mirror
+        std::optional<Pass> unclipped;
+        if (cuts_in_vain(frame, planned)) unclipped.emplace(planned).clip_planes.clear();
+        const Pass& pass = unclipped ? *unclipped : planned;
         const MaskUse mask = mask_use(pass, target);
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);
