@@ -35,9 +35,6 @@ std::string xml_text(const std::string& text) {
         clean += (begin > 0 ? "\n" : "") + printable(std::string_view(text).substr(begin, end - begin));
         begin = end + 1;
     }
-    for (const std::string_view nothing : {"\xef\xbf\xbe", "\xef\xbf\xbf"})  // U+FFFE, U+FFFF
-        for (std::size_t at = clean.find(nothing); at != std::string::npos; at = clean.find(nothing, at))
-            clean.replace(at, nothing.size(), " ");
     return escaped(clean);
 }
 

@@ -30,10 +30,12 @@ Character character_at(std::string_view text) {
     return {code_point, count};
 }
 
-/// Controls of C0 and C1, line separators, and what turns the direction of writing.
+/// Controls of C0 and C1, line separators, what turns the direction of writing, what has no width (but the two joiners
+/// that scripts need), and what is no character.
 bool is_deceptive(char32_t c) {
-    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || c == 0x200e || c == 0x200f ||
-           (c >= 0x2028 && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
+    return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x00ad || c == 0x061c || c == 0x200b || c == 0x200e ||
+           c == 0x200f || (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x2069) || c == 0xfeff ||
+           (c & 0xfffeU) == 0xfffeU;
 }
 
 }  // namespace

@@ -31,6 +31,12 @@ TEST(Words, InAMessageShowWhatWouldHideOrTurnText) {
     EXPECT_EQ(printable("é 그 🙂 a"), "é 그 🙂 a");
     EXPECT_EQ(printable("a\nb\x1b[31m\x7f"), "a\\u000ab\\u001b[31m\\u007f");
     EXPECT_EQ(printable("\xc2\x9b"), "\\u009b") << "C1";
+    EXPECT_EQ(printable("a\xe2\x80\x8b\xef\xbb\xbf\xc2\xad"
+                        "b"),
+              "a\\u200b\\ufeff\\u00adb")
+        << "of no width";
+    EXPECT_EQ(printable("\xe2\x80\x8d"), "\xe2\x80\x8d") << "a joiner, which scripts need";
+    EXPECT_EQ(printable("\xef\xbf\xbe\xf0\x9f\xbf\xbf"), "\\ufffe\\u1ffff") << "no characters";
     EXPECT_EQ(printable("\xe2\x80\xae"
                         "gnp.exe"),
               "\\u202egnp.exe");
