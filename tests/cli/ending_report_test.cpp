@@ -118,6 +118,13 @@ TEST_F(EndingReport, OfAProcessThatIsOutOfTime) {
     EXPECT_EQ(alone(8, small({"-o", "pipe", "--timeout", "2"})).at("duration_s"), 2.0);
 }
 
+TEST_F(EndingReport, OutOfTimeBetweenItsFilesNothingUnfinishedIsLeft) {
+    ASSERT_EQ(::mkfifo((folder() / "pipe").c_str(), 0600), 0);
+    const Ended ended = run(small({"-o", "a.png", "--json", "pipe", "--timeout", "2"}));
+    EXPECT_EQ(ended.status, 8) << ended.told();
+    EXPECT_EQ(files(), 1U) << "the pipe";
+}
+
 TEST_F(EndingReport, OfAProcessThatHasNoMemory) {
     for (const unsigned long megabytes : {100, 140, 180, 220, 260, 300, 400}) {
         SCOPED_TRACE(std::to_string(megabytes) + " MB");

@@ -454,6 +454,13 @@ TEST_F(Doctor, GoesStepByStep) {
     EXPECT_GT(json.at("depth").at("d24").at("offset_unit_codes").get<double>(), 0.0);
 }
 
+TEST_F(Doctor, NamesWhatAProgramThatWasKilledHasLeft) {
+    EXPECT_EQ(expect(0, {"doctor"}).out.find("left behind"), std::string::npos);
+    write(".viewing-sandbox-1.partial", "");
+    const std::string text = expect(0, {"doctor"}).out;
+    EXPECT_NE(text.find(".viewing-sandbox-1.partial"), std::string::npos) << text;
+}
+
 TEST_F(Doctor, WorksWithoutGlAndSaysWhatToInstall) {
     const Ended text = run({"doctor"}, without_gl);
     EXPECT_EQ(text.status, 3) << text.told();

@@ -1,7 +1,9 @@
 // suite run, accept and merge as an assistant's CI would use them.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "cli/program.h"
 
@@ -60,6 +62,23 @@ TEST_F(SuiteCommand, WritesMissingReferencesOnceAndNeverChangesOne) {
     for (const char* const ending : {".actual.png", ".expected.png", ".difference.png", ".js"})
         EXPECT_TRUE(exists("report/pictures/opening" + std::string(ending))) << ending;
     EXPECT_EQ(read("report/pictures/opening.expected.png"), before);
+}
+
+/// Whether some process works in this folder.
+bool is_somebody_in(const fs::path& folder) {
+    std::error_code gone;  // a process may end while it is looked at
+    for (const fs::directory_entry& process : fs::directory_iterator("/proc", gone))
+        if (fs::read_symlink(process.path() / "cwd", gone) == folder) return true;
+    return false;
+}
+
+TEST_F(SuiteCommand, NoWorkerOutlivesARunThatIsOutOfTime) {
+    write("suite.json", R"({"suite": 1, "entries": [{"name": "large", "size": [8000, 8000], "samples": 4}]})");
+    expect(8, {"suite", "run", "suite.json", "--timeout", "1"});
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    while (is_somebody_in(folder()) && std::chrono::steady_clock::now() < patience)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_FALSE(is_somebody_in(folder()));
 }
 
 TEST_F(SuiteCommand, NewOnesAreNoFailureWhenThatIsSaid) {
