@@ -156,8 +156,8 @@ Error cannot_write(const fs::path& path, int code) {
 /// Whether the kernel makes the file up while it is read: some of these wait for what happens next (/proc/kmsg).
 bool is_made_up([[maybe_unused]] const fs::path& file) {
 #ifdef __linux__
-    constexpr std::array<unsigned long, 4> made_up{0x9fa0, 0x62656572, 0x64626720,
-                                                   0x74726163};  // proc, sys, debug, trace
+    // The file systems proc, sys, debug and trace, by their magic numbers.
+    constexpr std::array<unsigned long, 4> made_up{0x9fa0, 0x62656572, 0x64626720, 0x74726163};
     struct statfs system {};
     return ::statfs(file.c_str(), &system) == 0 &&
            std::find(made_up.begin(), made_up.end(), static_cast<unsigned long>(system.f_type)) != made_up.end();

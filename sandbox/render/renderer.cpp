@@ -143,7 +143,8 @@ bool Renderer::Implementation::cuts_in_vain(const FrameState& frame, const Pass&
     if (pass.clip_planes.empty()) return false;
     if (pass.subject == Subject::patch)
         return is_kept_whole(quad.bounds, {}, pass, frame.plan.patches[pass.plane].world_from_patch());
-    if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;  // these are of the scene
+    // What is drawn in an order found before are pieces of the same objects.
+    if (pass.subject != Subject::objects && pass.subject != Subject::ordered) return false;
     return std::all_of(frame.scene.objects.begin(), frame.scene.objects.end(), [&](const SceneObject& object) {
         return !is_chosen(pass.chosen, object) ||
                is_kept_whole(meshes.of(object.mesh).bounds, object.mesh->positions, pass, object.world_from_model);
