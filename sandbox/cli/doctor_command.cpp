@@ -207,9 +207,8 @@ void examine_surroundings(Examination& examination) {
 /// What a write that was ended at once has left here.
 void examine_leftovers(Examination& examination) {
     std::string names;
-    for (const std::filesystem::path& file : files_in(".", ".partial"))
-        if (const std::string name = file.filename().string(); name.starts_with(".viewing-sandbox-"))
-            names += (names.empty() ? "" : ", ") + one_line(name);
+    for (const std::filesystem::path& file : unfinished_files_in("."))
+        names += (names.empty() ? "" : ", ") + one_line(file.filename().string());
     if (!names.empty())
         examination.steps.push_back({"left behind", Health::remark, names,
                                      "unfinished files of a program that was ended while it wrote: remove them"});

@@ -159,6 +159,13 @@ struct Stop {
     std::size_t of_flight = 0;
 };
 
+/// How many a variation has, which may be more than can be made.
+std::int64_t count_of(const Wish& wish, bool together, bool back) {
+    std::int64_t count = wish.variations.front().count;
+    if (wish.variations.size() == 2 && !together) count *= wish.variations.back().count;
+    return back && count > 2 ? 2 * count - 2 : count;
+}
+
 /// Those of a variation, in order.
 std::vector<Stop> stops_of(const Wish& wish, bool together, bool back) {
     std::vector<Stop> all;
@@ -282,21 +289,17 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (!options.parse(arguments)) return ExitStatus::done;
     const LoadedState start = state_arguments.load();
     Wish wish = checked(options, typed, start.flight != nullptr);
-    if (!start.flight && wish.variations.size() == 2 && !typed.together) {
-        const std::int64_t count = std::int64_t{wish.variations.front().count} * wish.variations.back().count;
-        if (count > Variation::most_frames)
+    if (!start.flight)
+        if (const std::int64_t count = count_of(wish, typed.together, typed.back); count > Variation::most_frames)
             options.refuse("--vary: " + std::to_string(count) + " pictures are more than " +
                            std::to_string(Variation::most_frames));
-    }
     const bool resamples = typed.fps || wish.kind == Kind::film;
     const std::vector<Stop> stops = start.flight
                                         ? stops_of(*start.flight, resamples ? std::optional(wish.fps) : std::nullopt)
                                         : stops_of(wish, typed.together, typed.back);
-    if (stops.size() > static_cast<std::size_t>(Variation::most_frames))
-        options.refuse(start.flight ? "--fps: the flight of " + shortest_number(start.flight->seconds) +
-                                          " s has more than " + std::to_string(Variation::most_frames) + " pictures so"
-                                    : "--vary: " + std::to_string(stops.size()) + " pictures are more than " +
-                                          std::to_string(Variation::most_frames));
+    if (start.flight && stops.size() > static_cast<std::size_t>(Variation::most_frames))
+        options.refuse("--fps: the flight of " + shortest_number(start.flight->seconds) + " s has more than " +
+                       std::to_string(Variation::most_frames) + " pictures so");
     const glm::ivec2 size_px = wish.picture.size_px;
     if (wish.kind == Kind::sheet) {
         wish.columns = columns_of(options, typed, wish, stops.size());

@@ -20,6 +20,7 @@
 
 #include "image/deflate.h"
 #include "platform/file.h"
+#include "platform/text_file.h"
 
 namespace viewing {
 
@@ -267,8 +268,9 @@ Result<std::string> read_png_note(const std::filesystem::path& path) try {
     NoteChunk note;
     if (!read_header(reader, source, &note)) return read_failure(path.string(), failure);
     if (!note.is_packed) return std::string(note.text.begin(), note.text.end());
-    Inflated found = inflated(note.text, most_note_bytes);
-    if (found.end == InflateEnd::too_long) return Error{path.string() + ": the state in it is longer than 16 MiB"};
+    Inflated found = inflated(note.text, max_document_bytes);
+    if (found.end == InflateEnd::too_long)
+        return Error{path.string() + ": the state in it is " + longer_than(max_document_bytes)};
     if (found.end != InflateEnd::whole) return Error{path.string() + ": the state in it is cut off or damaged"};
     return std::move(found.text);
 } catch (const std::bad_alloc&) {

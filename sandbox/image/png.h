@@ -1,7 +1,6 @@
 // PNG files in and out, through libpng. Equal pictures with equal notes give byte-equal files: no time stamps.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -33,10 +32,8 @@ Result<Image> read_png(std::FILE* stream, const std::string& name);
 /// The name of the text chunk that a note is: the state that a picture shows, as JSON.
 inline constexpr char png_note_key[] = "viewing-sandbox state";
 
-inline constexpr std::size_t most_note_bytes = 16U << 20U;
-
 /// The note of a PNG file, as it stands before the pixels; empty where it has none. The error is that of read_png, or
-/// that the note is longer than most_note_bytes or damaged.
+/// that the note is longer than max_document_bytes or damaged.
 Result<std::string> read_png_note(const std::filesystem::path& path);
 
 /// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB

@@ -29,6 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char *unfinished_begin = ".viewing-sandbox-", *unfinished_end = ".partial";
+
 /// Writes all bytes and closes the file; 0 or the errno of what failed. `keeps`: until they are on the disk.
 int write_all(int file, std::span<const std::uint8_t> bytes, bool keeps) {
     int failure = 0;
@@ -181,7 +183,13 @@ std::optional<fs::path> end_of_links(fs::path path) {
 }
 
 fs::path name_beside(const fs::path& file) {
-    return folder_of(file) / (".viewing-sandbox-" + std::to_string(std::random_device()()) + ".partial");
+    return folder_of(file) / (unfinished_begin + std::to_string(std::random_device()()) + unfinished_end);
+}
+
+std::vector<fs::path> unfinished_files_in(const fs::path& folder) {
+    std::vector<fs::path> files = files_in(folder, unfinished_end);
+    std::erase_if(files, [](const fs::path& file) { return !file.filename().string().starts_with(unfinished_begin); });
+    return files;
 }
 
 Status write_file(const fs::path& path, std::string_view text) {

@@ -53,6 +53,9 @@ std::optional<std::filesystem::path> end_of_links(std::filesystem::path path);
 /// for a longer one, which may be as long as the file system allows.
 std::filesystem::path name_beside(const std::filesystem::path& file);
 
+/// The files of a folder that have such names: what a program that was ended while it wrote has left.
+std::vector<std::filesystem::path> unfinished_files_in(const std::filesystem::path& folder);
+
 /// Whether there is such a file or folder; one that cannot be looked at is not.
 bool is_there(const std::filesystem::path& file);
 
@@ -60,9 +63,8 @@ bool is_there(const std::filesystem::path& file);
 /// there yet, whether they would be one. Never so for devices and pipes, which keep nothing.
 bool are_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Whether a file is there that can be read without waiting for anybody: a pipe is refused, and
-/// what the kernel makes up while it is read. The sentence names it and says why it cannot be: missing, a directory, or
-/// what the system says.
+/// Whether a file is there that can be read without waiting for anybody: a pipe is refused, and what the kernel makes
+/// up while it is read. The sentence names it and says why it cannot be: missing, a directory, or what the system says.
 Status check_readable(const std::filesystem::path& file);
 
 }  // namespace viewing

@@ -58,7 +58,7 @@ Result<std::string> unpacked(const std::vector<std::uint8_t>& bytes) {
         case InflateEnd::followed:
             return Error{"link: something follows the end of its state"};
         case InflateEnd::too_long:
-            return Error{"link: its state is longer than 16 MiB"};
+            return Error{"link: its state is " + longer_than(max_document_bytes)};
         case InflateEnd::damaged:
             break;
     }
@@ -105,7 +105,7 @@ Result<Parts> parts_of(std::string_view fragment) {
 Result<std::string> state_in(std::string_view text) {
     if (text.front() != '1')
         return Error{"link: its form has version " + std::string(1, text.front()) + ", this program reads version 1"};
-    if (text.size() > max_document_bytes) return Error{"link: longer than 16 MiB"};
+    if (text.size() > max_document_bytes) return Error{"link: " + longer_than(max_document_bytes)};
     const std::optional<std::vector<std::uint8_t>> bytes = bytes_of(text.substr(1));
     if (!bytes) return Error{broken};
     return unpacked(*bytes);

@@ -18,6 +18,7 @@
 #include <string>
 
 #include "platform/file.h"
+#include "platform/text_file.h"
 
 namespace viewing {
 namespace {
@@ -333,9 +334,9 @@ TEST_F(PngFiles, NotesAreReadFromEveryKindOfText) {
 TEST_F(PngFiles, NotesThatGrowBeyondMeasureOrAreDamagedAreRefused) {
     const std::string key = std::string(png_note_key) + '\0', none(1, '\0');
     const fs::path path = folder / "note.png";
-    put(path, with_chunk("zTXt", key + none + packed(std::string(most_note_bytes, ' '))));
-    EXPECT_EQ(read_png_note(path)->size(), most_note_bytes);
-    put(path, with_chunk("zTXt", key + none + packed(std::string(most_note_bytes + 1, ' '))));
+    put(path, with_chunk("zTXt", key + none + packed(std::string(max_document_bytes, ' '))));
+    EXPECT_EQ(read_png_note(path)->size(), max_document_bytes);
+    put(path, with_chunk("zTXt", key + none + packed(std::string(max_document_bytes + 1, ' '))));
     EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is longer than 16 MiB");
     EXPECT_TRUE(read_png(path)) << "a picture's pixels need no text";
     std::string damaged = packed(std::string(1000, 'x'));
