@@ -2,10 +2,11 @@
 #include "cli/run.h"
 #include "cli/signals.h"
 #include "platform/heap.h"
+#include "platform/leave.h"
 
 int main(int argc, char** argv) {
     viewing::prefer_large_pages();
     viewing::end_faults_with_a_status();
     const int first = argc > 0 ? 1 : 0;
-    return viewing::run_command_line({argv + first, argv + argc});
+    viewing::leave(viewing::run_command_line({argv + first, argv + argc}));
 }

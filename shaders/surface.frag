@@ -155,9 +155,8 @@ vec3 patch_color() {
 #endif
 
 float pow48(float x) {
-    float power = x * x * x;
-    for (int i = 0; i < 4; ++i) power *= power;
-    return power;
+    float cube = x * x * x, power6 = cube * cube, power12 = power6 * power6, power24 = power12 * power12;
+    return power24 * power24;
 }
 
 vec3 lit_color(vec3 surface_albedo) {

@@ -2,6 +2,7 @@
 
 #include "cli/values.h"
 #include "frame/hidden/hidden_views.h"
+#include "platform/leave.h"
 #include "platform/threads.h"
 
 namespace viewing {
@@ -26,6 +27,11 @@ Headless::Headless(const std::string& device)
     if (!made) throw Failure(ExitStatus::gl_error, made.error());
     renderer_.emplace(*std::move(made));
     require_no_errors();
+}
+
+void Headless::keep_to_the_end(std::unique_ptr<Headless> last) {
+    static std::unique_ptr<Headless> kept;
+    if (leaves_at_once) kept = std::move(last);
 }
 
 void Headless::require_no_errors() {

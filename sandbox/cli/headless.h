@@ -39,6 +39,9 @@ public:
         return value_or_end(std::move(result), status_of_its_error);
     }
 
+    /// Where leave() takes down nothing, this is not taken down either. For the last one of a command.
+    static void keep_to_the_end(std::unique_ptr<Headless> last);
+
 private:
     gl::EglContext context_;
     gl::DebugLog log_;

@@ -1,6 +1,8 @@
 // snapshot: a picture of a state into a PNG file, without a display. Bad input is refused before GL is touched.
 // What is drawn is app/picture.h; read headless.h for the context.
 #include <array>
+#include <memory>
+#include <utility>
 
 #include "app/figure.h"
 #include "app/picture.h"
@@ -176,11 +178,11 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     return state;
 }
 
-Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) {
-    Headless headless(wish.device);
+Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene, bool is_last) {
+    auto headless = std::make_unique<Headless>(wish.device);
     const auto drawn = [&](auto draw) {
-        return headless.drawn(draw(headless.renderer(), state, scene, wish.picture),
-                              status_of_trouble(wish.picture.view));
+        return headless->drawn(draw(headless->renderer(), state, scene, wish.picture),
+                               status_of_trouble(wish.picture.view));
     };
     Drawn result;
     if (wish.is_vector)
@@ -188,16 +190,17 @@ Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene) 
     else
         result.picture.image = drawn(draw_picture);
     const gl::ContextFacts facts = gl::context_facts();
-    result.device = headless.context().description();
+    result.device = headless->context().description();
     result.renderer = facts.renderer;
     result.gl_version = facts.version;
+    if (is_last) Headless::keep_to_the_end(std::move(headless));
     return result;
 }
 
 Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
-    Drawn first = draw_once(wish, state, scene);
+    Drawn first = draw_once(wish, state, scene, wish.repeat == 1);
     for (int i = 2; i <= wish.repeat; ++i) {
-        const Drawn again = draw_once(wish, state, scene);
+        const Drawn again = draw_once(wish, state, scene, i == wish.repeat);
         if (again.picture.image == first.picture.image) continue;
         const CompareReport report = compare_images(again.picture.image, first.picture.image, {0, 0.0});
         throw Failure(ExitStatus::not_repeatable, "not repeatable: drawing " + std::to_string(i) + " of " +

@@ -15,6 +15,7 @@
 #include "render/masks.h"
 #include "render/pass_state.h"
 #include "render/present.h"
+#include "render/shared_tests.h"
 #include "render/sight.h"
 #include "render/surface_uniforms.h"
 
@@ -225,15 +226,20 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
     const FrameState frame{plan, scene, target, writes_depth, identify};
     begin_frame(frame, target, clear_depth);
     const bool is_first = !std::exchange(has_drawn, true);
-    int next_call = 0, next_pass = 0;
-    for (const Pass& planned : plan.passes) {
-        if (plan.limit.pass >= 0 && next_pass++ > plan.limit.pass) break;
+    std::vector<StencilState> tests;
+    if (!target.mask()) tests = shared_stencil_tests(plan.passes);
+    const std::size_t count = plan.limit.pass < 0 ? plan.passes.size() : static_cast<std::size_t>(plan.limit.pass) + 1;
+    int next_call = 0;
+    for (std::size_t index = 0; index < std::min(count, plan.passes.size()); ++index) {
+        const Pass& planned = plan.passes[index];
         const int first_call = next_call;
         next_call += call_count(planned, scene);
         if (identify && planned.is_mirror_image) continue;  // what is there is the mirror
-        std::optional<Pass> unclipped;
-        if (cuts_in_vain(frame, planned)) unclipped.emplace(planned).clip_planes.clear();
-        const Pass& pass = unclipped ? *unclipped : planned;
+        std::optional<Pass> cheaper;
+        if (cuts_in_vain(frame, planned)) cheaper.emplace(planned).clip_planes.clear();
+        if (!tests.empty() && tests[index] != planned.stencil)
+            (cheaper ? *cheaper : cheaper.emplace(planned)).stencil = tests[index];
+        const Pass& pass = cheaper ? *cheaper : planned;
         const MaskUse mask = mask_use(pass, target);
         apply_state(pass, capabilities);
         begin_mask(pass, mask, target);
