@@ -9,9 +9,9 @@
 
 namespace viewing {
 
-/// The stencil's state for each pass of a frame that begins with a cleared stencil; what passes, and what is left in the
-/// stencil, is as the passes have it. "Equal to the highest region" becomes "at least that region", and "no test"
-/// "at least 0" where another pass that is drawn alike has become such a one.
+/// The stencil's state for each pass of a frame that begins with a cleared stencil: what passes, and what is left in
+/// the stencil, is as the passes have it. "Equal to the highest region" becomes "at least that region", and "no test"
+/// "at least 0", for passes that are drawn alike.
 std::vector<StencilState> shared_stencil_tests(std::span<const Pass> passes);
 
 }  // namespace viewing
