@@ -22,8 +22,11 @@ vec2 view_zw = vec2(-1.0, 1.0);
 bool is_front = false;
 #else
 in vec3 position_relative;
-in vec3 normal_world;
+#ifdef IS_PATCH
 in vec2 position_patch;
+#else
+in vec3 normal_world;
+#endif
 #endif
 
 // PER_VERTEX: colour and numbers come with the vertices.
@@ -45,6 +48,7 @@ uniform vec4 base_color;    // linear; flat shading: sRGB
 uniform float alpha;
 uniform vec3 patch_tones[PATCH_TONES];  // linear: light square, dark square, line
 uniform float patch_extent;
+uniform vec3 patch_normal;  // unit, towards the eye
 uniform vec3 front_color;  // sRGB
 uniform vec3 back_color;
 uniform vec4 caster_w;          // . p is the w that S gives a point
@@ -163,13 +167,13 @@ vec3 lit_color(vec3 surface_albedo) {
     vec3 eye = eye_relative.xyz - eye_relative.w * position_relative;
     // The side of the surface that is seen, from its geometry: it must not depend on winding or culling.
 #if defined(IS_PATCH)
-    vec3 face = normal_world;  // it is flat
-#elif !defined(FROM_PICTURE)
-    vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
-#endif
+    vec3 normal = patch_normal;
+#else
     vec3 normal = normalize(normal_world);
 #ifndef FROM_PICTURE  // where it was turned already
+    vec3 face = cross(dFdx(position_relative), dFdy(position_relative));
     normal *= dot(normal, face) * dot(face, eye) < 0.0 ? -1.0 : 1.0;
+#endif
 #endif
 
     float ambient = 0.23 + 0.07 * dot(normal, sky_world);

@@ -18,8 +18,11 @@ uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 
 out vec3 position_relative;
-out vec3 normal_world;
+#ifdef IS_PATCH
 out vec2 position_patch;
+#else
+out vec3 normal_world;
+#endif
 
 // For passes that clip, one of the two: CLIP_BY_DISCARD where GL has no clip distances.
 #ifdef CLIP_DISTANCE
@@ -54,8 +57,11 @@ void main() {
     gl_Position = clip_from_model * position;
     vec4 placed = relative_from_model * position;
     position_relative = placed.w == 0.0 ? placed.xyz : placed.xyz / placed.w;
-    normal_world = world_from_normal * normal_model;
+#ifdef IS_PATCH
     position_patch = position_model.xz;
+#else
+    normal_world = world_from_normal * normal_model;
+#endif
 #ifdef PER_VERTEX
     vertex_albedo = vertex_color;
     ids = vertex_ids;

@@ -52,6 +52,7 @@ struct SurfaceProgram : ShaderProgram {
     Uniform<float> alpha{*this, "alpha"};
     Uniform<glm::vec3, patch_tone_count> patch_tones{*this, "patch_tones"};
     Uniform<float> patch_extent{*this, "patch_extent"};
+    Uniform<glm::vec3> patch_normal{*this, "patch_normal"};
     Uniform<glm::vec3> front_color{*this, "front_color"};
     Uniform<glm::vec3> back_color{*this, "back_color"};
 

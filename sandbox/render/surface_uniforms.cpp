@@ -52,6 +52,15 @@ void set_depth(const SurfaceProgram& program, const FramePlan& plan) {
     program.reverses_depth.set(plan.depth_mapping == DepthMapping::reversed);
 }
 
+/// Of a square in its model's x and z: unit, towards the eye. Zero for one that is flattened.
+glm::dvec3 patch_normal(const Pass& pass, const glm::dmat4& placed_from_model) {
+    const glm::dvec3 normal = normal_matrix(glm::dmat3(placed_from_model))[1];
+    const double length = glm::length(normal);
+    if (length == 0.0) return normal;
+    const glm::dvec3 to_eye = glm::dvec3(pass.eye_world) - pass.eye_world.w * glm::dvec3(placed_from_model[3]);
+    return normal / (glm::dot(normal, to_eye) < 0.0 ? -length : length);
+}
+
 }  // namespace
 
 glm::dvec3 relative_origin(const Pass& pass) {
@@ -88,6 +97,7 @@ void set_placement(const SurfaceProgram& program, const FrameState& frame, const
     program.clip_from_model.set(pass.clip_from_world * placed_from_model);
     program.relative_from_model.set(moved_to_origin(relative_origin(pass)) * placed_from_model);
     if (pass.shading != Shading::flat) program.world_from_normal.set(normal_matrix(glm::dmat3(placed_from_model)));
+    if (pass.subject == Subject::patch) program.patch_normal.set(patch_normal(pass, placed_from_model));
     std::array<glm::vec4, most_clip_planes> planes_model;
     planes_model.fill(glm::vec4(0.0F, 0.0F, 0.0F, 1.0F));  // which nothing lies behind
     for (std::size_t plane = 0; plane < pass.clip_planes.size(); ++plane)
