@@ -107,6 +107,27 @@ TEST_F(Measure, OrderExistsWhereBoxesStandApart) {
               std::string::npos);
 }
 
+/// Squares one behind the other: each hides all that come after it.
+TEST_F(Measure, OrderListsAMillionPairsAtMost) {
+    const auto write_squares = [this](int count) {
+        std::string mesh;
+        for (int i = 0; i < count; ++i)
+            for (const char* corner : {"-1 0 ", "1 0 ", "0 2 "})
+                mesh += "v " + std::string(corner) + std::to_string(-0.001 * i) + "\n";
+        for (int i = 0; i < count; ++i)
+            mesh += "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " +
+                    std::to_string(3 * i + 3) + "\n";
+        write("squares.obj", mesh);
+    };
+    write("state.json", R"({"scene": {"objects": [{"name": "squares", "shape": "mesh", "file": "squares.obj"}]},
+        "camera": {"position": [0, 1, 9], "yaw": 0, "pitch": 0}})");
+    write_squares(60);
+    const Json measured = expect(0, {"measure", "state.json", "--what", "order"}).json();
+    EXPECT_EQ(measured["polygons"]["pairs"].size(), 60 * 59 / 2);
+    write_squares(1500);  // 1.12 million
+    refused({"measure", "state.json", "--what", "order"}, {"a million pairs"});
+}
+
 TEST_F(Measure, PainterUsesTheStatesKey) {
     for (const char* key : {"nearest", "farthest", "centroid"}) {
         const Json measured = visibility({"--size", "160x90", "--set", std::string("visibility.sort_key=") + key,

@@ -1,5 +1,6 @@
 // suite run, accept and merge as an assistant's CI would use them.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <chrono>
 #include <fstream>
@@ -99,6 +100,20 @@ TEST_F(SuiteCommand, AcceptTakesWhatTheLastRunFound) {
     EXPECT_EQ(outcome("derivation"), "different") << "nobody has looked at it";
     EXPECT_EQ(expect(0, {"suite", "accept", "suite.json"}).out, "1 reference accepted\n");
     expect(0, {"suite", "run", "suite.json"});
+}
+
+TEST_F(SuiteCommand, AReferenceThatCannotBeReplacedWholeIsKept) {
+    write_suite();
+    run({"suite", "run", "suite.json"});
+    const std::string reference = read("references/opening.png");
+    write_suite(R"({"light.position": [1, 5, 2, 1]})");
+    run({"suite", "run", "suite.json"});
+    ASSERT_NE(read("report/pictures/opening.actual.png"), reference);
+    const std::size_t before = files();
+    const Ended ended = expect(2, {"suite", "accept", "suite.json"}, {.limits = {{RLIMIT_FSIZE, 2000}}});
+    EXPECT_TRUE(has(ended.err, "opening.png: cannot be written")) << ended.told();
+    EXPECT_EQ(read("references/opening.png"), reference);
+    EXPECT_EQ(files(), before) << "something unfinished is left";
 }
 
 TEST_F(SuiteCommand, AFolderOfStatesIsASuite) {

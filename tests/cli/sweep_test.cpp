@@ -1,5 +1,6 @@
 // sweep: the same pictures as snapshot, and a table whose numbers are known.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <cstdlib>
 #include <sstream>
@@ -111,6 +112,9 @@ TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
     refused(small({"--vary", "camera.yaw=0:1:2", "--vary", "camera.pitch=0:1:3", "--together", "-o", "a.png"}),
             {"2 and 3", "alike"});
     refused({"sweep", "--size", "63x36", "--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}, {"even"});
+    // Counted before they are made: a hundred million would need gigabytes.
+    refused(small({"--vary", "camera.yaw=0:1:10000", "--vary", "camera.pitch=0:1:10000", "-o", "a"}),
+            {"100000000 pictures", "10000"}, {.limits = {{RLIMIT_CPU, 2}}});
     refused({"sweep", "--vary", "camera.yaw=0:1:200", "-o", "a.png"}, {"sheet", "16384"});
 }
 
