@@ -1,9 +1,11 @@
 // The program. Everything it does starts from the command line: read cli/run.cpp next.
 #include "cli/run.h"
 #include "cli/signals.h"
+#include "platform/heap.h"
 #include "platform/leave.h"
 
 int main(int argc, char** argv) {
+    viewing::reserve_heap();
     viewing::end_faults_with_a_status();
     const int first = argc > 0 ? 1 : 0;
     viewing::leave(viewing::run_command_line({argv + first, argv + argc}));

@@ -2,6 +2,7 @@
 
 #include "cli/values.h"
 #include "frame/hidden/hidden_views.h"
+#include "platform/heap.h"
 #include "platform/leave.h"
 #include "platform/threads.h"
 
@@ -18,6 +19,7 @@ void require_threads() {
 Result<gl::EglContext> context_for_pictures(const std::string& device) {
     require_threads();
     gl::prefer_quick_start();
+    take_large_pages();
     return gl::EglContext::make(device);
 }
 

@@ -1,0 +1,59 @@
+#include "platform/heap.h"
+
+#include <malloc.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+
+namespace viewing {
+namespace {
+
+constexpr int heap_bytes = 32 << 20;
+constexpr std::uintptr_t large_page_bytes = 2 << 20;
+
+std::uintptr_t end_of_heap() {
+    return reinterpret_cast<std::uintptr_t>(sbrk(0));
+}
+
+/// Until the heap grows, by `heap_bytes` at once. A block that is taken from elsewhere ends the search.
+void grow_heap() {
+    constexpr std::size_t block_bytes = 64 << 10;
+    constexpr int most_blocks = 8;  // what is free in a heap at a program's beginning is less
+    const std::uintptr_t before = end_of_heap();
+    mallopt(M_TOP_PAD, heap_bytes);
+    void* volatile blocks[most_blocks] = {};  // volatile: a compiler may leave out what is freed unused
+    for (void* volatile& block : blocks)
+        if (block = std::malloc(block_bytes); end_of_heap() != before) break;
+    for (void* block : blocks) std::free(block);
+    constexpr int usual_pad_bytes = 128 << 10;
+    mallopt(M_TOP_PAD, usual_pad_bytes);
+}
+
+std::uintptr_t reserve_begin = 0, reserve_end = 0;
+
+}  // namespace
+
+void reserve_heap() {
+    mallopt(M_MMAP_THRESHOLD, heap_bytes);
+    mallopt(M_TRIM_THRESHOLD, 2 * heap_bytes);
+    reserve_begin = end_of_heap();
+    grow_heap();
+    reserve_end = end_of_heap();
+}
+
+void take_large_pages(std::chrono::microseconds longest) {
+    using Clock = std::chrono::steady_clock;
+    std::uintptr_t at = (reserve_begin + large_page_bytes - 1) / large_page_bytes * large_page_bytes;
+    for (; at + large_page_bytes <= reserve_end; at += large_page_bytes) {
+        void* const page = reinterpret_cast<void*>(at);
+        const Clock::time_point begin = Clock::now();
+        const bool is_taken = madvise(page, large_page_bytes, MADV_HUGEPAGE) == 0 &&
+                              madvise(page, large_page_bytes, MADV_POPULATE_WRITE) == 0;
+        if (!is_taken || Clock::now() - begin > longest) return;
+    }
+}
+
+}  // namespace viewing
