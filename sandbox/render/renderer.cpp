@@ -228,9 +228,10 @@ Status Renderer::Implementation::draw_passes(const FramePlan& plan, const Scene&
     const bool is_first = !std::exchange(has_drawn, true);
     std::vector<StencilState> tests;
     if (!target.mask()) tests = shared_stencil_tests(plan.passes);
-    const std::size_t count = plan.limit.pass < 0 ? plan.passes.size() : static_cast<std::size_t>(plan.limit.pass) + 1;
+    std::size_t count = plan.passes.size();
+    if (plan.limit.pass >= 0) count = std::min(count, static_cast<std::size_t>(plan.limit.pass) + 1);
     int next_call = 0;
-    for (std::size_t index = 0; index < std::min(count, plan.passes.size()); ++index) {
+    for (std::size_t index = 0; index < count; ++index) {
         const Pass& planned = plan.passes[index];
         const int first_call = next_call;
         next_call += call_count(planned, scene);

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "state/compare.h"
 #include "state/presets.h"
 #include "unit/geometry/random.h"
 
@@ -13,27 +14,7 @@ namespace viewing {
 namespace {
 
 bool lets_through(const StencilState& state, int value) {
-    if (!state.test) return true;
-    const int reference = state.reference & state.read_bits, read = value & state.read_bits;
-    switch (state.func) {
-        case CompareFunc::never:
-            return false;
-        case CompareFunc::less:
-            return reference < read;
-        case CompareFunc::equal:
-            return reference == read;
-        case CompareFunc::lequal:
-            return reference <= read;
-        case CompareFunc::greater:
-            return reference > read;
-        case CompareFunc::notequal:
-            return reference != read;
-        case CompareFunc::gequal:
-            return reference >= read;
-        case CompareFunc::always:
-            break;
-    }
-    return true;
+    return !state.test || compare(state.func, state.reference & state.read_bits, value & state.read_bits);
 }
 
 int left_by(const StencilState& state, int value, int reference) {
