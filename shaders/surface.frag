@@ -21,18 +21,18 @@ float found_depth = 0.0;
 vec2 view_zw = vec2(-1.0, 1.0);
 bool is_front = false;
 #else
-in vec3 position_relative;
+AT(0) in vec3 position_relative;
 #ifdef IS_PATCH
-in vec2 position_patch;
+AT(2) in vec2 position_patch;
 #else
-in vec3 normal_world;
+AT(1) in vec3 normal_world;
 #endif
 #endif
 
 // PER_VERTEX: colour and numbers come with the vertices.
 #ifdef PER_VERTEX
-in vec3 vertex_albedo;
-flat in vec2 ids;
+AT(3) in vec3 vertex_albedo;
+AT(4) flat in vec2 ids;
 #endif
 
 // SHADING and IS_PATCH are defined in front of this source: a small program for each way to draw compiles faster than
@@ -85,12 +85,12 @@ vec3 heat_color() {
 #endif
 
 #ifdef CLIP_BY_DISCARD
-in vec2 clip_distance;
+AT(6) in vec2 clip_distance;
 #endif
 
 #ifdef WRITE_DEPTH
 #ifndef FROM_PICTURE
-in vec2 view_zw;
+AT(5) in vec2 view_zw;
 #endif
 uniform float depth_levels;      // 2^bits - 1; 0: as precise as the buffer
 uniform vec2 logarithmic_range;  // near, far; 0: not logarithmic

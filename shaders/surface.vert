@@ -6,8 +6,20 @@ layout(location = 1) in vec3 normal_model;
 #ifdef PER_VERTEX
 layout(location = 2) in vec3 vertex_color;  // linear
 layout(location = 3) in vec2 vertex_ids;    // of the object and of the polygon, from 1 on
-out vec3 vertex_albedo;
-flat out vec2 ids;
+AT(3) out vec3 vertex_albedo;
+AT(4) flat out vec2 ids;
+#endif
+
+// SEPARATE: one for all fragment stages, whatever each takes of it.
+#ifdef SEPARATE
+out gl_PerVertex {
+    vec4 gl_Position;
+#ifdef CLIP_DISTANCE
+    float gl_ClipDistance[CLIP_PLANES];
+#endif
+};
+#elif defined(CLIP_DISTANCE)
+out float gl_ClipDistance[CLIP_PLANES];
 #endif
 
 // Passes that are told apart by stencil or equal depth must cover the very same pixels, whatever their program.
@@ -17,19 +29,17 @@ uniform mat4 clip_from_model;
 uniform mat4 relative_from_model;
 uniform mat3 world_from_normal;
 
-out vec3 position_relative;
-#ifdef IS_PATCH
-out vec2 position_patch;
-#else
-out vec3 normal_world;
+AT(0) out vec3 position_relative;
+#ifndef IS_PATCH
+AT(1) out vec3 normal_world;
+#endif
+#if defined(IS_PATCH) || defined(SEPARATE)
+AT(2) out vec2 position_patch;
 #endif
 
-// For passes that clip, one of the two: CLIP_BY_DISCARD where GL has no clip distances.
-#ifdef CLIP_DISTANCE
-out float gl_ClipDistance[CLIP_PLANES];
-#endif
+// For passes that clip: CLIP_DISTANCE, or CLIP_BY_DISCARD where GL has no clip distances.
 #ifdef CLIP_BY_DISCARD
-out vec2 clip_distance;
+AT(6) out vec2 clip_distance;
 #endif
 #if defined(CLIP_DISTANCE) || defined(CLIP_BY_DISCARD)
 uniform vec4 clip_plane_model[CLIP_PLANES];  // kept where dot(plane, position) >= 0
@@ -40,7 +50,7 @@ uniform vec4 view_z_of_model;  // the third and fourth rows of view_from_model
 uniform vec4 view_w_of_model;
 #endif
 #ifdef WRITE_DEPTH
-out vec2 view_zw;
+AT(5) out vec2 view_zw;
 #endif
 
 // GL interpolates the logarithm of the corners over the triangle: right at the corners only.
@@ -57,10 +67,11 @@ void main() {
     gl_Position = clip_from_model * position;
     vec4 placed = relative_from_model * position;
     position_relative = placed.w == 0.0 ? placed.xyz : placed.xyz / placed.w;
-#ifdef IS_PATCH
-    position_patch = position_model.xz;
-#else
+#ifndef IS_PATCH
     normal_world = world_from_normal * normal_model;
+#endif
+#if defined(IS_PATCH) || defined(SEPARATE)
+    position_patch = position_model.xz;
 #endif
 #ifdef PER_VERTEX
     vertex_albedo = vertex_color;

@@ -31,5 +31,6 @@ bool has_clip_control();        ///< glClipControl: clip depths from 0 to w
 bool has_clip_distance();       ///< gl_ClipDistance
 bool can_read_depth_stencil();  ///< glReadPixels gives depth and stencil
 bool has_debug_output();        ///< GL tells its errors as they happen
+bool has_shared_stages();       ///< stages.h, and a driver that compiles each vertex stage on the processor
 
 }  // namespace viewing::gl

@@ -62,6 +62,10 @@ Framebuffer make_framebuffer() {
     return generated<Framebuffer>(glGenFramebuffers);
 }
 
+std::string log_of(const Program& program) {
+    return log_of(program.name(), glGetProgramiv, glGetProgramInfoLog);
+}
+
 Result<Program> make_program(std::string_view vertex_source, std::string_view fragment_source,
                              std::string_view defines) {
     Result<Shader> vertex = compile(GL_VERTEX_SHADER, defines, vertex_source);
@@ -75,8 +79,7 @@ Result<Program> make_program(std::string_view vertex_source, std::string_view fr
     glLinkProgram(program.name());
     GLint linked = GL_FALSE;
     glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
-    if (linked == GL_FALSE)
-        return Error{"a program does not link: " + log_of(program.name(), glGetProgramiv, glGetProgramInfoLog)};
+    if (linked == GL_FALSE) return Error{"a program does not link: " + log_of(program)};
     glDetachShader(program.name(), vertex->name());
     glDetachShader(program.name(), fragment->name());
     return program;
@@ -88,7 +91,8 @@ Capabilities Capabilities::of_current_context() {
     return {.clip_control = has_clip_control(),
             .clip_distance = has_clip_distance(),
             .read_depth_stencil = can_read_depth_stencil(),
-            .multisampling = most_samples >= 4};
+            .multisampling = most_samples >= 4,
+            .shared_stages = has_shared_stages()};
 }
 
 }  // namespace viewing::gl

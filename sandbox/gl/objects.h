@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -70,12 +71,16 @@ Framebuffer make_framebuffer();
 Result<Program> make_program(std::string_view vertex_source, std::string_view fragment_source,
                              std::string_view defines = "");
 
+/// What the driver says of how a program was compiled and linked, without a newline at its end.
+std::string log_of(const Program& program);
+
 /// What this driver has beyond the common subset of GL 3.3 and WebGL 2: gl/dialect.h.
 struct Capabilities {
     bool clip_control = false;
     bool clip_distance = false;
     bool read_depth_stencil = false;
-    bool multisampling = true;  ///< with 4 samples: both ask for it, softpipe has none
+    bool multisampling = true;   ///< with 4 samples: both ask for it, softpipe has none
+    bool shared_stages = false;  ///< gl/stages.h
     static Capabilities of_current_context();
 };
 

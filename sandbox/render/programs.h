@@ -4,6 +4,7 @@
 #include <compare>
 #include <map>
 #include <memory>
+#include <string>
 
 #include "frame/depth/depth_colors.h"
 #include "frame/ground.h"
@@ -157,8 +158,11 @@ private:
         return kept.get();
     }
     static Result<gl::Program> load(const char* vertex, const char* fragment, const std::string& defines);
+    /// surface.vert as a stage for all programs that need the same of it.
+    Result<const gl::Program*> vertex_stage(const std::string& defines);
 
     gl::Capabilities capabilities_;
+    std::map<std::string, gl::Program> vertex_stages_;  ///< by their defines
     std::map<SurfaceKind, SurfaceProgram> surfaces_;
     std::unique_ptr<ShowDepthProgram> show_depth_;
     std::unique_ptr<ShowStencilProgram> show_stencil_;

@@ -10,36 +10,56 @@
 #include <vector>
 
 #include "gl/objects.h"
+#include "gl/stages.h"
 #include "state/scene_description.h"
 
 namespace viewing {
 
-/// A line of the table. `location` is where the uniform keeps its own: −1 in a program that does not use it.
+/// Where a uniform is: location −1 in a program that does not use it. `stage`: 0 in a linked program.
+struct UniformPlace {
+    GLint location = -1;
+    GLuint stage = 0;
+};
+
+/// A line of the table. `place` is the uniform's own.
 struct UniformEntry {
     const char* name;
     GLenum type;
     GLint count;
-    GLint* location;
+    UniformPlace* place;
 };
 
-/// A program with its table, which it fills while it is made. It stays where it is: the table points into it.
+/// A program, linked or of two stages, with its table, which it fills while it is made. It stays where it is: the table
+/// points into it.
 class ShaderProgram {
 public:
     ShaderProgram() = default;
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;
 
-    void take(gl::Program program);  ///< and finds the uniforms' locations in it
-    void use() const { glUseProgram(program_.name()); }
+    void take(gl::Program linked);                               ///< and finds the uniforms' places in it
+    void take(const gl::Program& vertex, gl::Program fragment);  ///< `vertex` must outlive it
+    void use() const { pipeline_ ? gl::use(pipeline_) : glUseProgram(program_.name()); }
 
-    const gl::Program& program() const { return program_; }
+    /// What its uniforms are in: the linked program, or its stages.
+    std::vector<GLuint> programs() const;
     const std::vector<UniformEntry>& uniforms() const { return uniforms_; }
 
 private:
     template <typename Value, std::size_t count>
     friend class Uniform;
 
-    gl::Program program_;
+    /// Of uniforms of the program in use.
+    void address(const UniformPlace& place) const {
+        if (place.stage == 0 || place.stage == addressed_) return;
+        gl::address(pipeline_, place.stage);
+        addressed_ = place.stage;
+    }
+
+    gl::Program program_;  ///< the whole, or the fragment stage
+    GLuint vertex_stage_ = 0;
+    gl::Pipeline pipeline_;
+    mutable GLuint addressed_ = 0;  ///< the stage whose uniforms the pipeline sets
     std::vector<UniformEntry> uniforms_;
 };
 
@@ -111,8 +131,8 @@ struct UniformType<Sampler> {
 template <typename Value, std::size_t count = 1>
 class Uniform {
 public:
-    Uniform(ShaderProgram& program, const char* name) {
-        program.uniforms_.push_back({name, UniformType<Value>::name, static_cast<GLint>(count), &location_});
+    Uniform(ShaderProgram& program, const char* name) : program_(program) {
+        program.uniforms_.push_back({name, UniformType<Value>::name, static_cast<GLint>(count), &place_});
     }
     Uniform(const Uniform&) = delete;
     Uniform& operator=(const Uniform&) = delete;
@@ -122,17 +142,21 @@ public:
     void set(const From& from) const {
         static_assert(count == 1);
         const auto value = static_cast<Value>(from);
-        UniformType<Value>::upload(location_, 1, &value);
+        program_.address(place_);
+        UniformType<Value>::upload(place_.location, 1, &value);
     }
 
     /// The first ones of an array.
     void set_first(std::span<const Value> values) const {
         assert(values.size() <= count);
-        if (!values.empty()) UniformType<Value>::upload(location_, static_cast<GLsizei>(values.size()), values.data());
+        program_.address(place_);
+        if (!values.empty())
+            UniformType<Value>::upload(place_.location, static_cast<GLsizei>(values.size()), values.data());
     }
 
 private:
-    GLint location_ = -1;
+    const ShaderProgram& program_;
+    UniformPlace place_;
 };
 
 inline glm::vec3 srgb(const Color& color) {

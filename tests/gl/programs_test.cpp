@@ -11,6 +11,7 @@
 #include "gl_test.h"
 #include "render/programs.h"
 #include "render/shader_constants.h"
+#include "state/presets.h"
 
 namespace viewing {
 namespace {
@@ -47,24 +48,30 @@ std::vector<SurfaceKind> surface_kinds() {
 /// Tables of one sort of program, and what was found active of them.
 using Found = std::map<std::string, GLint>;
 
-void expect_agreement(const ShaderProgram& program, Found& found) {
+/// Of a linked program, or of one stage of several.
+void expect_agreement(const ShaderProgram& program, GLuint part, Found& found) {
+    const GLuint stage = program.programs().size() > 1 ? part : 0;
     GLint active = 0;
-    glGetProgramiv(program.program().name(), GL_ACTIVE_UNIFORMS, &active);
+    glGetProgramiv(part, GL_ACTIVE_UNIFORMS, &active);
     for (GLint index = 0; index < active; ++index) {
         char text[80] = {};
         GLint size = 0;
         GLenum type = 0;
-        glGetActiveUniform(program.program().name(), static_cast<GLuint>(index), sizeof text, nullptr, &size, &type,
-                           text);
+        glGetActiveUniform(part, static_cast<GLuint>(index), sizeof text, nullptr, &size, &type, text);
         const std::string name(text, std::string_view(text).substr(0, std::string_view(text).find('[')).size());
         const auto entry = std::find_if(program.uniforms().begin(), program.uniforms().end(),
                                         [&](const UniformEntry& each) { return each.name == name; });
         ASSERT_NE(entry, program.uniforms().end()) << name << " is missing in the table";
         EXPECT_EQ(entry->type, type) << name;
         EXPECT_LE(size, entry->count) << name;
-        EXPECT_EQ(*entry->location, glGetUniformLocation(program.program().name(), text)) << name;
+        EXPECT_EQ(entry->place->location, glGetUniformLocation(part, text)) << name;
+        EXPECT_EQ(entry->place->stage, stage) << name << " is in both stages, or told of the wrong one";
         found[name] = std::max(found[name], size);
     }
+}
+
+void expect_agreement(const ShaderProgram& program, Found& found) {
+    for (const GLuint part : program.programs()) expect_agreement(program, part, found);
 }
 
 void expect_all_found(const ShaderProgram& program, const Found& found) {
@@ -106,11 +113,15 @@ void expect_all_tables(Programs& programs) {
 class ProgramTables : public testing::GlTest {};
 
 TEST_F(ProgramTables, AreWhatTheDriverFinds) {
+    const gl::Capabilities all = renderer().capabilities();
     for (const bool clip_distance : {true, false}) {
-        gl::Capabilities capabilities = renderer().capabilities();
-        capabilities.clip_distance = clip_distance;
-        Programs programs(capabilities);
-        expect_all_tables(programs);
+        for (const bool shared_stages : {true, false}) {
+            gl::Capabilities capabilities = all;
+            capabilities.clip_distance = clip_distance;
+            capabilities.shared_stages = shared_stages && all.shared_stages;
+            Programs programs(capabilities);
+            expect_all_tables(programs);
+        }
     }
 }
 
@@ -184,9 +195,9 @@ int program_count() {
 }
 
 /// How many a picture needs, in a renderer of its own.
-int programs_for(const Params& params, const Scene& scene) {
+int programs_for(const Params& params, const Scene& scene, const gl::Capabilities& capabilities) {
     const int before = program_count();
-    Result<Renderer> made = Renderer::make();
+    Result<Renderer> made = Renderer::make(capabilities);
     EXPECT_TRUE(made) << made.error();
     Renderer renderer = *std::move(made);
     View view;
@@ -198,12 +209,43 @@ int programs_for(const Params& params, const Scene& scene) {
 class ProgramCount : public testing::GlTest {};
 
 /// Five passes: what masks and shadows, the patch, and what is lit, in the mirror too. With a plane that cuts something
-/// off its image and its shadow come two more.
+/// off its image and its shadow come two more. Where stages are shared, each of these is a fragment stage, and one
+/// vertex stage stands before all that cut nothing off, another before those that do.
 TEST_F(ProgramCount, IsThatOfWhatThePictureNeeds) {
-    Scene scene = scene_named("torus-and-boxes");
-    EXPECT_EQ(programs_for(Params{}, scene), 3);
-    scene.objects.back().world_from_model[3].y -= 0.1;
-    EXPECT_EQ(programs_for(Params{}, scene), 5);
+    gl::Capabilities capabilities = renderer().capabilities();
+    const Scene whole = scene_named("torus-and-boxes");
+    Scene cut = whole;
+    cut.objects.back().world_from_model[3].y -= 0.1;
+    if (capabilities.shared_stages) {
+        EXPECT_EQ(programs_for(Params{}, whole, capabilities), 3 + 1);
+        EXPECT_EQ(programs_for(Params{}, cut, capabilities), 5 + 2);
+    }
+    capabilities.shared_stages = false;
+    EXPECT_EQ(programs_for(Params{}, whole, capabilities), 3);
+    EXPECT_EQ(programs_for(Params{}, cut, capabilities), 5);
+}
+
+class SharedStages : public testing::GlTest {};
+
+TEST_F(SharedStages, DrawEveryPresetAsWholeProgramsDo) {
+    if (!renderer().capabilities().shared_stages) GTEST_SKIP() << "whole programs are all that there is here";
+    gl::Capabilities capabilities = renderer().capabilities();
+    capabilities.shared_stages = false;
+    Result<Renderer> whole = Renderer::make(capabilities);
+    ASSERT_TRUE(whole) << whole.error();
+    constexpr glm::ivec2 size_px(128, 72);
+    for (const NamedFile& preset : presets()) {
+        const Result<LoadedState> state = load_state(preset.name);
+        ASSERT_TRUE(state) << state.error();
+        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+        ASSERT_TRUE(scene) << scene.error();
+        Params params = state->params;
+        params.view.samples = 0;
+        const FramePlan frame = plan(params, derive_for(params, *scene, size_px));
+        View of_stages, of_whole;
+        EXPECT_EQ(draw(frame, *scene, size_px, renderer(), of_stages), draw(frame, *scene, size_px, *whole, of_whole))
+            << preset.name;
+    }
 }
 
 TEST(ProgramsInEs, CompileWithTheSameTables) {

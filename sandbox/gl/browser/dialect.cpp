@@ -64,4 +64,8 @@ bool has_debug_output() {
     return false;
 }
 
+bool has_shared_stages() {
+    return false;
+}
+
 }  // namespace viewing::gl

@@ -1,0 +1,20 @@
+// WebGL 2 has linked programs alone.
+#include "gl/stages.h"
+
+namespace viewing::gl {
+
+void DeletePipeline::operator()(GLuint /*name*/) const {}
+
+Result<Program> make_stage(GLenum /*stage*/, std::string_view /*source*/, std::string_view /*defines*/) {
+    return Error{"this dialect of GL has no programs of one stage"};
+}
+
+Pipeline make_pipeline(const Program& /*vertex*/, const Program& /*fragment*/) {
+    return {};
+}
+
+void use(const Pipeline& /*pipeline*/) {}
+
+void address(const Pipeline& /*pipeline*/, GLuint /*stage*/) {}
+
+}  // namespace viewing::gl
