@@ -25,6 +25,7 @@
 #include "gl/egl_context.h"
 #include "gl/gl.h"
 #include "image/png.h"
+#include "platform/heap.h"
 #include "ui_frame.h"
 
 namespace {
@@ -164,6 +165,7 @@ void run(const std::string& state_name, int count, glm::ivec2 size_px, std::stri
 }  // namespace
 
 int main(int argc, char** argv) try {
+    viewing::reserve_heap();  // as the program does
     glm::ivec2 size_px{0};
     const std::string_view mode = argc == 5 ? argv[4] : "";
     if ((mode != "read" && mode != "png" && mode != "window" && mode != "flight" && mode != "frame") ||
