@@ -8,18 +8,7 @@
 
 #include "cli/exit_status.h"
 #include "platform/last_words.h"
-
-#if defined(__has_feature)
-#define VIEWING_HAS_FEATURE(feature) __has_feature(feature)
-#else
-#define VIEWING_HAS_FEATURE(feature) 0
-#endif
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || VIEWING_HAS_FEATURE(address_sanitizer) || \
-    VIEWING_HAS_FEATURE(thread_sanitizer)
-#define VIEWING_IS_SANITIZED 1
-#else
-#define VIEWING_IS_SANITIZED 0
-#endif
+#include "platform/sanitized.h"
 
 namespace viewing {
 namespace {
@@ -51,7 +40,7 @@ void end_faults_with_a_status() {
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;
     ::sigaction(SIGXFSZ, &ignore, nullptr);
-    if (VIEWING_IS_SANITIZED == 0) catch_faults();
+    if (!is_sanitized) catch_faults();
 }
 
 }  // namespace viewing

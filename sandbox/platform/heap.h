@@ -12,7 +12,7 @@ void reserve_heap();
 /// What is still untouched of the reserve becomes pages of 2 MB where the system has them on request, one after the
 /// other as long as none takes longer than `longest`: then a picture's start to its end takes a tenth less. Processors
 /// clear one in 40 to 300 µs; a virtual machine whose host must find the memory first takes 5 ms for each, more than it
-/// saves, so there the first one is the last. Call once, before the driver is loaded.
+/// saves, so there the first one is the last. Before the first driver is loaded; later calls do nothing.
 void take_large_pages(std::chrono::microseconds longest = std::chrono::microseconds(700));
 
 }  // namespace viewing

@@ -38,20 +38,17 @@ const Variant variants[] = {
 };
 
 Artefact artefact(const NamedFile& preset, const Variant& variant) {
-    const Result<LoadedState> state = load_state(preset.name);
-    EXPECT_TRUE(state) << state.error();
-    const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
-    EXPECT_TRUE(scene) << scene.error();
+    const auto [params, scene] = testing::preset_named(preset.name);
     std::vector<std::string> settings{"view.samples=0"};
     settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
-    const Result<Params> broken = apply_settings(state->params, settings);
+    const Result<Params> broken = apply_settings(params, settings);
     EXPECT_TRUE(broken) << broken.error();
     const std::string mended_by = *variant.mended_by == '\0' ? preset.mended_by : variant.mended_by;
     const Result<Params> mended = apply_settings(*broken, std::vector<std::string>{mended_by});
     EXPECT_TRUE(mended) << mended.error();
     std::string name = preset.name;
     for (const std::string& setting : variant.settings) name += " " + setting;
-    return {std::move(name), *broken, *mended, *scene};
+    return {std::move(name), *broken, *mended, scene};
 }
 
 std::vector<Artefact> artefacts() {

@@ -235,15 +235,11 @@ TEST_F(SharedStages, DrawEveryPresetAsWholeProgramsDo) {
     ASSERT_TRUE(whole) << whole.error();
     constexpr glm::ivec2 size_px(128, 72);
     for (const NamedFile& preset : presets()) {
-        const Result<LoadedState> state = load_state(preset.name);
-        ASSERT_TRUE(state) << state.error();
-        const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
-        ASSERT_TRUE(scene) << scene.error();
-        Params params = state->params;
+        auto [params, scene] = testing::preset_named(preset.name);
         params.view.samples = 0;
-        const FramePlan frame = plan(params, derive_for(params, *scene, size_px));
+        const FramePlan frame = plan(params, derive_for(params, scene, size_px));
         View of_stages, of_whole;
-        EXPECT_EQ(draw(frame, *scene, size_px, renderer(), of_stages), draw(frame, *scene, size_px, *whole, of_whole))
+        EXPECT_EQ(draw(frame, scene, size_px, renderer(), of_stages), draw(frame, scene, size_px, *whole, of_whole))
             << preset.name;
     }
 }

@@ -8,6 +8,7 @@
 
 #include "state/compare.h"
 #include "state/presets.h"
+#include "unit/frame/frame_test.h"
 #include "unit/geometry/random.h"
 
 namespace viewing {
@@ -75,11 +76,8 @@ int expect_the_same_fragments(std::span<const Pass> passes) {
 }
 
 std::vector<Pass> passes_of(const std::string& preset) {
-    const Result<LoadedState> state = load_state(preset);
-    EXPECT_TRUE(state) << state.error();
-    const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
-    EXPECT_TRUE(scene) << scene.error();
-    return plan(state->params, derive(state->params, *scene, {{640, 360}})).passes;
+    const auto [params, scene] = testing::preset_named(preset);
+    return plan(params, derive(params, scene, {{640, 360}})).passes;
 }
 
 TEST(SharedTests, InEveryPresetTheSameFragmentsPass) {

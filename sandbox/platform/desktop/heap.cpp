@@ -47,6 +47,7 @@ void reserve_heap() {
 void take_large_pages(std::chrono::microseconds longest) {
     using Clock = std::chrono::steady_clock;
     std::uintptr_t at = (reserve_begin + large_page_bytes - 1) / large_page_bytes * large_page_bytes;
+    reserve_begin = reserve_end;  // each is asked for once
     for (; at + large_page_bytes <= reserve_end; at += large_page_bytes) {
         void* const page = reinterpret_cast<void*>(at);
         const Clock::time_point begin = Clock::now();

@@ -1,5 +1,5 @@
-// What the tests of derive and plan share: scenes without files, states from settings, and the members in
-// which two frame plans differ, none left out.
+// What the tests of derive and plan share: scenes without files, presets with theirs, states from settings, and the
+// members in which two frame plans differ, none left out.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,6 +14,8 @@
 #include "frame/problems.h"
 #include "geometry/shapes.h"
 #include "state/file/json.h"
+#include "state/presets.h"
+#include "state/scene.h"
 
 namespace viewing::testing {
 
@@ -46,6 +48,19 @@ inline Params params_with(const std::vector<std::string>& settings) {
     const Result<Params> params = apply_settings(Params{}, settings);
     EXPECT_TRUE(params) << params.error();
     return *params;
+}
+
+/// A preset with its scene.
+struct LoadedPreset {
+    Params params;
+    Scene scene;
+};
+inline LoadedPreset preset_named(const std::string& name) {
+    const Result<LoadedState> state = load_state(name);
+    EXPECT_TRUE(state) << state.error();
+    const Result<Scene> scene = load_scene(state->params.scene, state->base, state->params.coplanar);
+    EXPECT_TRUE(scene) << scene.error();
+    return {state->params, *scene};
 }
 
 inline std::vector<Problem> problems_of(const Params& params, const Scene& scene, const Viewport& viewport = {}) {
