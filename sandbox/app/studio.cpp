@@ -199,9 +199,10 @@ double Studio::next_redraw_in_s() const {
     if (busy || works) return busy ? 0.0 : 0.05;
     if (workbench.presenter.has_running_clock()) return 0.5;
     const double recorded_s = workbench.recorder.seconds();
-    const double in_s = sooner(sooner(static_cast<double>(widgets::RedrawIn(workbench.widgets)),
-                                      Workbench::message_ends_in_s(session.message)),
-                               workbench.recorder.is_recording() ? std::floor(recorded_s) + 1.0 - recorded_s : -1.0);
+    double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
+    in_s = sooner(in_s, Workbench::message_ends_in_s(session.message));
+    in_s = sooner(in_s, workbench.exercises.update_due_in_s(ImGui::GetTime()));
+    if (workbench.recorder.is_recording()) in_s = sooner(in_s, std::floor(recorded_s) + 1.0 - recorded_s);
     return workbench.presenter.is_on() && in_s < 0.0 ? 60.0 : in_s;
 }
 

@@ -147,12 +147,17 @@ void ExerciseDesk::write_what_changed() {
 Status ExerciseDesk::update(double now_s) {
     Status status = take_what_was_read();
     if (const auto written = writing_.take(); written && !*written) status = Error{written->error()};
-    const bool is_time = written_s_ < 0.0 || now_s - written_s_ >= least_between_writes_s;
-    if (has_changed_ && is_time && !reading_.is_running() && !writing_.is_running()) {
+    if (update_due_in_s(now_s) == 0.0) {
         written_s_ = now_s;
         write_what_changed();
     }
     return status;
+}
+
+double ExerciseDesk::update_due_in_s(double now_s) const {
+    // The end of what is read or written is heard of by itself.
+    if (!has_changed_ || folder_.empty() || reading_.is_running() || writing_.is_running()) return -1.0;
+    return written_s_ < 0.0 ? 0.0 : std::max(written_s_ + least_between_writes_s - now_s, 0.0);
 }
 
 Status ExerciseDesk::finish() {

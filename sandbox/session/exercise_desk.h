@@ -42,6 +42,8 @@ public:
     /// Called once a frame: what was read is taken over, what has changed is written beside the window. The error is
     /// that of a file.
     Status update(double now_s);
+    /// Until what waits to be written wants an update(), though nothing else happens; negative: nothing waits.
+    double update_due_in_s(double now_s) const;
     /// All that waits is written, now.
     Status finish();
 

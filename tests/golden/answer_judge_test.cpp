@@ -1,10 +1,13 @@
 // A goal that is measured in pictures, watched by the window: judged beside it, and as grade judges it. No references.
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 #include <thread>
 
 #include "app/studio.h"
 #include "gl/gl_test.h"
 #include "lesson/exercise.h"
+#include "platform/file.h"
 #include "report/grading.h"
 #include "report/state_numbers.h"
 
@@ -38,7 +41,9 @@ protected:
     bool frames_until(const Done& done) {
         const auto begun = std::chrono::steady_clock::now();
         while (std::chrono::steady_clock::now() - begun < std::chrono::minutes(1)) {
-            studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = {}});
+            FrameInput input;
+            input.dt_s = frame_s_;
+            studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = input});
             if (done()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
@@ -50,6 +55,7 @@ protected:
 
     std::unique_ptr<Studio> studio_;
     int settled_ = 0;
+    double frame_s_ = 1.0 / 60.0;
 };
 
 TEST_F(AnswerJudgeTest, ChecksBesideTheWindowAndAsGradeDoes) {
@@ -87,6 +93,28 @@ TEST_F(AnswerJudgeTest, ForgetsWhatIsNoLongerAsked) {
         studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = {}});
     EXPECT_FALSE(is_checking());
     EXPECT_FALSE(run().is_revealed());
+}
+
+/// A change soon after one that was written waits to be written, and nothing else may happen meanwhile.
+TEST_F(AnswerJudgeTest, TheWindowDoesNotSleepOverWhatIsToBeKept) {
+    std::string folder = (std::filesystem::temp_directory_path() / "viewing-answers-XXXXXX").string();
+    ASSERT_NE(mkdtemp(folder.data()), nullptr);
+    ExerciseDesk& exercises = studio_->workbench.exercises;
+    exercises.keep_in(folder, "test");
+    exercises.sit_down({"viewing-2026", "32201234", "Kim"});
+    const std::filesystem::path file = std::filesystem::path(folder) / answers_file_name(exercises.student());
+    const auto is_written = [&](const std::string& number) {
+        const Result<std::string> text = read_text_file(file);
+        return text && text->find(number) != std::string::npos;
+    };
+    frame_s_ = 1e-4;
+    set_units(-40.5);
+    ASSERT_TRUE(frames_until([&] { return is_written("-40.5"); }));
+    set_units(-41.5);
+    EXPECT_TRUE(frames_until([&] { return !is_checking() && studio_->redraw_in_s() > 0.1; }));
+    EXPECT_LE(studio_->redraw_in_s(), 0.3) << "these frames took no time of the window's";
+    EXPECT_TRUE(exercises.finish());
+    std::filesystem::remove_all(folder);
 }
 
 /// A picture waits for nothing: its strip has the verdict in its first frames.

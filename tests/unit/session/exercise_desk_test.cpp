@@ -214,6 +214,32 @@ TEST_F(ExerciseDeskTest, WhatIsTypedIsOnTheDiskWithinASecond) {
     EXPECT_EQ(files().size(), 1U) << "no other file is left";
 }
 
+TEST_F(ExerciseDeskTest, AWindowThatSleepsIsToldWhenTheLatestIsToBeWritten) {
+    const auto desk = desk_of(anna);
+    const auto draft = [this] { return written(anna).find(number_id)->draft; };
+    const auto sleep = [] { std::this_thread::sleep_for(std::chrono::milliseconds(5)); };
+    double window_s = 100.0;
+    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "nothing waits";
+    type(*desk, number_id, {1.0});
+    EXPECT_EQ(desk->update_due_in_s(window_s), 0.0);
+    hear(desk->update(window_s));
+    EXPECT_LT(desk->update_due_in_s(window_s), 0.0) << "the end of its writing wakes the window";
+
+    type(*desk, number_id, {2.0});  // meanwhile, and the person rests
+    window_s += 0.1;
+    for (int turn = 0; turn < 1000 && desk->update_due_in_s(window_s) < 0.0; ++turn) {
+        sleep();
+        hear(desk->update(window_s));
+    }
+    EXPECT_EQ(draft(), std::optional(std::vector{1.0}));
+    ASSERT_NEAR(desk->update_due_in_s(window_s), 0.2, 1e-9) << "the disk is spared";
+    window_s += desk->update_due_in_s(window_s);
+    hear(desk->update(window_s));
+    for (int turn = 0; turn < 1000 && draft() != std::vector{2.0}; ++turn) sleep();
+    EXPECT_EQ(draft(), std::optional(std::vector{2.0}));
+    EXPECT_EQ(told_, "");
+}
+
 TEST_F(ExerciseDeskTest, FinishWritesAtOnce) {
     const auto desk = desk_of(anna);
     for (int i = 1; i <= 5; ++i) {
