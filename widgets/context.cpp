@@ -57,9 +57,16 @@ float RedrawIn(const Context& context) {
     if (context.hovered != context.hovered_next || context.entry_hovered != context.entry_hovered_next) return 0.0F;
     if (editing.type_next || (editing.typing && !editing.focused) || context.targets.frames_of_search > 0) return 0.0F;
     if (MayBeTakenBack(context)) return ImGui::GetIO().MouseDoubleClickTime;
-    constexpr float caret_blink_s = 0.2F;
-    if (editing.typing && (editing.redraw_in_s < 0.0F || editing.redraw_in_s > caret_blink_s)) return caret_blink_s;
     return editing.redraw_in_s;
+}
+
+void AskForRedraw(float in_s) {
+    float& redraw_in_s = CurrentContext().editing.redraw_in_s;
+    redraw_in_s = redraw_in_s < 0.0F ? in_s : std::min(redraw_in_s, in_s);
+}
+
+void GoOnWhileHeld() {
+    if (ImGui::IsItemActive()) AskForRedraw(ImGui::GetIO().KeyRepeatRate);
 }
 
 bool MayBeTakenBack(const Context& context) {
@@ -167,11 +174,11 @@ bool TooltipDue(bool hovered, ImVec2 min, ImVec2 max) {
     if (editing.tooltip_time_s >= delay_s) {
         // ImGui hides a new window in its first frame: the tooltip needs further ones to appear.
         constexpr int frames_to_appear = 3;
-        if (editing.tooltip_frames_due++ < frames_to_appear) editing.redraw_in_s = 0.0F;
+        if (editing.tooltip_frames_due++ < frames_to_appear) AskForRedraw(0.0F);
         return true;
     }
     editing.tooltip_frames_due = 0;
-    editing.redraw_in_s = delay_s - editing.tooltip_time_s;
+    AskForRedraw(delay_s - editing.tooltip_time_s);
     return false;
 }
 

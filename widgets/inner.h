@@ -20,6 +20,8 @@ using viewing::operator""_a;
 
 namespace widgets::inner {
 
+constexpr float caret_blink_s = 0.2F;
+
 /// Pixels for a length in design pixels.
 inline float Px(float design_pixels) {
     return design_pixels * CurrentContext().scale;

@@ -61,6 +61,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     Context& context = CurrentContext();
     Editing& editing = context.editing;
     editing.typing_frame = ImGui::GetFrameCount();
+    AskForRedraw(caret_blink_s);
 
     const FontScope font(context.fonts.number);
     const float padding_y = std::max(0.0F, (size.y - ImGui::GetFontSize()) * 0.5F);

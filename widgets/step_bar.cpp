@@ -77,6 +77,7 @@ bool IconButton(const char* id, Icon icon, bool enabled, const char* tip) {
     ImGui::BeginDisabled(!enabled);
     const float side = ImGui::GetFrameHeight();
     const bool clicked = ImGui::Button(id, ImVec2(ButtonWidth(), side));
+    GoOnWhileHeld();
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     DrawIcon(ImGui::GetWindowDrawList(), ImVec2(std::round(0.5F * (min.x + max.x)), std::round(0.5F * (min.y + max.y))),
              std::round(side * 0.23F), icon, Shown(CurrentContext().palette.text));
@@ -250,12 +251,9 @@ void Speed(float& steps_per_s, float width) {
     Tooltip("Speed", "Steps in a second while it plays.");
 }
 
-/// The next frame is due when the next step is.
-void AskForRedraw(double steps_per_s, double carry) {
-    Editing& editing = CurrentContext().editing;
-    const double wait_s = steps_per_s > 0.0 ? std::clamp((1.0 - carry) / steps_per_s, 0.0, 0.5) : 0.5;
-    const auto wait = static_cast<float>(wait_s);
-    if (editing.redraw_in_s < 0.0F || wait < editing.redraw_in_s) editing.redraw_in_s = wait;
+/// Seconds until the next step.
+float NextStepIn(double steps_per_s, double carry) {
+    return static_cast<float>(steps_per_s > 0.0 ? std::clamp((1.0 - carry) / steps_per_s, 0.0, 0.5) : 0.5);
 }
 
 }  // namespace
@@ -333,7 +331,7 @@ bool StepBar(const char* id, int& step, int count, StepPlayer& player, double dt
     if (count == 0) Tooltip("", no_steps);
 
     if (player.playing && !was_playing) player.carry_steps = 0.0;
-    if (player.playing) AskForRedraw(static_cast<double>(player.steps_per_s), player.carry_steps);
+    if (player.playing) AskForRedraw(NextStepIn(static_cast<double>(player.steps_per_s), player.carry_steps));
     const bool changed = next != step;
     step = next;
     return changed;

@@ -17,7 +17,10 @@ bool TextField(const char* label, std::string& text, const char* hint, ImGuiInpu
     }
     ImGui::PushID(use.times);
     const bool is_entered = ImGui::InputTextWithHint(label, hint, &text, flags);
-    if (ImGui::IsItemActive()) use = {use.times, frame, true};
+    if (ImGui::IsItemActive()) {
+        use = {use.times, frame, true};
+        AskForRedraw(inner::caret_blink_s);
+    }
     ImGui::PopID();
     return is_entered;
 }

@@ -131,6 +131,12 @@ Context& CurrentContext();
 /// is due, highlights have to follow the pointer, the caret blinks); 0 at once, negative never.
 float RedrawIn(const Context& context);
 
+/// Another frame is wanted in so many seconds though no input comes: of several wishes the soonest.
+void AskForRedraw(float in_s);
+
+/// After a button that acts on and on while it is held (ImGui::PushButtonRepeat): a hand that rests makes no frames.
+void GoOnWhileHeld();
+
 /// Whether a click has just moved a slider's knob that a second one would put back, to begin to type: what it did is
 /// not done yet.
 bool MayBeTakenBack(const Context& context);

@@ -205,6 +205,27 @@ TEST_F(StepBarTest, AsksForTheFrameOfTheNextStep) {
     EXPECT_NEAR(RedrawIn(context), 0.1F, 1e-4F);
 }
 
+TEST_F(StepBarTest, AHeldButtonGoesOnThoughTheHandRests) {
+    step = 0;
+    start_bar();
+    const RecordedItem forward = ui.find("steps/Forward");
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = ImVec2(0.5F * (forward.min.x + forward.max.x), 0.5F * (forward.min.y + forward.max.y));
+    ui.frame();
+    io.MouseDown[0] = true;
+    ui.frame();
+    for (double held_s = 0.0; held_s < 0.6;) {  // a window that draws only what is asked for
+        const float in_s = RedrawIn(context);
+        ASSERT_GE(in_s, 0.0F) << "asleep after " << held_s << " s";
+        held_s += std::max(static_cast<double>(in_s), 0.01);
+        ui.frame(std::max(in_s, 0.01F));
+    }
+    EXPECT_GE(step, 4);
+    io.MouseDown[0] = false;
+    ui.frame();
+    EXPECT_LT(RedrawIn(context), 1.0F);
+}
+
 TEST_F(StepBarTest, WithoutStepsItIsDisabledAndSaysWhy) {
     for (const int none : {0, -5}) {
         count = none;

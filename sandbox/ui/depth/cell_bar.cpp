@@ -28,6 +28,7 @@ bool arrow(const char* sign, bool enabled, const char* title, const char* explan
            const char* why_not = marked("It stands there already."), float width = button_width()) {
     ImGui::BeginDisabled(!enabled);
     const bool clicked = ImGui::Button(sign, {width, 0.0F});
+    widgets::GoOnWhileHeld();
     widgets::Record(sign);
     ImGui::EndDisabled();
     widgets::Tooltip(title, enabled ? explanation : why_not);
@@ -110,7 +111,7 @@ void play_button(int& step, int count, widgets::StepPlayer& player) {
 void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& rect) {
     player.shown = true;
     widgets::PlaySteps(step, count, player, ImGui::GetIO().DeltaTime);
-    if (player.playing) widgets::CurrentContext().editing.redraw_in_s = 0.0F;
+    if (player.playing) widgets::AskForRedraw(0.0F);
     const int before = step;
     int reached = step < 0 ? count : step;
     ImGui::PushButtonRepeat(true);

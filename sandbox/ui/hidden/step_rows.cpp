@@ -46,6 +46,7 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
     ImGui::BeginDisabled(!to);
     const float width = std::max(std::round(1.15F * ImGui::GetFrameHeight()), ImGui::CalcTextSize(sign).x + px(10.0F));
     if (ImGui::Button(sign, {width, 0.0F})) step = *to;
+    widgets::GoOnWhileHeld();
     widgets::Record(id);
     ImGui::EndDisabled();
     ImGui::PopID();
