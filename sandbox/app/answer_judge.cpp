@@ -45,7 +45,7 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
     const bool was_checking = std::exchange(workbench.is_checking, false);
     LessonRun* const run = workbench.guide.is_shown() ? workbench.guide.run() : nullptr;
     if (!run || run->is_revealed() || workbench.guide.is_revealing() || session.loading_fraction()) {
-        task_.drop();
+        give_up();
         return was_checking;
     }
     const Ask& ask = run->step().ask;
@@ -56,7 +56,7 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         return Case{asked_->lesson, asked_->step,   asked_->answer, asked_->params.value_or(start),
                     start,          session.scene()};
     };
-    if (task_.is_running() && !is_asked) task_.drop();
+    if (!is_asked) give_up();
     if (std::optional<Result<std::optional<Verdict>>> done = task_.take()) {
         if (!*done)
             take(Error{done->error()}, workbench, session);
@@ -88,6 +88,12 @@ bool AnswerJudge::update(Workbench& workbench, Session& session, const Moment& m
         });
     }
     return true;
+}
+
+void AnswerJudge::give_up() {
+    if (!task_.is_running()) return;
+    task_.drop();
+    asked_.reset();
 }
 
 void AnswerJudge::take(const Result<Verdict>& verdict, Workbench& workbench, Session& session) {

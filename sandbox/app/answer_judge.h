@@ -34,6 +34,8 @@ private:
         std::optional<Params> params;  ///< of a goal alone
         bool is_of(const LessonRun& run, const Params& now) const;
     };
+    /// What is being judged; asked once more it is judged anew.
+    void give_up();
     void take(const Result<Verdict>& verdict, Workbench& workbench, Session& session);
 
     Renderer& renderer_;

@@ -93,6 +93,9 @@ TEST_F(AnswerJudgeTest, ForgetsWhatIsNoLongerAsked) {
         studio_->frame({.size_px = {1280, 720}, .device_scale = 1.0, .shows_time = true, .input = {}});
     EXPECT_FALSE(is_checking());
     EXPECT_FALSE(run().is_revealed());
+    studio_->workbench.guide.resume(studio_->session);
+    ASSERT_EQ(studio_->session.params.depth.offset.units, -0.75) << "as it was left";
+    EXPECT_TRUE(frames_until([&] { return run().is_revealed(); })) << "what was given up is asked anew";
 }
 
 /// A change soon after one that was written waits to be written, and nothing else may happen meanwhile.
