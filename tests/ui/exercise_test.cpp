@@ -81,6 +81,24 @@ TEST_F(ExercisesInTheWindow, TheButtonOpensThePageAndACardItsExercise) {
     EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
 }
 
+TEST_F(ExercisesInTheWindow, ACardThatIsClickedTooSoonOpensWhenAllAreMade) {
+    desk.click("top/Exercises");
+    ui.frames(3);
+    desk.workbench.exercises.sit_down({"viewing-2026", "32209999", "Lee"});
+    ui.frames(1);
+    ASSERT_FALSE(desk.workbench.exercises.is_ready());
+    desk.click("exercises/card 16");
+    ui.frames(3);
+    EXPECT_TRUE(desk.workbench.exercise_page.is_open());
+    desk.make();
+    ui.frames(3);
+    desk.settle();
+    EXPECT_FALSE(desk.workbench.exercise_page.is_open());
+    ASSERT_TRUE(desk.workbench.guide.is_sheet());
+    EXPECT_EQ(desk.run().step().id, "E16-shadow-matrix");
+    EXPECT_EQ(desk.run().lesson().sheet->student, "32209999");
+}
+
 TEST_F(ExercisesInTheWindow, PageDownGoesOnAndNeverShowsAnAnswer) {
     desk.begin("E16-shadow-matrix");
     desk.press(Key::page_down);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "lesson/typed_matrix.h"
 #include "text/catalogue.h"
@@ -95,7 +96,7 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     if (!ImGui::IsAnyItemActive()) typed_ = desk.student();
     page_heading(say("Exercises: {points} of {of} points", "points"_a = desk.points(), "of"_a = desk.points_of()),
                  "title");
-    if (button_at_right("Close")) is_open_ = false;
+    if (button_at_right("Close")) close();
     draw_student(desk, guide);
     widgets::Note(
         "Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
@@ -133,12 +134,12 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     const int clicked = draw_cards(
         cards, [&](const std::string& key) { return texture_in(pictures, key); }, -1);
     ImGui::EndChild();
-    if (clicked < 0 || !desk.is_ready()) return wishes;
-    const std::size_t place = places[static_cast<std::size_t>(clicked)];
-    std::optional<LessonRun> run = desk.sheet_at(desk.entries()[place].exercise.id, places);
+    if (clicked >= 0) chosen_ = desk.entries()[places[static_cast<std::size_t>(clicked)]].exercise.id;
+    if (chosen_.empty() || !desk.is_ready()) return wishes;
+    std::optional<LessonRun> run = desk.sheet_at(std::exchange(chosen_, {}), places);
     if (!run) return wishes;
     guide.begin(*std::move(run), session);
-    is_open_ = false;
+    close();
     return wishes;
 }
 

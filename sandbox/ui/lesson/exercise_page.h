@@ -17,7 +17,10 @@ public:
     bool is_open() const { return is_open_; }
     /// Reads the exercises when they are wanted first.
     void open(ExerciseDesk& desk);
-    void close() { is_open_ = false; }
+    void close() {
+        is_open_ = false;
+        chosen_.clear();
+    }
 
     struct Wishes {
         bool save = false, open_answers = false;
@@ -33,8 +36,9 @@ private:
     void draw_student(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;
-    int set_ = 0;    ///< 0: all
-    Student typed_;  ///< in the fields, not yet anybody's
+    int set_ = 0;         ///< 0: all
+    Student typed_;       ///< in the fields, not yet anybody's
+    std::string chosen_;  ///< the exercise that is begun when all are made
 };
 
 /// Two pictures, larger: what a typed S or R makes of the scene, and what the right one does.
