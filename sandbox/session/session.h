@@ -28,6 +28,7 @@ struct Message {
     std::string text;
     bool is_error = false;
     double shown_s = 0.0;  ///< good news goes by itself after a while
+    bool is_drawn = false;
 };
 
 class Session {

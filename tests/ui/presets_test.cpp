@@ -255,6 +255,11 @@ TEST_F(PresetsTest, GoodNewsEndByThemselvesAndBadOnesStay) {
     EXPECT_FALSE(desk.session.message.text.empty());
     ui.frame(5.0F);
     EXPECT_TRUE(desk.session.message.text.empty());
+    desk.session.message = {"saved, after the window slept for long"};
+    ui.frame(50.0F);
+    EXPECT_FALSE(desk.session.message.text.empty()) << "it is seen for the first time";
+    ui.frame(50.0F);
+    EXPECT_TRUE(desk.session.message.text.empty());
     desk.session.message = {"broken", true};
     EXPECT_LT(Workbench::message_ends_in_s(desk.session.message), 0.0);
     ui.frame(50.0F);

@@ -287,7 +287,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     set_stage();
     widgets::NewFrame(widgets);
     Requests requests;
-    session.message.shown_s += input.dt_s;
+    if (session.message.is_drawn) session.message.shown_s += input.dt_s;
     if (message_ends_in_s(session.message) == 0.0) session.message = {};
     handle_keys(session, input, derived.aspect, requests);
     const Layout now = layout(ImGui::GetIO().DisplaySize, session);
@@ -311,6 +311,7 @@ Requests Workbench::draw(Session& session, const Derived& derived, const Derived
     draw_lesson(session, now, pictures, requests);
     draw_loading(session, now);
     draw_message(session, now);
+    session.message.is_drawn = true;
     file_dialog_.draw(session);
     draw_help(help_open_);
     draw_permission(session);

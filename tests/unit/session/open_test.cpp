@@ -92,6 +92,15 @@ TEST_F(SessionOpen, WhatCannotBeReadLeavesEverything) {
     EXPECT_EQ(session.params, opening);
 }
 
+TEST_F(SessionOpen, AnOutcomeIsOfWhatWasOpenedLast) {
+    open(write("own/good.json", "{}"));  // and nobody asked how it went
+    session.open(write("own/broken.json", "{\"camera\": 3}").string());
+    EXPECT_FALSE(session.take_outcome()) << "it is not read yet";
+    session.finish_loading();
+    const std::optional<Status> outcome = session.take_outcome();
+    EXPECT_TRUE(outcome && !*outcome);
+}
+
 TEST_F(SessionOpen, APipeThatNobodyReadsHoldsUpNobody) {
     const fs::path pipe = folder_ / "own/pipe";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
