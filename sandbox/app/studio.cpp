@@ -197,13 +197,15 @@ double Studio::next_redraw_in_s() const {
     const bool works = session.loading_fraction() || answer_.is_behind() || workbench.views.hidden.is_busy() ||
                        inspection_.wants_frames() || preset_pictures_.is_busy() || workbench.is_checking;
     if (busy || works) return busy ? 0.0 : 0.05;
-    if (workbench.presenter.has_running_clock()) return 0.5;
     const double recorded_s = workbench.recorder.seconds();
     double in_s = static_cast<double>(widgets::RedrawIn(workbench.widgets));
     in_s = sooner(in_s, Workbench::message_ends_in_s(session.message));
     in_s = sooner(in_s, workbench.exercises.update_due_in_s(ImGui::GetTime()));
     if (workbench.recorder.is_recording()) in_s = sooner(in_s, std::floor(recorded_s) + 1.0 - recorded_s);
-    return workbench.presenter.is_on() && in_s < 0.0 ? 60.0 : in_s;
+    const PresenterMode& presenter = workbench.presenter;
+    if (presenter.has_running_clock()) in_s = sooner(in_s, 0.5);
+    if (presenter.is_on()) in_s = sooner(in_s, 60.0 - std::fmod(presenter.presented_s(), 60.0));  // the notes' minute
+    return in_s;
 }
 
 Requests Studio::frame(const Surroundings& surroundings) {

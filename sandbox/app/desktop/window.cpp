@@ -160,6 +160,10 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
               LectureNotes& notes, bool keeps_answers) {
     FullScreen full_screen;
     int frames_due = 0;
+    const auto report = [&](const Status& status) {  // after what it belongs to was drawn
+        studio.session.report(status);
+        events.any |= !status;
+    };
     while (!glfwWindowShouldClose(window)) {
         events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
 
@@ -192,13 +196,12 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             write_view_picture(renderer, studio, requests.view_picture->file);
             events.any = true;
         }
-        studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
+        report(memory.follow(requests, studio.workbench, keeps_answers));
         if (requests.toggle_full_screen) full_screen.toggle(window);
         if (requests.full_screen) full_screen.set(window, *requests.full_screen);
         studio.present();
         glfwSwapBuffers(window);
-        studio.session.report(
-            notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
+        report(notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
         notes.draw(studio.session.params.ui.theme, device_scale);
     }
     Remembered last = memory.remembered();
