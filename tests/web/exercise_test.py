@@ -40,7 +40,7 @@ class Exercise(browser.Test):
         self.page.click("Save")
         return self.page.downloaded("*.json")
 
-    def test_an_exercise_is_answered_saved_and_graded(self):
+    def open_exercise(self):
         page = self.page
         page.open()
         page.click("top/Exercises")
@@ -51,6 +51,23 @@ class Exercise(browser.Test):
             page.wheel((800, 600), -2)
         page.click(at)
         self.assertIn("shadow matrix", page.told())
+
+    def test_what_is_typed_last_is_kept_though_the_page_goes(self):
+        self.open_exercise()
+        self.page.click("lesson strip/answers/answer/r0c0", count=2)
+        kept = self.page.js("""(() => {
+            const typed = document.getElementById('typed');
+            typed.value = '7.125';
+            typed.dispatchEvent(new InputEvent('input'));
+            for (const kind of ['keydown', 'keyup']) window.dispatchEvent(new KeyboardEvent(kind, {code: 'Enter', key: 'Enter'}));
+            window.dispatchEvent(new Event('pagehide'));
+            return Object.values(localStorage).join();
+        })()""")
+        self.assertIn("7.125", kept)
+
+    def test_an_exercise_is_answered_saved_and_graded(self):
+        page = self.page
+        self.open_exercise()
 
         right = shadow_matrix(page.field("plane.equation"), page.field("light.position"))
         self.type_matrix([list(column) for column in zip(*right)])

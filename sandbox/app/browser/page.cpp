@@ -196,6 +196,12 @@ void tell_standstill() {
     page->any = true;
 }
 
+/// After what it belongs to was drawn.
+void report(const Status& status) {
+    page->studio.session.report(status);
+    page->any |= !status;
+}
+
 const char* given(std::string text) {
     page->returned = std::move(text);
     return page->returned.c_str();
@@ -224,7 +230,10 @@ void open_page() {
         page->pasted = text;
         page_copy(text);
     };
-    wake_when_work_ends([] { page_wake(); });
+    wake_when_work_ends([] {
+        page->any = true;
+        page_wake();
+    });
 }
 
 }  // namespace viewing
@@ -252,11 +261,17 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     const Requests requests = page->studio.frame({size_px, scale, true, frame.input});
     obey(requests);
     tell_standstill();
-    page->studio.session.report(page->memory.follow(requests, page->studio.workbench, true));
+    report(page->memory.follow(requests, page->studio.workbench, true));
     page->studio.present();
     page->drawn = page->studio.reads_back() ? gl::Fence::after_all_so_far() : gl::Fence();
     page->drawn_s = now_s();
     return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
+}
+
+/// The page may not come back: what waits to be kept of a person is written now.
+EMSCRIPTEN_KEEPALIVE void page_keep() {
+    report(page->studio.workbench.exercises.finish());
+    report(page->memory.finish());
 }
 
 EMSCRIPTEN_KEEPALIVE void page_event() {

@@ -48,9 +48,23 @@ const page = (() => {
     if (!frame_asked) frame_asked = requestAnimationFrame(draw);
   };
 
+  /// As after an event.
+  const again = () => {
+    Module._page_event();
+    ask();
+  };
+
+  /// The page is hidden, and may never be seen again: what was done is kept now, not in a frame that does not come.
+  const leave = () => {
+    if (!is_open || is_lost) return;
+    const most_frames = 8;
+    for (let i = 0; i < most_frames && Module._page_frame(canvas.width, canvas.height, scale()) === 0; ++i);
+    Module._page_keep();
+  };
+
   // ---- What the page shows of the program's state beside the picture
 
-  let cursor = '', opened = '', said = '', rest_timer = 0, is_embedded = false, is_arranging = false;
+  let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false, is_arranging = false;
 
   const follow = () => {
     const shape = UTF8ToString(Module._page_cursor());
@@ -63,6 +77,9 @@ const page = (() => {
       const is_state = now === '' && opened.startsWith('#1');  // which has no other name than its own link
       if (now !== opened && !is_state) enter(now);
     }
+    const now_ms = performance.now();
+    if (!rest_timer) rest_by_ms = now_ms + 3000;  // now and then while something moves as well
+    if (now_ms > rest_by_ms) return;
     clearTimeout(rest_timer);
     rest_timer = setTimeout(rest, 500);
   };
@@ -82,6 +99,7 @@ const page = (() => {
 
   /// When nothing has been drawn for a while: for screen readers, and the address.
   const rest = () => {
+    rest_timer = 0;
     document.documentElement.lang = text('page_language');
     show('told', text('page_told'));
     show('matrices', text('page_matrices_text'));
@@ -183,6 +201,7 @@ const page = (() => {
       // Ctrl+R, T, W, L, N and the developer's tools stay the browser's.
       const is_browsers = (event.ctrlKey || event.metaKey) && ['KeyR', 'KeyT', 'KeyW', 'KeyL', 'KeyN', 'KeyI', 'KeyJ'].includes(event.code);
       if (is_browsers || (event.altKey && event.code.startsWith('Arrow'))) return;
+      if (event.repeat) again();  // the program repeats what is held by itself, frame by frame
       const is_known = event.repeat ? 1 : key(event, true);
       const prints = event.key.length === 1 && !event.ctrlKey && !event.metaKey;
       if (document.activeElement === typed && prints) return;  // its input event brings it
@@ -238,8 +257,7 @@ const page = (() => {
       const [file] = $('file').files;
       if (file) tellFile('page_file_is_chosen', await put(file));
       $('file').value = '';
-      Module._page_event();
-      ask();
+      again();
     });
   };
 
@@ -343,8 +361,7 @@ const page = (() => {
       HEAPU8.set(bytes, place);
       call('page_font_has_come', null, ['string', 'number', 'number'], [name, place, bytes.length]);
       Module._free(place);
-      Module._page_event();
-      ask();
+      again();
     } catch (error) {
       console.warn('The font ' + name + ' cannot be fetched: ' + error.message);
     }
@@ -416,13 +433,10 @@ const page = (() => {
     const move = () => Module._page_move(calm.matches ? 0 : 1);
     calm.addEventListener('change', move);
     move();
-    const resized = () => {
-      Module._page_event();
-      ask();
-    };
-    new ResizeObserver(resized).observe(canvas);
-    watchScale(resized);
-    document.addEventListener('visibilitychange', ask);
+    new ResizeObserver(again).observe(canvas);
+    watchScale(again);
+    document.addEventListener('visibilitychange', () => document.hidden ? leave() : ask());
+    window.addEventListener('pagehide', leave);
     window.addEventListener('hashchange', () => openLink());
     if (location.hash.length > 1) openLink();
     canvas.focus();
