@@ -148,7 +148,7 @@ TEST_F(FailureSearchTest, MovesTheCameraToAViewWhereTheKeyFails) {
     choose("painter");
     const glm::dvec3 before = params.camera.position;
     desk.click("depth/Find a view where this key fails");
-    for (int frame = 0; frame < 3000 && desk.workbench.views.hidden.panel.failure.search.is_running(); ++frame) {
+    for (int frame = 0; frame < 12'000 && desk.workbench.views.hidden.panel.failure.search.is_running(); ++frame) {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
         ui.frames(1);
     }

@@ -24,7 +24,9 @@ TEST(Threads, CannotWhereTheyAreLimited) {
     }
     int state = 0;
     ASSERT_EQ(::waitpid(child, &state, 0), child);
-    EXPECT_EQ(WIFEXITED(state) ? WEXITSTATUS(state) : -1, 0);
+    const int status = WIFEXITED(state) ? WEXITSTATUS(state) : -1;
+    if (status == 2) GTEST_SKIP() << "root cannot become nobody here";
+    EXPECT_EQ(status, 0);
 }
 
 }  // namespace
