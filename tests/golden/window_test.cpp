@@ -6,6 +6,7 @@
 #include "app/picture.h"
 #include "app/studio.h"
 #include "golden/states.h"
+#include "lesson/lesson.h"
 
 namespace viewing {
 namespace {
@@ -141,6 +142,35 @@ TEST_F(WindowTest, RestsAfterItsFrameAndStaysAsItIs) {
     EXPECT_NE(studio.redraw_in_s(), 0.0);
     draw_frames(5);
     EXPECT_EQ(studio.read(), resting);
+}
+
+TEST_F(WindowTest, APresentersClockDelaysNothingElse) {
+    const LoadedState state = state_with({});
+    Studio studio(renderer(), Session(state, scene_of(state)));
+    const Result<Lesson> lesson = load_lesson("view-is-the-inverse");
+    ASSERT_TRUE(lesson) << lesson.error();
+    studio.workbench.guide.begin(*lesson, 0, studio.session);
+    PresenterMode& presenter = studio.workbench.presenter;
+    presenter.begin();
+    const auto pass = [&](double seconds, std::vector<KeyPress> pressed = {}) {
+        FrameInput input;
+        input.dt_s = seconds;
+        input.pressed = std::move(pressed);
+        studio.frame({.size_px = {1280, 720}, .shows_time = true, .input = input});
+    };
+    for (int second = 0; second < 59; ++second) pass(1.0);
+    EXPECT_NEAR(studio.redraw_in_s(), 1.0, 1e-6) << "the notes tell the minute";
+    pass(1.5);
+    EXPECT_NEAR(studio.redraw_in_s(), 59.5, 1e-6);
+
+    pass(0.01, {{Key::t}});
+    ASSERT_TRUE(presenter.has_running_clock());
+    for (int frame = 0; frame < 10; ++frame) pass(0.01);
+    EXPECT_EQ(studio.redraw_in_s(), 0.5);
+    studio.session.message = {"saved"};
+    studio.session.message.shown_s = 7.75;
+    pass(0.01);
+    EXPECT_NEAR(studio.redraw_in_s(), 0.25, 0.02) << "the news end in time";
 }
 
 /// The chart of costs is drawn anew for its file, beside a window that goes on as it was.
