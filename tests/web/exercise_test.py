@@ -53,6 +53,8 @@ class Exercise(browser.Test):
         self.assertIn("shadow matrix", page.told())
 
     def test_what_is_typed_last_is_kept_though_the_page_goes(self):
+        self.page.open()
+        self.page.js("localStorage.clear()")  # as another student's browser
         self.open_exercise()
         self.page.click("lesson strip/answers/answer/r0c0", count=2)
         kept = self.page.js("""(() => {
