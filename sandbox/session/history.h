@@ -1,9 +1,9 @@
 // Undo and redo: whole values, one step between two rests.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace viewing {
 
@@ -16,7 +16,7 @@ public:
     /// Redo is forgotten only then. Returns whether a step was made.
     bool rest(const Value& value) {
         if (value == current_) return false;
-        if (past_.size() == max_steps) past_.erase(past_.begin());
+        if (past_.size() == max_steps) past_.pop_front();
         past_.push_back(std::exchange(current_, value));
         future_.clear();
         return true;
@@ -30,7 +30,7 @@ public:
 private:
     static constexpr std::size_t max_steps = 500;
 
-    std::optional<Value> step(std::vector<Value>& from, std::vector<Value>& to) {
+    std::optional<Value> step(std::deque<Value>& from, std::deque<Value>& to) {
         if (from.empty()) return std::nullopt;
         to.push_back(std::exchange(current_, std::move(from.back())));
         from.pop_back();
@@ -38,7 +38,7 @@ private:
     }
 
     Value current_;
-    std::vector<Value> past_, future_;
+    std::deque<Value> past_, future_;  ///< the oldest go in front, at no cost to the others
 };
 
 }  // namespace viewing
