@@ -27,8 +27,8 @@ struct OutsideFile {
 struct Message {
     std::string text;
     bool is_error = false;
-    double shown_s = 0.0;  ///< good news goes by itself after a while
-    bool is_drawn = false;
+    double shown_s = 0.0;   ///< good news goes by itself after a while
+    bool is_drawn = false;  ///< since then shown_s counts
 };
 
 class Session {
