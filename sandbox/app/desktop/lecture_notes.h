@@ -21,6 +21,9 @@ public:
     /// Null where there is none: then they are nowhere.
     void take(std::unique_ptr<NotesWindow> window) { window_ = std::move(window); }
 
+    /// Null where there is none or the person has closed it.
+    GLFWwindow* shown_window() const { return window_ && window_->is_shown() ? window_->glfw() : nullptr; }
+
     /// Brings the page up to date where it is not; a file's trouble is one sentence.
     Status follow(const Guide& guide, const Session& session, double presented_s);
     /// Called once a frame.

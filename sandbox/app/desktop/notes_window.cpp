@@ -88,6 +88,10 @@ NotesWindow::~NotesWindow() {
     glfwDestroyWindow(window_);
 }
 
+bool NotesWindow::is_shown() const {
+    return glfwGetWindowAttrib(window_, GLFW_VISIBLE) == GLFW_TRUE;
+}
+
 void NotesWindow::set(Notes notes) {
     notes_ = std::move(notes);
     korean_.want(notes_.title);
@@ -135,7 +139,7 @@ void NotesWindow::draw(Theme theme, double device_scale) {
     }
     glm::ivec2 size_px(0);
     glfwGetFramebufferSize(window_, &size_px.x, &size_px.y);
-    if (glfwGetWindowAttrib(window_, GLFW_VISIBLE) != GLFW_TRUE || size_px.x == 0 || size_px.y == 0) return;
+    if (!is_shown() || size_px.x == 0 || size_px.y == 0) return;
     if (!is_stale_ && size_px == target_.size_px() && theme == theme_) return present();
     const InContext ours(imgui_);
     theme_ = theme;

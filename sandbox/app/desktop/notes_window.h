@@ -30,6 +30,8 @@ public:
     NotesWindow& operator=(const NotesWindow&) = delete;
 
     GLFWwindow* glfw() const { return window_; }
+    /// Until the person closes it.
+    bool is_shown() const;
 
     /// What is shown from the next draw() on.
     void set(Notes notes);

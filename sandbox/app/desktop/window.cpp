@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/desktop/events.h"
+#include "app/desktop/full_screen.h"
 #include "app/desktop/lecture_notes.h"
 #include "app/desktop/lost_display.h"
 #include "app/pictures_to_files.h"
@@ -29,7 +30,10 @@ namespace {
 
 struct Glfw {
     bool started = glfwInit() == GLFW_TRUE;
-    Glfw() = default;
+    /// A window that fills a screen stays there when another one takes the keyboard.
+    Glfw() {
+        if (started) glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    }
     Glfw(const Glfw&) = delete;
     Glfw& operator=(const Glfw&) = delete;
     ~Glfw() {
@@ -96,66 +100,6 @@ Result<Window> make_window(bool checks_gl) {
     return window;
 }
 
-/// The monitor that shows most of the window; null without monitors.
-GLFWmonitor* monitor_of(GLFWwindow* window) {
-    glm::ivec2 min(0), size(0);
-    glfwGetWindowPos(window, &min.x, &min.y);
-    glfwGetWindowSize(window, &size.x, &size.y);
-    int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
-    GLFWmonitor* best = nullptr;
-    std::int64_t largest = -1;
-    for (int i = 0; i < count; ++i) {
-        glm::ivec2 corner(0);
-        glfwGetMonitorPos(monitors[i], &corner.x, &corner.y);
-        const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
-        if (!mode) continue;
-        const glm::ivec2 end = glm::min(min + size, corner + glm::ivec2(mode->width, mode->height));
-        const glm::ivec2 shared = glm::max(end - glm::max(min, corner), glm::ivec2(0));
-        const std::int64_t area = std::int64_t{shared.x} * shared.y;
-        if (area > largest) {
-            largest = area;
-            best = monitors[i];
-        }
-    }
-    return best;
-}
-
-/// Between full screen, on the monitor where the window is, and the place it had.
-class FullScreen {
-public:
-    void toggle(GLFWwindow* window) { set(window, glfwGetWindowMonitor(window) == nullptr); }
-
-    void set(GLFWwindow* window, bool is_full) {
-        if (is_full == (glfwGetWindowMonitor(window) != nullptr)) return;
-        if (!is_full) {
-            glfwSetWindowMonitor(window, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
-            return;
-        }
-        GLFWmonitor* monitor = monitor_of(window);
-        if (!monitor) return;
-        glfwGetWindowPos(window, &x_, &y_);
-        glfwGetWindowSize(window, &width_, &height_);
-        const GLFWvidmode& mode = *glfwGetVideoMode(monitor);
-        glfwSetWindowMonitor(window, monitor, 0, 0, mode.width, mode.height, mode.refreshRate);
-    }
-
-    /// The window's place without it. `before`: of a window that is maximised now.
-    WindowPlace place(GLFWwindow* window, const std::optional<WindowPlace>& before) const {
-        WindowPlace place{{x_, y_}, {width_, height_}, false};
-        if (glfwGetWindowMonitor(window)) return place;
-        glfwGetWindowPos(window, &place.position.x, &place.position.y);
-        glfwGetWindowSize(window, &place.size.x, &place.size.y);
-        if (glfwGetWindowAttrib(window, GLFW_MAXIMIZED) != GLFW_TRUE) return place;
-        place = before.value_or(place);
-        place.maximised = true;
-        return place;
-    }
-
-private:
-    int x_ = 0, y_ = 0, width_ = 1280, height_ = 720;
-};
-
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
               LectureNotes& notes, bool keeps_answers) {
     FullScreen full_screen;
@@ -197,8 +141,9 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             events.any = true;
         }
         report(memory.follow(requests, studio.workbench, keeps_answers));
-        if (requests.toggle_full_screen) full_screen.toggle(window);
-        if (requests.full_screen) full_screen.set(window, *requests.full_screen);
+        if (requests.toggle_full_screen) full_screen.toggle();
+        if (requests.full_screen) full_screen.set(*requests.full_screen);
+        full_screen.apply(window, notes.shown_window());
         studio.present();
         glfwSwapBuffers(window);
         report(notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
