@@ -186,7 +186,9 @@ void Session::return_to_preset() {
 
 void Session::reset() {
     if (const Result<LoadedState> opening = load_state("")) preset_ = opening->preset;
-    params = in_own_looks(Params{});
+    const UiParams own = own_looks();
+    params = {};
+    params.ui = own;
     begin_here();
     motion_ = {};
     message = {tr("everything is as at the start; Ctrl+Z brings the state back"), false};

@@ -154,6 +154,7 @@ private:
         std::string argument = {};             ///< as open() took it; "" where the state is known
         LoadedState state = {};                ///< unless there is an argument
         bool is_whole = false;                 ///< else it is only the scene
+        bool may_be_silent = false;            ///< defaults of looks and layout mean that it sets none
         bool is_first = false;                 ///< what the session was begun with
         std::optional<std::string> told = {};  ///< the message when it is there
     };
@@ -176,6 +177,10 @@ private:
     void take_written();
     /// Without the language, which is not undone.
     Step now() const;
+    /// The person's looks, also while an opened state shows others.
+    UiParams own_looks() const;
+    /// What a state shows that has just been opened: its own looks and layout, or the person's where it sets none.
+    void take_over_looks(Params& opened, bool may_be_silent);
 
     std::filesystem::path base_;
     Scene scene_;
@@ -199,6 +204,11 @@ private:
     MovingFreedoms moving_;
     MotionTuning tuning_;
     std::shared_ptr<const OpenPreset> preset_;
+    /// Looks that an opened state has set, and the person's, which come back with the next state that sets none.
+    struct LentLooks {
+        UiParams shown, own;
+    };
+    std::optional<LentLooks> lent_looks_;
     std::shared_ptr<const Flight> flight_;
     History<Step> history_;
     Params at_rest_, before_;

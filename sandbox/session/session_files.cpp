@@ -116,12 +116,7 @@ void Session::end_reading(Result<Arrived> result) {
     }
     for (const std::filesystem::path& file : result->scene.read) allowed_.add(file);
     if (wanted.is_whole) {
-        // A state that says nothing of its looks and layout keeps the ones that the person has chosen.
-        UiParams& looks = result->state.params.ui;
-        LayoutParams& layout = result->state.params.view.layout;
-        if (!wanted.argument.empty() && looks == UiParams{}) looks = params.ui;
-        looks.language = params.ui.language;
-        if (!wanted.argument.empty() && layout == LayoutParams{}) layout = params.view.layout;
+        take_over_looks(result->state.params, wanted.may_be_silent);
         params = result->state.params;
         flight_ = result->state.flight;
         preset_ = result->state.preset;
@@ -143,6 +138,26 @@ void Session::end_reading(Result<Arrived> result) {
         history_ = History(now());
         at_rest_ = before_ = params;
     }
+}
+
+UiParams Session::own_looks() const {
+    const auto is_shown = [this](UiParams looks) {
+        looks.language = params.ui.language;
+        return looks == params.ui;
+    };
+    // Others than those that were lent have been chosen since.
+    UiParams own = lent_looks_ && is_shown(lent_looks_->shown) ? lent_looks_->own : params.ui;
+    own.language = params.ui.language;
+    return own;
+}
+
+void Session::take_over_looks(Params& opened, bool may_be_silent) {
+    const UiParams own = own_looks();
+    if (may_be_silent && opened.ui == UiParams{}) opened.ui = own;
+    opened.ui.language = own.language;
+    lent_looks_.reset();
+    if (opened.ui != own) lent_looks_ = {opened.ui, own};
+    if (may_be_silent && opened.view.layout == LayoutParams{}) opened.view.layout = params.view.layout;
 }
 
 void Session::answer(bool may_read) {
@@ -218,7 +233,10 @@ void Session::open(const std::string& argument) {
         allowed_.add(argument);
         return;
     }
-    start_reading({.argument = argument, .is_whole = true, .told = say("opened {file}", "file"_a = argument)});
+    start_reading({.argument = argument,
+                   .is_whole = true,
+                   .may_be_silent = true,
+                   .told = say("opened {file}", "file"_a = argument)});
 }
 
 const std::string& Session::opening() const {
@@ -231,10 +249,7 @@ Status Session::paste(const std::string& text) {
     if (is_link(text)) {
         Result<LoadedState> linked = load_state(text);
         if (!linked) return Error{linked.error()};
-        // What it does not say is the default, but for looks and layout, which are the person's.
-        if (linked->params.ui == UiParams{}) linked->params.ui = params.ui;
-        if (linked->params.view.layout == LayoutParams{}) linked->params.view.layout = params.view.layout;
-        start_reading({.state = *std::move(linked), .is_whole = true, .told = told});
+        start_reading({.state = *std::move(linked), .is_whole = true, .may_be_silent = true, .told = told});
         return std::monostate{};
     }
     Result<StateDocument> pasted = parse_state_document(text, "clipboard");

@@ -36,6 +36,7 @@ NamedFile named_file(const fs::path& path) {
         take("about", named.about);
         take("group", named.group);
         take("mended_by", named.mended_by);
+        named.sets_looks = document->contains("ui");
     }
     return named;
 }

@@ -25,6 +25,8 @@ struct NamedFile {
     /// line.
     std::string mended_by;
     std::filesystem::path path;
+    /// Its state sets theme or size of type: chosen from the list only, never on the way that Page Down takes.
+    bool sets_looks = false;
 };
 
 /// The presets of the assets directory in the order of the lecture, as lecture.json beside them lists it ("opening"

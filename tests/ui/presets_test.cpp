@@ -127,8 +127,13 @@ TEST(Caption, TakesAtMostAThirdOfThePictureUnlessAskedFor) {
     EXPECT_FALSE(small.layout().caption_is_folded);
 }
 
-TEST_F(PresetsTest, NextAndPreviousGoThroughAllOfThem) {
-    const std::vector<NamedFile> all = presets();
+TEST_F(PresetsTest, NextAndPreviousGoThroughAllThatLeaveTheLooksAlone) {
+    std::vector<NamedFile> all = presets();
+    const std::size_t setting_looks =
+        std::erase_if(all, [](const NamedFile& preset) { return load_state(preset.name)->params.ui != UiParams{}; });
+    ASSERT_EQ(setting_looks, 2U) << "light-theme and projector";
+    const UiParams own{.theme = Theme::light, .scale = 1.1};
+    params.ui = own;
     while (ui.find("top/previous preset").enabled) {
         ui.click("top/previous preset");
         desk.settle();
@@ -140,8 +145,20 @@ TEST_F(PresetsTest, NextAndPreviousGoThroughAllOfThem) {
         desk.press(Key::page_down);
         desk.settle();
         ASSERT_EQ(desk.session.preset()->name, all[i].name);
+        ASSERT_EQ(params.ui, own) << all[i].name;
     }
     EXPECT_FALSE(ui.find("top/next preset").enabled);
+}
+
+/// Chosen from the list, the projector's looks are shown as long as that preset is.
+TEST_F(PresetsTest, LooksThatAPresetSetsGoWithIt) {
+    desk.session.open("projector");
+    desk.settle();
+    ASSERT_EQ(params.ui.theme, Theme::projector);
+    desk.press(Key::page_down);
+    desk.settle();
+    EXPECT_EQ(desk.session.preset()->name, "camera-plus-ten") << "the next one of the lecture";
+    EXPECT_EQ(params.ui.theme, Theme::dark);
 }
 
 // ---- the list ----------------------------------------------------------------------------------------------------

@@ -74,8 +74,13 @@ const NamedFile* Workbench::preset_at(const Session& session, int places) const 
     const auto at =
         std::find_if(presets_.begin(), presets_.end(), [&](const NamedFile& preset) { return preset.name == name; });
     // Without an open one the first is next.
-    const std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
-    return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
+    std::ptrdiff_t place = at == presets_.end() ? places - 1 : at - presets_.begin() + places;
+    const auto preset = [&]() -> const NamedFile* {
+        return place >= 0 && place < std::ssize(presets_) ? &presets_[static_cast<std::size_t>(place)] : nullptr;
+    };
+    if (places != 0)
+        while (preset() && preset()->sets_looks) place += places;
+    return preset();
 }
 
 double Workbench::message_ends_in_s(const Message& message) {

@@ -92,6 +92,37 @@ TEST_F(SessionOpen, WhatCannotBeReadLeavesEverything) {
     EXPECT_EQ(session.params, opening);
 }
 
+/// Theme and size of type belong to the person: what a state sets is shown while it is open.
+TEST_F(SessionOpen, LooksThatAFileSetsAreLent) {
+    const UiParams own{.theme = Theme::light, .scale = 1.2};
+    const fs::path plain = write("own/plain.json", R"({"camera": {"yaw": 5}})");
+    const fs::path large = write("own/large.json", R"({"ui": {"theme": "projector", "scale": 1.5}})");
+    const fs::path dark = write("own/dark.json", R"({"ui": {"scale": 0.8}})");
+    session.params.ui = own;
+    open(large);
+    EXPECT_EQ(session.params.ui, (UiParams{.theme = Theme::projector, .scale = 1.5}));
+    open(dark);
+    EXPECT_EQ(session.params.ui, (UiParams{.scale = 0.8}));
+    open(plain);
+    EXPECT_EQ(session.params.ui, own) << "also after two that set others";
+
+    open(large);
+    session.params.ui.language = Language::ko;
+    open(plain);
+    EXPECT_EQ(session.params.ui, (UiParams{own.theme, own.scale, Language::ko})) << "the language is never lent";
+
+    open(large);
+    session.params.ui.scale = 1.0;
+    session.rest();
+    open(plain);
+    EXPECT_EQ(session.params.ui, (UiParams{Theme::projector, 1.0, Language::ko})) << "chosen by the person since";
+
+    open(dark);
+    session.reset();
+    EXPECT_EQ(session.params.ui, (UiParams{Theme::projector, 1.0, Language::ko}))
+        << "the start has nobody else's looks";
+}
+
 TEST_F(SessionOpen, AnOutcomeIsOfWhatWasOpenedLast) {
     open(write("own/good.json", "{}"));  // and nobody asked how it went
     session.open(write("own/broken.json", "{\"camera\": 3}").string());
