@@ -140,10 +140,9 @@ std::string sentence_of(const FailureView& result, PainterKey key) {
                                            "pitch {pitch}°. Views tried: {views}.");
     // Searched in small pictures: a count of their pixels would stand beside the count of the view's.
     const double share = static_cast<double>(result.wrong_pixels) / static_cast<double>(result.compared);
-    return say_with(sentence, fmt::make_format_args("key"_a = key_name, "share"_a = percent(share),
-                                                    "yaw"_a = number_text(result.view.yaw_deg, 1),
-                                                    "pitch"_a = number_text(result.view.pitch_deg, 1),
-                                                    "views"_a = result.views_tried));
+    return say(fmt::runtime(sentence), "key"_a = key_name, "share"_a = percent(share),
+               "yaw"_a = number_text(result.view.yaw_deg, 1), "pitch"_a = number_text(result.view.pitch_deg, 1),
+               "views"_a = result.views_tried);
 }
 
 }  // namespace

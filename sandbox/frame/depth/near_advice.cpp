@@ -160,11 +160,9 @@ NearAdvice advice_where_cut(const Params& params, const Derived& derived, const 
                   "near = {near} cuts into {object}, which comes as near as {nearest}: near = {better} would keep it "
                   "whole, and the safe gap at z = {z} would be {then} in place of {now}, {factor} times coarser.");
     return {true, near,
-            say_with(sentence, fmt::make_format_args("near"_a = near_now, "object"_a = nearest.name,
-                                                     "nearest"_a = figures(rounded_down(nearest.nearest)),
-                                                     "better"_a = figures(near), "z"_a = figures(z),
-                                                     "then"_a = figures(change.then), "now"_a = figures(change.now),
-                                                     "factor"_a = figures(factor)))};
+            say(fmt::runtime(sentence), "near"_a = near_now, "object"_a = nearest.name,
+                "nearest"_a = figures(rounded_down(nearest.nearest)), "better"_a = figures(near), "z"_a = figures(z),
+                "then"_a = figures(change.then), "now"_a = figures(change.now), "factor"_a = figures(factor))};
 }
 
 const SeenThing& nearest_of(const std::vector<SeenThing>& seen) {
