@@ -122,9 +122,10 @@ function(smaller_fonts result)
     set(korean_fonts ${beside} CACHE INTERNAL "")
 endfunction()
 
-# The program as a page: index.html, its script and the module, and the Korean fonts beside them, in build/web.
+# The program as a page: index.html, its scripts and the module, and the Korean fonts beside them, in build/web.
 function(add_page)
     set(page ${PROJECT_SOURCE_DIR}/sandbox/app/browser/page)
+    set(page_scripts net.js kept.js page.js messages.js)
     set(folder ${PROJECT_SOURCE_DIR}/build/web)
     file(GLOB_RECURSE assets_files CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/assets/*.json ${PROJECT_SOURCE_DIR}/assets/*.po)
     add_executable(web ${PROJECT_SOURCE_DIR}/sandbox/page_main.cpp)
@@ -139,8 +140,9 @@ function(add_page)
     endforeach()
     target_link_options(web PRIVATE ${assets} -fwasm-exceptions -O2
                         -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1 -sFORCE_FILESYSTEM=1 -sENVIRONMENT=web
-                        -sEXPORTED_FUNCTIONS=_main,_malloc,_free -sEXPORTED_RUNTIME_METHODS=ccall)
-    set(beside ${page}/index.html ${page}/page.css ${page}/page.js ${korean_fonts})
+                        -sEXPORTED_FUNCTIONS=_main,_malloc,_free)
+    list(TRANSFORM page_scripts PREPEND ${page}/)
+    set(beside ${page}/index.html ${page}/page.css ${page_scripts} ${korean_fonts})
     add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/beside DEPENDS ${beside}
                        COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
                        COMMAND ${CMAKE_COMMAND} -E copy_if_different ${beside} ${folder}

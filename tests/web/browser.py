@@ -168,10 +168,9 @@ class Page:
         """The value of an expression, in which `arguments` are the values."""
         return self.driver.execute_script("return " + script, *values)
 
-    def call(self, name, kind="string", *texts):
-        """A function of app/browser/page.cpp that takes texts."""
-        return self.js("Module.ccall(arguments[0], arguments[1], arguments[2].map(() => 'string'), arguments[2])", name,
-                       kind, list(texts))
+    def ask(self, name, *values):
+        """What a function of app/browser gives as a text."""
+        return self.js("page.ask(arguments[0], ...arguments[1])", name, list(values))
 
     def resize(self, size, scale=1):
         self.size, self.scale = size, scale
@@ -230,7 +229,7 @@ class Page:
     # ---- what the program is at
 
     def state(self):
-        return json.loads(self.call("page_state"))
+        return json.loads(self.ask("page_state"))
 
     def field(self, path):
         value = self.state()
@@ -240,13 +239,13 @@ class Page:
 
     def told(self):
         """What a screen reader is given."""
-        return self.call("page_told")
+        return self.ask("page_told")
 
     def link(self):
-        return self.call("page_link")
+        return self.ask("page_link")
 
     def opened(self):
-        return self.call("page_opened")
+        return self.ask("page_opened")
 
     def address(self):
         return self.js("location.hash")
@@ -259,8 +258,7 @@ class Page:
 
     def camera(self):
         """The camera's picture as PNG with its state, without what the window draws over it."""
-        return self.bytes_of(self.js(
-            "Module.ccall('page_picture', 'string', ['string', 'number', 'number', 'number'], ['camera', 0, 0, -1])"))
+        return self.bytes_of(self.ask("page_picture", "camera", 0, 0, -1))
 
     def bytes_of(self, path):
         """A file of the page's own file system."""
@@ -281,7 +279,7 @@ class Page:
         """Every control on screen by window and label, with the rectangle around it in units of the page."""
         self.js("Module._page_note_places()")
         self.settle(0.05)
-        found = json.loads(self.call("page_places"))
+        found = json.loads(self.ask("page_places"))
         return {name: tuple(value / self.scale for value in box) for name, box in found.items()}
 
     def place(self, label):

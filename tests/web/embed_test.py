@@ -12,10 +12,13 @@ from PIL import Image
 import browser
 import native
 
-HOST = """<!DOCTYPE html><title>Slides</title>
-<iframe id="sandbox" width="800" height="450" src="{address}#embed&preset=teapot&matrices=V"></iframe>
+HOST = """<!DOCTYPE html><title>Slides</title><link rel="icon" href="data:,"><style>body {{ margin: 0 }}</style>
+<iframe id="sandbox" width="800" height="450" frameborder="0" src="{address}"></iframe><br>
+<input id="note">
 <script>
-const said = [];
+const said = [], pressed = [];
+document.getElementById('note').focus();
+document.addEventListener('keydown', (event) => pressed.push([event.code, event.keyCode]));
 window.addEventListener('message', (event) => {{
   said.push(event.data);
   if (event.data.is !== 'ready') return;
@@ -34,13 +37,30 @@ const ask = (what) => new Promise((done) => {{
 </script>"""
 
 
-class Embedded(browser.Test):
+class Host(browser.Test):
+    """A page of another origin than the sandbox, with the sandbox in it."""
+    fragment = "#embed&preset=teapot&matrices=V"
+
     def setUp(self):
-        host = self.page.home / "host.html"  # from another origin than the sandbox
-        host.write_text(HOST.format(address=self.page.server.address), encoding="utf-8")
+        self.show(self.fragment)
+
+    def show(self, fragment):
+        host = self.page.home / "host.html"
+        host.write_text(HOST.format(address=self.page.server.address + fragment), encoding="utf-8")
         self.page.driver.get(host.as_uri())
         self.page.until("the sandbox's greeting", lambda: self.page.js("said.some((data) => data.is === 'ready')"))
         self.rest()
+
+    def inside(self, script, *values):
+        """An expression in the sandbox's own frame."""
+        self.page.driver.switch_to.frame("sandbox")
+        try:
+            return self.page.js(script, *values)
+        finally:
+            self.page.driver.switch_to.default_content()
+
+    def said(self, kind):
+        return self.page.js("said.filter((data) => data.is === arguments[0])", kind)
 
     def ask(self, **what):
         return self.page.driver.execute_async_script("ask(arguments[0]).then(arguments[1])", what)
@@ -60,6 +80,8 @@ class Embedded(browser.Test):
         self.assertEqual(head, "data:image/png;base64")
         return base64.b64decode(data)
 
+
+class Embedded(Host):
     def test_it_tells_its_state_its_matrices_and_its_link(self):
         state = self.get("state")
         self.assertEqual(state["scene"], native.state("teapot")["scene"])
@@ -99,10 +121,74 @@ class Embedded(browser.Test):
     def test_what_is_wrong_is_a_sentence(self):
         before = self.get("state")
         for wrong in ({"set": {"light.positon": [1, 2, 3, 1]}}, {"set": {"projection.near": "here"}}, {"set": {"": 1}},
-                      {"set": {"light.position": None}}, {"get": "everything"}, {"get": None}, {"get": "constructor"}, {}):
+                      {"set": {"light.position": None}}, {"set": {}}, {"set": 5}, {"set": {"projection.fovy": 33, "projection.nera": 1}},
+                      {"set": {"projection.fovy=33\nprojection.near": 0.5}}, {"get": "everything"}, {"get": None},
+                      {"get": "constructor"}, {"get": "state", "size": [1, 1]}, {"get": "state", "set": {"projection.fovy": 33}},
+                      {"got": "state"}, {}):
             with self.subTest(wrong):
-                self.assertRegex(self.ask(**wrong).get("error", ""), r"^\S.{10,}")
+                self.assertRegex(self.ask(**wrong).get("error", ""), r"^\S[^\n]{10,}$")
         self.assertEqual(self.get("state"), before)
+
+    def test_what_is_allowed_is_named(self):
+        for wrong, named in (({"get": "everything"}, ["state", "matrices", "link", "rests", "picture"]), ({}, ["set", "open", "get"]),
+                             ({"get": "picture", "wide": 5}, ["view", "size", "samples", "wide"]),
+                             ({"get": "picture", "view": "codes"}, ["camera", "depth", "stencil", "window"]),
+                             ({"open": "teapto"}, ["teapto", "teapot", "state", "link"]), ({"get": "picture", "samples": 3}, ["0", "4", "3"])):
+            with self.subTest(wrong):
+                for name in named:
+                    self.assertIn(name, self.ask(**wrong).get("error", ""))
+
+    def test_open_says_true_when_it_is_there(self):
+        before = self.get("state")
+        wrong_field = dict(native.state("curved"), projection={"near": "here"})
+        no_mesh = dict(native.state("curved"), scene="nowhere.obj")
+        for wrong in ("nonsense", "", 5, True, None, [], ["teapot"], "/etc/passwd", "../presets/teapot.json", "#1broken", "{", wrong_field, no_mesh,
+                      dict(native.state("curved"), blanks=0)):
+            with self.subTest(wrong):
+                self.assertRegex(self.ask(open=wrong).get("error", ""), r"^\S[^\n]{10,}$")
+                self.assertEqual(self.get("state"), before)
+        for right in ("curved", native.state("curved"), native.fragment("curved"), json.dumps(native.state("curved"))):
+            with self.subTest(right):
+                self.ask(open="room")
+                self.assertEqual(self.get("state")["scene"], native.state("room")["scene"])
+                self.assertIs(self.ask(open=right).get("answer"), True)
+                self.assertEqual(self.get("state")["scene"], native.state("curved")["scene"])
+                self.assertEqual(self.get("state")["view"]["layout"]["matrices"], ["V"], "the embedding page's layout")
+
+    def test_a_state_longer_than_the_stack_is_opened_and_one_beyond_the_limit_refused(self):
+        text, limit = json.dumps(native.state("curved")), 16 << 20
+        for blanks in (1_400_000, limit + 1 - len(text.encode())):
+            reply = self.page.driver.execute_async_script(
+                "ask({open: arguments[0] + ' '.repeat(arguments[1])}).then(arguments[2])", text, blanks)
+            if blanks < limit // 2:
+                self.assertIs(reply.get("answer"), True, reply)
+            else:
+                self.assertIn(f"{limit + 1:,}", reply["error"])
+                self.assertIn(f"{limit:,}", reply["error"])
+        self.assertEqual(self.get("state")["scene"], native.state("curved")["scene"])
+
+    def test_a_picture_of_no_size_is_a_sentence(self):
+        before = self.picture()
+        for size in ([20000, 20000], [16385, 1], [1e9, 1e9], [4294967297, 200], [8000, 8000], [0, 10], [0, 0], [-5, 5], [1.5, 2], [5], [1, 2, 3], 5, "x", None,
+                     ["a", "b"]):
+            with self.subTest(size):
+                self.assertRegex(self.ask(get="picture", size=size).get("error", ""), r"^picture: size must be [^\n]+, got ")
+        for wrong in ({"view": 5}, {"view": "window", "size": [10, 10]}, {"samples": "4"}, {"samples": -1}, {"samples": 1e10}):
+            with self.subTest(wrong):
+                self.assertRegex(self.ask(get="picture", **wrong).get("error", ""), r"^picture: [^\n]{10,}")
+        self.assertEqual(self.picture(), before)
+        size = [4096, 4096]
+        image = Image.open(io.BytesIO(self.picture(size=size, samples=4)))
+        self.assertEqual(list(image.size), size)
+        self.assertEqual(image.convert("RGBA").getextrema()[3], (255, 255), "nothing is transparent")
+        self.assertGreater(len(image.convert("RGB").resize((256, 256)).getcolors(1 << 20)), 100)
+
+    def test_the_end_of_the_program_is_an_answer(self):
+        self.inside("setTimeout(() => Module._page_set(0xfffffff0))")
+        self.page.until("the message", lambda: self.said("ended"))
+        self.assertRegex(self.said("ended")[0]["error"], r"stopped .*\.$")
+        self.assertEqual(self.ask(get="state")["error"], self.said("ended")[0]["error"])
+        self.page.complaints()  # the error that was asked for
 
     def test_messages_of_others_are_nobodys_business(self):
         self.page.js("""(() => {
@@ -113,6 +199,115 @@ class Embedded(browser.Test):
         })()""")
         self.get("rests")
         self.assertEqual(len(self.page.js("said")), 1)
+
+
+class Address(Host):
+    """What is wrong in it is said in the sandbox and to the host, and what is usual is shown in its place."""
+
+    def test_every_part_is_checked(self):
+        for wrong, named in (("big=nonsense", "nonsense"), ("matrices=nonsense", "nonsense"), ("controls=light.positon", "light.positon"),
+                             ("controls=%", "%"), ("big=camera&big=matrices", "twice")):
+            with self.subTest(wrong):
+                self.show("#embed&preset=curved&" + wrong)
+                [trouble] = self.said("trouble")
+                self.assertIn(named, trouble["error"])
+                self.assertIn(trouble["error"], self.inside("page.ask('page_told')"))
+                self.assertIn(self.get("state")["view"]["layout"]["big"], ("camera", "matrices"))
+                self.assertEqual(self.get("state")["scene"], native.state("curved")["scene"])
+                self.inside("Module._page_note_places()")
+                self.rest()
+                places = json.loads(self.inside("page.ask('page_places')"))
+                [(x, y, width, height)] = [box for name, box in places.items() if name.endswith("/Dismiss")]
+                self.assertTrue(0 <= x and x + width <= 800 and 0 <= y and y + height <= 450, "said within the frame")
+
+
+class Keyboard(Host):
+    """An embed never takes it unasked, and hands on what it does not use."""
+
+    def picture_place(self):
+        return 300, 60  # of the camera's view, where nothing lies below the pointer
+
+    def click(self, at):
+        self.page.mouse("mouseMoved", at)
+        self.page.mouse("mousePressed", at, "left", 1, clickCount=1)
+        self.page.mouse("mouseReleased", at, "left", 0, clickCount=1)
+        self.rest()
+
+    def test_the_focus_stays_with_the_host(self):
+        self.assertEqual(self.page.js("document.activeElement.id"), "note")
+        self.page.press("KeyM")
+        self.assertEqual(self.page.js("document.getElementById('note').value"), "m")
+
+    def test_keys_of_the_window_are_the_hosts(self):
+        self.click(self.picture_place())
+        self.assertEqual(self.page.js("document.activeElement.id"), "sandbox")
+        self.page.mouse("mouseMoved", (700, 480))  # away from the picture
+        before = self.get("state")
+        keys = ["PageDown"] * 5 + ["KeyM", "KeyG", "Home", "F1", "Escape", "KeyW"]
+        for key in keys:
+            self.page.press(key)
+        self.page.until("the last key", lambda: len([data for data in self.said("key") if data["type"] == "keydown"]) >= len(keys))
+        self.rest()
+        self.assertEqual(self.get("state"), before)
+        self.assertEqual(self.inside("page.ask('page_opened')"), "#preset=teapot")
+        self.assertEqual([data["event"]["code"] for data in self.said("key") if data["type"] == "keydown"], keys)
+        self.assertEqual(self.said("key")[0]["event"]["keyCode"], 34)
+
+    def test_flying_over_the_picture_and_typing_are_its_own(self):
+        self.click(self.picture_place())
+        before = self.get("state")["camera"]["position"]
+        self.page.key_down("KeyW")
+        self.page.until("flight", lambda: self.get("state")["camera"]["position"] != before)
+        self.page.key_up("KeyW")
+        self.rest()
+        self.page.press("PageDown")
+        self.page.until("the key that is handed on", lambda: self.said("key"))
+        self.assertEqual({data["event"]["code"] for data in self.said("key")}, {"PageDown"})
+
+
+class KeyboardOfOneOrigin(browser.Checked):
+    """Where the host is of the sandbox's own origin its listeners hear the keys as if they were pressed in it."""
+
+    def test_slides_turn_without_a_line_of_script(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "viewing").symlink_to(browser.FOLDER)
+            pathlib.Path(folder, "index.html").write_text(HOST.format(address="viewing/index.html#embed&preset=teapot"), encoding="utf-8")
+            self.page = browser.Page(size=(1000, 700), folder=folder)
+            self.addCleanup(self.page.close)
+            self.page.driver.get(self.page.server.address)
+            self.page.until("the sandbox's greeting", lambda: self.page.js("said.some((data) => data.is === 'ready')"))
+            for kind, buttons in (("mouseMoved", 0), ("mousePressed", 1), ("mouseReleased", 0)):
+                self.page.mouse(kind, (300, 60), "left" if kind != "mouseMoved" else "none", buttons, clickCount=1)
+            for key in ("PageDown", "KeyM"):
+                self.page.press(key)
+            self.page.until("both keys", lambda: len(self.page.js("pressed")) >= 2)
+            self.assertEqual(self.page.js("pressed"), [["PageDown", 34], ["KeyM", 77]])
+            self.assertEqual(self.page.js("document.getElementById('sandbox').contentWindow.eval('page.ask(\"page_opened\")')"), "#preset=teapot")
+
+
+class Opener(browser.Checked):
+    """A page of another site that has opened the sandbox in a window is not heard."""
+
+    def test_it_gets_no_answer(self):
+        self.page = browser.Page()
+        self.addCleanup(self.page.close)
+        host = self.page.home / "opener.html"
+        host.write_text("<!DOCTYPE html><title>Opener</title><script>const said = [];"
+                        "window.addEventListener('message', (event) => said.push(event.data));</script>", encoding="utf-8")
+        self.page.driver.get(host.as_uri())
+        first = self.page.driver.current_window_handle
+        self.page.js("void (window.there = window.open(arguments[0]))", self.page.server.address + "#preset=teapot")
+        second = self.page.until("the window", lambda: [name for name in self.page.driver.window_handles if name != first])[0]
+        self.page.driver.switch_to.window(second)
+        self.page.until("the page", lambda: self.page.js("typeof Module !== 'undefined' && Module.calledRun && Module._page_is_open() === 1"))
+        self.page.js("""window.addEventListener('message', () => setTimeout(() => window.opener.postMessage('heard', '*'), 100))""")
+        self.page.driver.switch_to.window(first)
+        self.page.js("""(() => {
+            for (const what of [{get: 'state'}, {get: 'picture', view: 'window'}, {get: 'link'}, {}])
+                there.postMessage({to: 'viewing-sandbox', id: 1, ...what}, '*');
+        })()""")
+        self.page.until("that all was heard", lambda: len(self.page.js("said.filter((data) => data === 'heard')")) == 4)
+        self.assertEqual(set(self.page.js("said")), {"heard"})
 
 
 class InTheReadme(browser.Checked):

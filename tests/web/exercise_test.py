@@ -3,9 +3,7 @@ import unittest
 
 import browser
 import native
-
-STUDENT, COURSE = "32201234", "viewing-2026"
-
+import student
 
 def shadow_matrix(plane, light):
     """S = (P·L) I − L Pᵀ, as the lecture has it."""
@@ -13,44 +11,12 @@ def shadow_matrix(plane, light):
     return [[(factor if row == column else 0) - light[row] * plane[column] for column in range(4)] for row in range(4)]
 
 
-class Exercise(browser.Test):
+class Exercise(student.Student, browser.Test):
     options = {"size": (1600, 900)}
-
-    def fill_in(self, label, text):
-        self.page.click(label)
-        self.page.key("KeyA", browser.CTRL)
-        self.page.type(text)
-
-    def type_matrix(self, matrix):
-        """From entry to entry by Tab, faster than the page draws."""
-        self.page.click("lesson strip/answers/answer/r0c0", count=2)
-        for row in matrix:
-            for number in row:
-                self.page.strike(f"{number:g}")
-                self.page.press("Tab")
-        self.page.key("Enter")
 
     def grade(self, file, status):
         header, line = native.run("grade", file, "--set", "E16", "--format", "csv", status=status).decode().splitlines()[:2]
         return dict(zip(header.split(","), line.split(",")))
-
-    def save(self):
-        self.page.click("top/Exercises")
-        self.page.click("exercises/Save answers…")
-        self.page.click("Save")
-        return self.page.downloaded("*.json")
-
-    def open_exercise(self):
-        page = self.page
-        page.open()
-        page.click("top/Exercises")
-        self.fill_in("exercises/Student number", STUDENT)
-        self.fill_in("exercises/Course", COURSE)
-        page.key("Enter")
-        while (at := page.place("exercises/card 16"))[1] > 850:
-            page.wheel((800, 600), -2)
-        page.click(at)
-        self.assertIn("shadow matrix", page.told())
 
     def test_what_is_typed_last_is_kept_though_the_page_goes(self):
         self.page.open()
@@ -75,7 +41,7 @@ class Exercise(browser.Test):
         self.type_matrix([list(column) for column in zip(*right)])
         page.click("lesson strip/Check")
         graded = self.grade(self.save(), 1)
-        self.assertIn(STUDENT, graded.values())
+        self.assertIn(student.NUMBER, graded.values())
         self.assertIn("w:M33", graded.values(), "the misconception of a transposed matrix")
 
         self.type_matrix(right)

@@ -29,7 +29,7 @@ look(0);
 # The page's own script: timers of Marionette's end with its call.
 TURNS = "var turns = 0; (function turn() { ++turns; setTimeout(turn); })();"
 PICTURE = """(() => {
-  const picture = Module.ccall('page_picture', 'string', ['string', 'number', 'number', 'number'], ['camera', 0, 0, -1]);
+  const picture = page.ask('page_picture', 'camera', 0, 0, -1);
   const bytes = FS.readFile(picture), parts = [];
   for (let i = 0; i < bytes.length; i += 32768) parts.push(String.fromCharCode(...bytes.subarray(i, i + 32768)));
   return btoa(parts.join(''));
@@ -56,7 +56,7 @@ class Firefox(unittest.TestCase):
                 self.firefox.wait(SETTLE)
                 self.assertEqual(self.firefox.js("UTF8ToString(Module._page_opened())"), f"#preset={name}")
                 self.assertEqual(self.firefox.js("UTF8ToString(Module._page_link())"), native.fragment(name))
-                self.firefox.js("Module.ccall('page_set', 'string', ['string'], ['view.samples=0'])")
+                self.firefox.js("page.ask('page_set', 'view.samples=0')")
                 self.firefox.wait(SETTLE)
                 self.assertEqual(self.firefox.js("GLctx.getError()"), 0)
                 file = self.firefox.home / "drawn.png"

@@ -83,7 +83,7 @@ class Page(browser.Test):
         self.page.js("GLctx.getExtension('WEBGL_lose_context').loseContext()")
         self.page.until("the notice", self.page.notice)
         self.assertRegex(self.page.notice(), r"^\S.{20,}\.$")
-        button = self.page.driver.find_element("id", "notice-button")
+        button = self.page.driver.find_element("css selector", "#notice button")
         self.assertTrue(button.is_displayed())
         self.page.complaints()  # CONTEXT_LOST_WEBGL is what has been asked for
         button.click()
@@ -102,7 +102,7 @@ class Page(browser.Test):
         english = self.page.screen()
         self.page.open(native.fragment("opening", "--set", "ui.language=ko"))
         if self.page.field("ui.language") != "ko":  # a link carries nobody's looks
-            self.page.call("page_set", "string", 'ui.language="ko"')
+            self.page.ask("page_set", 'ui.language="ko"')
             self.page.settle()
         self.page.until("a Korean font", lambda: KOREAN[0] in self.fetched())
         self.page.settle(0.5)
@@ -133,7 +133,7 @@ class SingleFile(browser.Checked):
         korean = self.page.screen()
         self.assertEqual(self.page.field("ui.language"), "ko")
         self.page.open()
-        self.page.call("page_set", "string", 'ui.language="ko"')
+        self.page.ask("page_set", 'ui.language="ko"')
         self.page.settle(1)
         self.assertEqual(native.share_beyond(8, korean.crop((0, 40, 300, 690)), self.page.screen().crop((0, 40, 300, 690))), 0)
 

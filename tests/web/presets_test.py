@@ -76,10 +76,10 @@ class Presets(unittest.TestCase):
     def share_of_camera(self, name):
         """Without multisampling, which is a person's choice and stays from one preset to the next."""
         page = self.page
-        page.call("page_set", "string", "view.samples=0")
+        page.ask("page_set", "view.samples=0")
         page.settle()
         data = page.camera()
-        page.call("page_set", "string", "view.samples=4")
+        page.ask("page_set", "view.samples=4")
         self.assertEqual(page.complaints(), [])
         drawn = Image.open(io.BytesIO(data)).convert("RGB")
         file = self.folder / "drawn.png"

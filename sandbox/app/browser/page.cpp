@@ -4,25 +4,17 @@
 #include <emscripten/html5.h>
 
 #include <algorithm>
-#include <fstream>
+#include <array>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "app/browser/keys.h"
-#include "app/picture.h"
+#include "app/browser/open_page.h"
 #include "app/pictures_to_files.h"
-#include "app/studio.h"
-#include "app/window_memory.h"
 #include "frame/matrix_text.h"
-#include "gl/fence.h"
-#include "gl/gl.h"
-#include "image/png.h"
-#include "measure/camera_picture.h"
 #include "platform/browser/standstill.h"
-#include "platform/file.h"
-#include "report/matrices_report.h"
-#include "state/file/json.h"
 #include "state/file/link.h"
 #include "state/person/language.h"
 #include "text/catalogue.h"
@@ -36,39 +28,6 @@ EM_JS(void, page_prepare_gl, (), { page.prepareGl(GLctx); });
 
 namespace viewing {
 namespace {
-
-/// Where the page keeps what is to be read, and what was written before it is handed over.
-constexpr const char* folder = "/files";
-
-/// Everything of the one page; lives as long as it.
-struct Page {
-    Renderer renderer;
-    WindowMemory memory;
-    Studio studio;
-    InputQueue queue;
-    std::vector<NamedFile> presets = viewing::presets();
-    std::string pasted;    ///< the clipboard, as the page brought it
-    std::string returned;  ///< the latest text given to the page
-    int frames_due = 0;
-    bool any = true;  ///< something happened
-    gl::Fence drawn;  ///< behind the latest frame
-    double drawn_s = 0.0;
-
-    Page(Renderer made, WindowMemory remembered, Session session)
-        : renderer(std::move(made)), memory(std::move(remembered)), studio(renderer, std::move(session)) {}
-};
-
-std::unique_ptr<Page> page;
-
-double now_s() {
-    return emscripten_get_now() / 1000.0;
-}
-
-void push(InputEvent event) {
-    page->any = true;
-    page->queue.push(std::move(event), {now_s(), now_s()});
-    page_wake();
-}
 
 /// Why there is no picture; "" when the canvas has WebGL 2.
 std::string make_context() {
@@ -85,7 +44,7 @@ std::string make_context() {
 }
 
 void obey(const Requests& requests) {
-    if (requests.snapshot) write_snapshot(page->renderer, page->studio, folder);
+    if (requests.snapshot) write_snapshot(page->renderer, page->studio, page_folder);
     if (requests.view_picture) write_view_picture(page->renderer, page->studio, requests.view_picture->file);
     if (requests.toggle_full_screen) page_full_screen(-1);
     if (requests.full_screen) page_full_screen(*requests.full_screen ? 1 : 0);
@@ -166,19 +125,11 @@ std::string matrices_text() {
     return text;
 }
 
-/// A page has the files alone that were given to it: there is nothing else that a state could read with a yes.
-void refuse_what_is_not_there() {
-    const OutsideFile* const asked = page->studio.session.asks_to_read();
-    if (!asked || is_there(asked->file)) return;
-    page->studio.session.answer(false);
-    page->studio.session.message.is_error = true;  // it stays
-}
-
 /// A browser that reads a pixel back stands still until all that it was told is drawn. The page waits between its
 /// frames.
 bool waits_for_gl() {
     constexpr double patience_s = 0.25;
-    return page->studio.reads_back() && !page->drawn.has_passed() && now_s() - page->drawn_s < patience_s;
+    return page->studio.reads_back() && !page->drawn.has_passed() && page_now_s() - page->drawn_s < patience_s;
 }
 
 /// Shorter, nobody asks why nothing moves.
@@ -196,10 +147,35 @@ void tell_standstill() {
     page->any = true;
 }
 
+/// A key is the embedding page's, but for what is typed or chosen from a list, and for flying while the pointer is over
+/// the picture.
+bool uses_embedded(const KeyChanged& change) {
+    constexpr std::array flying{Key::w, Key::a, Key::s, Key::d, Key::q, Key::e, Key::r, Key::f};
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || ImGui::IsAnyItemActive() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return true;
+    const bool is_over = ImGui::IsMousePosValid() && page->studio.workbench.views.hovered == ViewName::camera;
+    return is_over && !change.ctrl && change.key &&
+           std::find(flying.begin(), flying.end(), *change.key) != flying.end();
+}
+
 /// After what it belongs to was drawn.
 void report(const Status& status) {
     page->studio.session.report(status);
     page->any |= !status;
+}
+
+}  // namespace
+
+std::unique_ptr<OpenPage> page;
+
+double page_now_s() {
+    return emscripten_get_now() / 1000.0;
+}
+
+void push(InputEvent event) {
+    page->any = true;
+    page->queue.push(std::move(event), {page_now_s(), page_now_s()});
+    page_wake();
 }
 
 const char* given(std::string text) {
@@ -207,12 +183,10 @@ const char* given(std::string text) {
     return page->returned.c_str();
 }
 
-}  // namespace
-
 void open_page() {
     if (const std::string trouble = make_context(); !trouble.empty()) return page_tell_trouble(trouble.c_str());
-    std::filesystem::create_directories(folder);
-    std::filesystem::current_path(folder);
+    std::filesystem::create_directories(page_folder);
+    std::filesystem::current_path(page_folder);
     Result<Renderer> renderer = Renderer::make();
     if (!renderer) return page_tell_trouble(renderer.error().c_str());
     WindowMemory memory(remembered_file(), false);
@@ -220,7 +194,7 @@ void open_page() {
     memory.dress(state.params);
     Result<Session> session = Session::begin(state, 0.0);
     if (!session) return page_tell_trouble(session.error().c_str());
-    page = std::make_unique<Page>(*std::move(renderer), std::move(memory), *std::move(session));
+    page = std::make_unique<OpenPage>(*std::move(renderer), std::move(memory), *std::move(session));
     page->memory.restore(page->studio.workbench, true);
     if (!page->memory.trouble().empty()) page->studio.session.message = {page->memory.trouble(), true};
     name_imgui_keys();
@@ -254,7 +228,7 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     constexpr int frames_after_an_event = 3;
     page->frames_due = std::exchange(page->any, false) ? frames_after_an_event : std::max(page->frames_due - 1, 0);
     refuse_what_is_not_there();
-    const InputFrame& frame = page->queue.next_frame(now_s());
+    const InputFrame& frame = page->queue.next_frame(page_now_s());
     feed_imgui(frame, static_cast<float>(scale));
     ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
     const glm::ivec2 size_px(width_px, height_px);
@@ -264,7 +238,7 @@ EMSCRIPTEN_KEEPALIVE double page_frame(int width_px, int height_px, double scale
     report(page->memory.follow(requests, page->studio.workbench, true));
     page->studio.present();
     page->drawn = page->studio.reads_back() ? gl::Fence::after_all_so_far() : gl::Fence();
-    page->drawn_s = now_s();
+    page->drawn_s = page_now_s();
     return page->frames_due > 0 || page->any || !page->queue.is_empty() ? 0.0 : page->studio.redraw_in_s();
 }
 
@@ -293,11 +267,14 @@ EMSCRIPTEN_KEEPALIVE void page_wheel(double x, double y) {
     push(WheelTurned{glm::vec2(x, y)});
 }
 
-/// 1: the sandbox knows this key.
+/// 1: the sandbox uses this key. Where it is embedded that is only what uses_embedded() says.
 EMSCRIPTEN_KEEPALIVE int page_key(const char* code, const char* key, int is_down, int ctrl, int shift) {
     const std::optional<KeyChanged> changed = key_changed(code, key, is_down != 0, ctrl != 0, shift != 0);
-    if (changed) push(*changed);
-    return changed ? 1 : 0;
+    if (!changed) return 0;
+    const bool is_used = !page->studio.workbench.arrangement.embedded || uses_embedded(*changed);
+    // What was held may have been used, and what is held with the mouse means something too.
+    if (is_used || !changed->down || changed->kind == KeyKind::modifier) push(*changed);
+    return is_used ? 1 : 0;
 }
 
 EMSCRIPTEN_KEEPALIVE void page_character(unsigned code_point) {
@@ -314,10 +291,11 @@ EMSCRIPTEN_KEEPALIVE void page_drop(const char* file) {
 
 /// What the clipboard holds, before the keys that ask for it.
 EMSCRIPTEN_KEEPALIVE void page_paste(const char* text) {
-    page->pasted = text;
+    page->pasted = takes(text) ? text : "";
 }
 
 EMSCRIPTEN_KEEPALIVE void page_open_link(const char* text) {
+    if (!takes(text)) return;
     open_link(text);
     push(FocusChanged{true});
 }
@@ -351,11 +329,6 @@ EMSCRIPTEN_KEEPALIVE int page_wants_text() {
     return ImGui::GetIO().WantTextInput ? 1 : 0;
 }
 
-/// The whole state as JSON.
-EMSCRIPTEN_KEEPALIVE const char* page_state() {
-    return given(page->studio.session.text());
-}
-
 /// What was opened, as what stands behind the page's address.
 EMSCRIPTEN_KEEPALIVE const char* page_opened() {
     return given(opened_fragment());
@@ -385,52 +358,6 @@ EMSCRIPTEN_KEEPALIVE const char* page_language() {
     return given(spoken_language() == Language::ko ? "ko" : "en");
 }
 
-/// The matrices with their facts as JSON, as `viewing-sandbox matrices --json` has them.
-EMSCRIPTEN_KEEPALIVE const char* page_matrices() {
-    const ShownFrame& shown = page->studio.shown();
-    return given(matrices_as_json(shown.derived, shown.problems).dump());
-}
-
-/// Sets a field, "light.position=[1,2,3]"; the sentence of what is wrong, else "".
-EMSCRIPTEN_KEEPALIVE const char* page_set(const char* setting) {
-    Session& session = page->studio.session;
-    const std::vector<std::string> settings{setting};
-    Result<Params> changed = apply_settings(session.params, settings, "");
-    if (!changed) return given(changed.error());
-    session.params = *std::move(changed);
-    push(FocusChanged{true});
-    return given("");
-}
-
-/// Opens a state as JSON, or a preset's name; what comes of it is told in the window.
-EMSCRIPTEN_KEEPALIVE void page_open(const char* text) {
-    Session& session = page->studio.session;
-    text[0] == '{' ? session.report(session.paste(text)) : session.open(text);
-    push(FocusChanged{true});
-}
-
-/// A picture as a PNG with its state, in the page's files; its name there, "" where it cannot be drawn. "window": as it
-/// is shown; else camera, depth or stencil, `width` 0: as large as the view is, `samples` −1: as the state says.
-EMSCRIPTEN_KEEPALIVE const char* page_picture(const char* view, int width, int height, int samples) {
-    Studio& studio = page->studio;
-    Session& session = studio.session;
-    const std::string name = view;
-    const auto at = std::find(picture_view_names.begin(), picture_view_names.end(), name);
-    PictureRequest request{.view = static_cast<PictureView>(at - picture_view_names.begin())};
-    request.size_px = width > 0 ? glm::ivec2(width, height) : studio.shown().camera_px;
-    if (samples >= 0) request.samples = samples;
-    const bool is_window = request.view == PictureView::window;
-    if (at == picture_view_names.end() || !(is_window || is_drawn_by_gl(request))) return given("");
-    const Params params = drawn_params(studio.shown().params, request);
-    const Result<Image> image =
-        is_window ? studio.read() : camera_picture(page->renderer, params, session.scene(), request.size_px);
-    if (!image) return given("");
-    const std::vector<std::uint8_t> png = encode_png(*image, write_state(session.portable(params)));
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / "picture.png";
-    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), std::ssize(png));
-    return given(file.string());
-}
-
 /// 1: everything that was asked for is shown. A caret that blinks and a clock are rest.
 EMSCRIPTEN_KEEPALIVE int page_rests() {
     const Studio& studio = page->studio;
@@ -442,7 +369,7 @@ EMSCRIPTEN_KEEPALIVE int page_rests() {
                : 0;
 }
 
-/// A part of somebody else's page has no bars.
+/// A part of somebody else's page has no bars and no keys of its own.
 EMSCRIPTEN_KEEPALIVE void page_embed() {
     page->studio.workbench.arrangement.embedded = true;
 }

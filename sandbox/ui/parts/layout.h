@@ -51,7 +51,7 @@ struct Arrangement {
     float strip_px = 0.0F;     ///< what the lesson's strip needs below everything, in pixels
     bool has_strip = true;     ///< of a lesson: false for pictures without its texts
     bool presents = false;     ///< a lesson in front of a room: no bars, and type to be read from the back row
-    bool embedded = false;     ///< a part of somebody else's page: no bars
+    bool embedded = false;     ///< a part of somebody else's page: no bars, no keys of its own
 };
 
 struct Layout {

@@ -131,6 +131,7 @@ void Workbench::handle_keys(Session& session, const FrameInput& input, double as
     const bool in_dialog = help_open_ || file_dialog_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
+        if (arrangement.embedded) break;  // keys are the embedding page's
         const Key key = press.key;
         const bool turns_page = key == Key::page_down || key == Key::page_up;
         if (!in_dialog && (!is_answering || turns_page) && take_lesson_key(press, session)) continue;
@@ -269,9 +270,13 @@ void Workbench::draw_loading(Session& session, const Layout& layout) {
 
 void Workbench::draw_message(Session& session, const Layout& layout) {
     if (!session.message.is_error) return;
-    const float width = std::min(px(560.0F), layout.status_bar.width() - px(20.0F));
-    ImGui::SetNextWindowPos({layout.status_bar.width() * 0.5F, layout.status_bar.min.y - px(8.0F)}, ImGuiCond_Always,
-                            {0.5F, 1.0F});
+    // Where there is no status bar, in a presentation or an embed, at the lower edge of what is there.
+    const ImVec2 window_px = ImGui::GetIO().DisplaySize;
+    const float bottom = !layout.status_bar.empty() ? layout.status_bar.min.y
+                         : !layout.strip.empty()    ? layout.strip.min.y
+                                                    : window_px.y;
+    const float width = std::min(px(560.0F), window_px.x - px(20.0F));
+    ImGui::SetNextWindowPos({window_px.x * 0.5F, bottom - px(8.0F)}, ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowSize({width, 0.0F});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, widgets.palette.raised);
     ImGui::Begin("message", nullptr,

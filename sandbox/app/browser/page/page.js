@@ -1,22 +1,46 @@
 // The page around the program: brings events, time and sizes to the functions of app/browser/page.cpp, and does for it
-// what only a page can do: files, clipboard, address, full screen, suspending. Loaded before the program's own script, whose
-// names (Module, FS, stackSave, wasmTable, page_pause) are global.
+// what only a page can do: files, clipboard, address, full screen, suspending. Loaded after net.js and kept.js, and before the
+// program's own script, whose names (Module, FS, stackSave, wasmTable, page_pause) are global.
 'use strict';
 
 const page = (() => {
   const $ = (id) => document.getElementById(id);
-  const canvas = $('view'), typed = $('typed'), notice = $('notice');
-  const kept = 'viewing-sandbox:';  // before the names of files in the browser's storage
-  const settings = '/home/web_user/.config/viewing-sandbox';
+  const canvas = $('view'), typed = $('typed');
+  const is_framed = window.parent !== window;
 
-  // ---- Calls with texts
+  // ---- Calls with texts: these lie on the program's heap, for its stack is small. What comes from outside is measured before
 
-  const call = (name, kind, kinds, values) => Module.ccall(name, kind, kinds, values);
-  const tellFile = (name, path) => call(name, null, ['string'], [path]);
+  const put_down = (text) => {
+    const size = lengthBytesUTF8(text) + 1, place = Module._malloc(size);
+    if (!place) throw new RangeError('out of memory');
+    stringToUTF8(text, place, size);
+    return place;
+  };
+  const call = (name, ...values) => {
+    const places = [];
+    try {
+      return Module['_' + name](...values.map((value) => {
+        if (typeof value !== 'string') return value;
+        places.push(put_down(value));
+        return places[places.length - 1];
+      }));
+    } finally {
+      if (!net.hasEnded()) places.forEach(Module._free);
+    }
+  };
+  const ask = (name, ...values) => UTF8ToString(call(name, ...values));
+  const report = (sentence) => call('page_report', sentence);
+  /// Why a text is not taken; '' where it is.
+  const textTrouble = (text) => ask('page_text_trouble', lengthBytesUTF8(text));
+  const takes = (text) => {
+    const trouble = textTrouble(text);
+    if (trouble) report(trouble);
+    return !trouble;
+  };
 
   // ---- Frames: one when something happened, or when the program wants one
 
-  let is_open = false, frame_asked = 0, timer = 0, is_lost = false;
+  let is_open = false, frame_asked = 0, timer = 0;
   const scale = () => window.devicePixelRatio || 1;
 
   const fit = () => {
@@ -34,15 +58,15 @@ const page = (() => {
 
   const draw = () => {
     frame_asked = 0;
-    if (!is_open || is_lost || document.hidden) return;
+    if (!is_open || net.hasEnded() || document.hidden) return;
     fit();
     const next_s = Module._page_frame(canvas.width, canvas.height, scale());
     follow();
-    if (next_s === 0) ask();
-    else if (next_s > 0) timer = setTimeout(ask, 1000 * next_s);
+    if (next_s === 0) wake();
+    else if (next_s > 0) timer = setTimeout(wake, 1000 * next_s);
   };
 
-  const ask = () => {
+  const wake = () => {
     clearTimeout(timer);
     timer = 0;
     if (!frame_asked) frame_asked = requestAnimationFrame(draw);
@@ -51,12 +75,12 @@ const page = (() => {
   /// As after an event.
   const again = () => {
     Module._page_event();
-    ask();
+    wake();
   };
 
   /// The page is hidden, and may never be seen again: what was done is kept now, not in a frame that does not come.
   const leave = () => {
-    if (!is_open || is_lost) return;
+    if (!is_open || net.hasEnded()) return;
     const most_frames = 8;
     for (let i = 0; i < most_frames && Module._page_frame(canvas.width, canvas.height, scale()) === 0; ++i);
     Module._page_keep();
@@ -64,14 +88,15 @@ const page = (() => {
 
   // ---- What the page shows of the program's state beside the picture
 
-  let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false, is_arranging = false;
+  let cursor = '', opened = '', said = '', rest_timer = 0, rest_by_ms = 0, is_embedded = false;
 
   const follow = () => {
     const shape = UTF8ToString(Module._page_cursor());
     if (shape !== cursor) canvas.style.cursor = cursor = shape;
     const wants_text = Module._page_wants_text() !== 0;
-    if (wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
-    const now = text('page_opened');
+    const may_focus = !is_framed || document.hasFocus();  // a frame never takes the keyboard from the page around it
+    if (may_focus && wants_text !== (document.activeElement === typed)) (wants_text ? typed : canvas).focus({preventScroll: true});
+    const now = ask('page_opened');
     if (now !== said && !is_embedded) {  // else it is still on its way, and the address knows it already
       said = now;
       const is_state = now === '' && opened.startsWith('#1');  // which has no other name than its own link
@@ -92,7 +117,6 @@ const page = (() => {
     if (location.hash !== now) history[is_same_lesson ? 'replaceState' : 'pushState'](null, '', address);
   };
 
-  const text = (name) => UTF8ToString(Module['_' + name]());
   const show = (id, words) => {
     if ($(id).textContent !== words) $(id).textContent = words;
   };
@@ -100,16 +124,16 @@ const page = (() => {
   /// When nothing has been drawn for a while: for screen readers, and the address.
   const rest = () => {
     rest_timer = 0;
-    document.documentElement.lang = text('page_language');
-    show('told', text('page_told'));
-    show('matrices', text('page_matrices_text'));
+    document.documentElement.lang = ask('page_language');
+    show('told', ask('page_told'));
+    show('matrices', ask('page_matrices_text'));
     if (!is_embedded) keepState();
   };
 
   /// At rest the address names what is shown, so that a reload or a copy of it brings that back.
   const keepState = () => {
     if (opened.startsWith('#lesson=')) return;
-    const address = Module._page_departs() ? text('page_link') : opened;
+    const address = Module._page_departs() ? ask('page_link') : opened;
     if (address !== location.hash) history.replaceState(null, '', address || location.pathname + location.search);
   };
 
@@ -179,6 +203,7 @@ const page = (() => {
     });
     canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     canvas.addEventListener('wheel', (event) => {
+      if (is_embedded && !document.hasFocus()) return;  // scrolls the page around it
       event.preventDefault();
       const lines = [1 / 100, 1 / 3, 1][event.deltaMode];  // pixels, lines, pages
       Module._page_wheel(-event.deltaX * lines, -event.deltaY * lines);
@@ -189,27 +214,35 @@ const page = (() => {
 
   const is_paste = (event) => (event.ctrlKey || event.metaKey) && event.code === 'KeyV';
   const key = (event, is_down) =>
-    call('page_key', 'number', ['string', 'string', 'number', 'number', 'number'],
-         [event.code, event.key, is_down ? 1 : 0, event.ctrlKey || event.metaKey ? 1 : 0, event.shiftKey ? 1 : 0]);
+    call('page_key', event.code, event.key, is_down ? 1 : 0, event.ctrlKey || event.metaKey ? 1 : 0, event.shiftKey ? 1 : 0);
+  const used = new Set();  // the keys that are held and mean something here
+  const is_ours = () => !is_embedded || Module._page_wants_text() !== 0;
   const characters = (text) => {
     for (const sign of text) if (sign >= ' ') Module._page_character(sign.codePointAt(0));
   };
 
   const listenToKeys = () => {
     window.addEventListener('keydown', (event) => {
-      if (event.isComposing || is_paste(event)) return;
+      if (event.isComposing || event.key === undefined) return;  // a form that is filled in has no key
+      if (is_paste(event)) return is_ours() ? undefined : messages.handOn(event);
       // Ctrl+R, T, W, L, N and the developer's tools stay the browser's.
       const is_browsers = (event.ctrlKey || event.metaKey) && ['KeyR', 'KeyT', 'KeyW', 'KeyL', 'KeyN', 'KeyI', 'KeyJ'].includes(event.code);
       if (is_browsers || (event.altKey && event.code.startsWith('Arrow'))) return;
       if (event.repeat) again();  // the program repeats what is held by itself, frame by frame
-      const is_known = event.repeat ? 1 : key(event, true);
+      else if (key(event, true)) used.add(event.code);
+      else used.delete(event.code);
+      const is_used = used.has(event.code);
+      if (is_embedded && !is_used) return messages.handOn(event);
       const prints = event.key.length === 1 && !event.ctrlKey && !event.metaKey;
       if (document.activeElement === typed && prints) return;  // its input event brings it
       if (prints && event.repeat === false) characters(event.key);
-      if (is_known) event.preventDefault();
+      if (is_used) event.preventDefault();
     });
     window.addEventListener('keyup', (event) => {
-      if (!is_paste(event)) key(event, false);
+      if (is_paste(event) || event.key === undefined) return;
+      key(event, false);
+      if (is_embedded && !used.has(event.code)) messages.handOn(event);
+      used.delete(event.code);
     });
     typed.addEventListener('input', (event) => {
       if (event.isComposing) return;
@@ -221,16 +254,16 @@ const page = (() => {
       typed.value = '';
     });
     window.addEventListener('paste', (event) => {
+      if (!is_ours()) return;
       event.preventDefault();
       const [file] = event.clipboardData.files;
       if (file) return drop([file]);
-      call('page_paste', null, ['string'], [event.clipboardData.getData('text/plain')]);
-      for (const is_down of [1, 0]) {
-        call('page_key', 'number', ['string', 'string', 'number', 'number', 'number'], ['ControlLeft', 'Control', is_down, is_down, 0]);
-        if (is_down)
-          for (const down of [1, 0])
-            call('page_key', 'number', ['string', 'string', 'number', 'number', 'number'], ['KeyV', 'v', down, 1, 0]);
-      }
+      const text = event.clipboardData.getData('text/plain');
+      if (!takes(text)) return;
+      call('page_paste', text);
+      call('page_key', 'ControlLeft', 'Control', 1, 1, 0);
+      for (const is_down of [1, 0]) call('page_key', 'KeyV', 'v', is_down, 1, 0);
+      call('page_key', 'ControlLeft', 'Control', 0, 0, 0);
     });
     window.addEventListener('focus', () => Module._page_focus(1));
     window.addEventListener('blur', () => Module._page_focus(0));
@@ -238,13 +271,23 @@ const page = (() => {
 
   // ---- Files
 
-  const put = async (file) => {
+  const most_file_bytes = 2 ** 28;  // of figures; texts and meshes are measured when they are read
+  /// Gives a file of the person's to the program's function of this name.
+  const bring = async (file, name) => {
     const path = '/files/' + file.name.replace(/[/\\]/g, '_');
-    FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
-    return path;
+    try {
+      if (file.size > most_file_bytes) {
+        const values = {file: file.name, size: file.size.toLocaleString('en'), limit: most_file_bytes.toLocaleString('en')};
+        return report(net.say('{file} has {size} bytes, and at most {limit} are read', values));
+      }
+      FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+    } catch (error) {  // a folder, or a file that has gone
+      return report(net.say('{file} cannot be read: {reason}', {file: file.name, reason: error.message}));
+    }
+    call(name, path);
   };
   const drop = async (files) => {
-    for (const file of files) tellFile('page_drop', await put(file));
+    for (const file of files) await bring(file, 'page_drop');
   };
 
   const listenToFiles = () => {
@@ -255,7 +298,7 @@ const page = (() => {
     });
     $('file').addEventListener('change', async () => {
       const [file] = $('file').files;
-      if (file) tellFile('page_file_is_chosen', await put(file));
+      if (file) await bring(file, 'page_file_is_chosen');
       $('file').value = '';
       again();
     });
@@ -263,33 +306,13 @@ const page = (() => {
 
   const handOver = (path) => {
     const bytes = FS.readFile(path);
-    if (path.startsWith(settings)) {
-      try {
-        localStorage.setItem(kept + path, new TextDecoder().decode(bytes));
-      } catch {
-        // Storage is full or not allowed: what was remembered lasts as long as the page.
-      }
-      return;
-    }
+    if (kept.keep(path, bytes)) return;
     FS.unlink(path);  // it is the person's now
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(new Blob([bytes]));
-    link.download = path.split('/').pop();
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    net.handOver(bytes, path.split('/').pop());
   };
 
-  const restoreFiles = () => {
-    try {
-      for (const name of Object.keys(localStorage)) {
-        if (!name.startsWith(kept + settings)) continue;
-        const path = name.slice(kept.length);
-        FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-        FS.writeFile(path, localStorage.getItem(name));
-      }
-    } catch {
-      // No storage is allowed here: nothing is remembered.
-    }
+  const prepare = () => {
+    kept.restore();
     ENV.VIEWING_SANDBOX_LINK_BASE = location.href.split('#')[0];  // what links are put behind
     if (navigator.language.startsWith('ko')) ENV.LANG = 'ko_KR.UTF-8';
   };
@@ -312,6 +335,7 @@ const page = (() => {
     stackRestore(own);
   };
   const beginWork = (run, stack_end) => setTimeout(async () => {
+    if (net.hasEnded()) return;
     const work = wasmTable.get(run);
     if (!can_suspend || !stack_end) return work();
     base = stackSave();
@@ -348,7 +372,7 @@ const page = (() => {
                               : await WebAssembly.instantiate(await module.arrayBuffer(), imports);
       receive(made.instance);
     } catch (error) {
-      tellTrouble('The sandbox cannot be loaded: ' + error.message);
+      net.failed(error);
     }
   };
 
@@ -359,7 +383,7 @@ const page = (() => {
       const bytes = new Uint8Array(await (await beside(name)).arrayBuffer());
       const place = Module._malloc(bytes.length);
       HEAPU8.set(bytes, place);
-      call('page_font_has_come', null, ['string', 'number', 'number'], [name, place, bytes.length]);
+      call('page_font_has_come', name, place, bytes.length);
       Module._free(place);
       again();
     } catch (error) {
@@ -368,14 +392,6 @@ const page = (() => {
   };
 
   // ---- Everything else that the program asks of the page
-
-  const tellTrouble = (text, button, act) => {
-    notice.hidden = false;
-    $('notice-text').textContent = text;
-    $('notice-button').hidden = !button;
-    $('notice-button').textContent = button ?? '';
-    $('notice-button').onclick = act;
-  };
 
   const copy = (text) => {
     const by_hand = () => {  // where there is no permission: an old way, which wants a selection
@@ -409,8 +425,8 @@ const page = (() => {
     gl.getParameter = (name) => settled.get(name) ?? asks(name);
     canvas.addEventListener('webglcontextlost', (event) => {
       event.preventDefault();
-      is_lost = true;
-      tellTrouble('The graphics driver has let go of the picture.', 'Load again', () => location.reload());
+      if (is_open) Module._page_keep();
+      net.end(net.say('The graphics driver has let go of the picture.'));
     });
   };
 
@@ -422,26 +438,25 @@ const page = (() => {
   };
 
   const start = () => {
-    if (!Module._page_is_open()) return;
+    if (net.hasEnded() || !Module._page_is_open()) return;
     is_open = true;
-    notice.hidden = true;
+    net.opened();
     listenToPointer();
     listenToKeys();
     listenToFiles();
-    listenToMessages();
     const calm = matchMedia('(prefers-reduced-motion: reduce)');
     const move = () => Module._page_move(calm.matches ? 0 : 1);
     calm.addEventListener('change', move);
     move();
     new ResizeObserver(again).observe(canvas);
     watchScale(again);
-    document.addEventListener('visibilitychange', () => document.hidden ? leave() : ask());
+    document.addEventListener('visibilitychange', () => document.hidden ? leave() : wake());
     window.addEventListener('pagehide', leave);
     window.addEventListener('hashchange', () => openLink());
     if (location.hash.length > 1) openLink();
-    canvas.focus();
-    ask();
-    if (window.parent !== window) greet();
+    if (!is_framed) canvas.focus();
+    wake();
+    if (is_framed) messages.greet();
   };
 
   // ---- The address: "#preset=NAME", "#lesson=ID&step=N", "#1…" (a state); "#embed&…" for somebody else's page
@@ -449,87 +464,17 @@ const page = (() => {
   const openLink = () => {
     if (location.hash === opened) return;
     const parts = location.hash.slice(1).split('&');
-    if (parts.includes('embed')) return embed(parts.filter((part) => part !== 'embed'));
+    if (parts.includes('embed')) {
+      is_embedded = true;
+      return messages.embed(parts.filter((part) => part !== 'embed'));
+    }
     opened = location.hash;
-    call('page_open_link', null, ['string'], [location.hash || '#preset=opening']);
+    open(location.hash || '#preset=opening');
   };
+  const open = (link) => takes(link) && call('page_open_link', link);
 
-  /// What is shown is chosen by parts of the address: big=camera&controls=light.position,projection.near&matrices=S
-  const embed = (parts) => {
-    is_embedded = true;
-    Module._page_embed();
-    const chosen = {big: 'camera', controls: '', matrices: ''}, rest = [];
-    for (const part of parts) {
-      const [name, value = ''] = part.split('=');
-      if (name in chosen) chosen[name] = decodeURIComponent(value);
-      else rest.push(part);
-    }
-    const list = (names) => JSON.stringify(names.split(',').filter((name) => name));
-    const shown = [`view.layout.big=${chosen.big}`, `view.layout.controls=${list(chosen.controls)}`, `view.layout.matrices=${list(chosen.matrices)}`];
-    if (rest.length) call('page_open_link', null, ['string'], ['#' + rest.join('&')]);
-    const arrange = () => {  // when what was opened is there
-      if (!Module._page_rests()) return setTimeout(arrange, 20);
-      for (const setting of shown) set(setting);
-      is_arranging = false;
-    };
-    is_arranging = true;
-    arrange();
-  };
-  const set = (setting) => UTF8ToString(call('page_set', 'number', ['string'], [setting]));
-
-  // ---- Messages from the page around it: README, "In a page of your own"
-
-  /// The page around it may ask from now on: what the address names is shown.
-  const greet = () => {
-    if (is_arranging || !Module._page_rests()) return setTimeout(greet, 20);
-    window.parent.postMessage({from: 'viewing-sandbox', is: 'ready'}, '*');
-  };
-
-  const answers = {
-    state: () => JSON.parse(text('page_state')),
-    matrices: () => JSON.parse(text('page_matrices')),
-    link: () => text('page_link'),
-    picture: ({view = 'camera', size: [width, height] = [0, 0], samples = -1}) => {
-      const file = UTF8ToString(call('page_picture', 'number', ['string', 'number', 'number', 'number'], [view, width, height, samples]));
-      if (!file) throw new Error(`there is no picture of ${view} so large`);
-      return 'data:image/png;base64,' + base64(FS.readFile(file));
-    },
-    rests: () => Module._page_rests() === 1,
-  };
-  const base64 = (bytes) => {
-    let signs = '';
-    for (let i = 0; i < bytes.length; i += 32768) signs += String.fromCharCode(...bytes.subarray(i, i + 32768));
-    return btoa(signs);
-  };
-  const answer = (asked) => {
-    const {get, set: wanted, open} = asked;
-    if (wanted !== undefined) {
-      for (const [path, value] of Object.entries(wanted)) {
-        const trouble = set(path + '=' + JSON.stringify(value));
-        if (trouble) throw new Error(trouble);
-      }
-      return true;
-    }
-    if (open !== undefined) {
-      call('page_open', null, ['string'], [typeof open === 'string' ? open : JSON.stringify(open)]);
-      return true;
-    }
-    if (!Object.hasOwn(answers, get)) throw new Error(`no such thing to get: ${get}; there are ${Object.keys(answers).join(', ')}`);
-    return answers[get](asked);
-  };
-  const listenToMessages = () => window.addEventListener('message', ({data, source, origin}) => {
-    if (data?.to !== 'viewing-sandbox') return;
-    const reply = {from: 'viewing-sandbox', id: data.id};
-    try {
-      reply.answer = answer(data);
-    } catch (error) {
-      reply.error = error.message;
-    }
-    source?.postMessage(reply, origin === 'null' ? '*' : origin);
-  });
-
-  return {askForFile: () => $('file').click(), handOver, beginWork, instantiate, fetchFont, tellTrouble, copy, fullScreen, prepareGl, rendererName,
-          restoreFiles, start, wake: ask, canPause: can_suspend};
+  return {ask, report, textTrouble, open, leave, askForFile: () => $('file').click(), handOver, beginWork, instantiate, fetchFont, copy,
+          fullScreen, prepareGl, rendererName, prepare, start, wake, tellTrouble: (text) => net.end(net.say(text)), canPause: can_suspend};
 })();
 
 var Module = typeof Module === 'undefined' ? {} : Module;
@@ -537,5 +482,6 @@ Module.instantiateWasm = (imports, receive) => {
   page.instantiate(imports, receive);
   return {};
 };
-Module.preRun = [page.restoreFiles];
+Module.preRun = [page.prepare];
 Module.postRun = [page.start];
+Module.onAbort = (what) => net.failed(new Error(what));

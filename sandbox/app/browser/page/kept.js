@@ -1,0 +1,99 @@
+// What the browser keeps for the program from one time to the next: its files of settings and answers, in localStorage.
+// Where that is refused or full a bar says so as long as it is so, and the answers can be saved as a file. Loaded after
+// net.js.
+'use strict';
+
+const kept = (() => {
+  const $ = (id) => document.getElementById(id);
+  const isAnswers = (path) => path.startsWith(net.answers_folder);
+
+  /// The program's folder before it starts.
+  const restore = () => {
+    try {
+      for (const name of Object.keys(localStorage)) {
+        const path = name.slice(net.kept.length);
+        if (!name.startsWith(net.kept + net.settings)) continue;
+        FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+        FS.writeFile(path, localStorage.getItem(name));
+      }
+    } catch {
+      // No storage is allowed here: nothing is remembered, and the first write says so.
+    }
+  };
+
+  // ---- What is not kept, and the bar that says so
+
+  const saved = new Map();  // path: the text that the person has saved
+  let is_full = false, since = '', is_hidden = false, is_silent = false, asks_before = false, has_asked = false;
+
+  const unsaved = () => net.answers().filter(({path, text}) => net.unkept.has(path) && saved.get(path) !== text);
+
+  const sentence = (lost) => {
+    if (lost.length)
+      return is_full
+        ? net.say('The browser’s storage for this page is full: answers since {time} are in this page alone and are lost when it closes.', {time: since})
+        : net.say('The browser lets this page keep nothing: answers since {time} are in this page alone and are lost when it closes.', {time: since});
+    return is_full
+      ? net.say('The browser’s storage for this page is full: theme, language and progress in lessons last until it closes.')
+      : net.say('The browser lets this page keep nothing: theme, language and progress in lessons last until it closes.');
+  };
+
+  const show = () => {
+    const lost = unsaved();
+    if (!lost.length) since = '';
+    const is_shown = lost.length > 0 || (!is_hidden && !is_silent && [...net.unkept.keys()].some((path) => !isAnswers(path)));
+    $('bar').hidden = !is_shown;
+    if (!is_shown) return;
+    const save = () => {
+      for (const answers of unsaved()) {
+        net.saveAnswers(answers);
+        saved.set(answers.path, answers.text);
+      }
+      show();
+    };
+    const hide = () => {
+      is_hidden = true;
+      show();
+    };
+    $('bar-text').textContent = sentence(lost);
+    $('bar-buttons').replaceChildren(lost.length ? net.button(net.say('Save answers'), save) : net.button(net.say('Hide'), hide));
+  };
+
+  /// Asks before answers go that are nowhere else. From the first refusal on: a page that has nothing to ask must not
+  /// listen, or browsers cannot bring it back as it was.
+  const askBeforeItGoes = () => {
+    if (asks_before) return;
+    asks_before = true;
+    window.addEventListener('beforeunload', (event) => {
+      page.leave();
+      if (!unsaved().length) return;
+      event.preventDefault();
+      event.returnValue = '';
+    });
+  };
+
+  const store = (path, text) => {
+    try {
+      localStorage.setItem(net.kept + path, text);
+      net.unkept.delete(path);
+    } catch (error) {
+      is_full = error.name === 'QuotaExceededError' || error.name === 'NS_ERROR_DOM_QUOTA_REACHED';
+      net.unkept.set(path, text);
+      if (isAnswers(path)) since ||= new Date().toLocaleTimeString([], {hour: '2-digit', minute: '2-digit', hour12: false});
+      askBeforeItGoes();
+    }
+    show();
+    if (!isAnswers(path) || has_asked) return;
+    has_asked = true;
+    navigator.storage?.persist?.().catch(() => {});  // else a browser may drop it when its disk is full
+  };
+
+  /// A file that the program has written; false: it is none of these.
+  const keep = (path, bytes) => {
+    if (!path.startsWith(net.settings)) return false;
+    if (!net.hasEnded()) store(path, new TextDecoder().decode(bytes));
+    return true;
+  };
+
+  return {restore, keep, beSilent: () => { is_silent = true; }};
+})();

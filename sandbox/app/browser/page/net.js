@@ -1,0 +1,178 @@
+// The outer net, loaded before everything else and in need of nothing else: what goes wrong with the page becomes a
+// sentence with Load again, and the answers that the browser keeps can be saved. Also the one door for messages from the
+// page around it, which are answered even when the program has ended. Read page.js next.
+'use strict';
+
+const net = (() => {
+  const $ = (id) => document.getElementById(id);
+
+  // ---- Texts of the scripts, which must not need the program and its catalogue
+
+  const korean = {
+    'Loading…': '불러오는 중…',
+    'Load again': '다시 불러오기',
+    'Save answers': '답안 저장',
+    'Save answers of {student}': '{student} 답안 저장',
+    'Hide': '숨기기',
+    'The sandbox cannot be loaded: {reason}.': '샌드박스를 불러올 수 없습니다. {reason}.',
+    '{file} did not come from the server': '서버에서 {file} 파일을 받지 못했습니다',
+    'The sandbox has stopped on an error of its own ({reason}). The picture is the last one; loading again brings back what is kept.':
+      '샌드박스가 내부 오류({reason})로 멈췄습니다. 보이는 그림은 마지막 장면이며, 다시 불러오면 보관된 내용이 돌아옵니다.',
+    'The sandbox has used up the memory that the browser gives to a page. The picture is the last one; loading again brings back what is kept.':
+      '브라우저가 페이지에 주는 메모리를 샌드박스가 모두 썼습니다. 보이는 그림은 마지막 장면이며, 다시 불러오면 보관된 내용이 돌아옵니다.',
+    'The graphics driver has let go of the picture.': '그래픽 드라이버에서 그림이 사라졌습니다.',
+    'This browser gives no WebGL 2, which the sandbox draws with.': '이 브라우저에는 샌드박스가 그림을 그리는 데 쓰는 WebGL 2가 없습니다.',
+    'The browser lets this page keep nothing: answers since {time} are in this page alone and are lost when it closes.':
+      '브라우저가 이 페이지에 보관을 허용하지 않습니다. {time} 이후의 답안은 이 페이지에만 있으며 페이지를 닫으면 사라집니다.',
+    'The browser’s storage for this page is full: answers since {time} are in this page alone and are lost when it closes.':
+      '이 페이지에 주어진 브라우저 저장 공간이 가득 찼습니다. {time} 이후의 답안은 이 페이지에만 있으며 페이지를 닫으면 사라집니다.',
+    'The browser lets this page keep nothing: theme, language and progress in lessons last until it closes.':
+      '브라우저가 이 페이지에 보관을 허용하지 않습니다. 테마, 언어, 단원 진도는 페이지를 닫을 때까지만 유지됩니다.',
+    'The browser’s storage for this page is full: theme, language and progress in lessons last until it closes.':
+      '이 페이지에 주어진 브라우저 저장 공간이 가득 찼습니다. 테마, 언어, 단원 진도는 페이지를 닫을 때까지만 유지됩니다.',
+    '{file} cannot be read: {reason}': '{file} 파일을 읽을 수 없습니다. {reason}',
+    '{file} has {size} bytes, and at most {limit} are read': '{file} 파일의 크기는 {size}바이트이며, {limit}바이트까지만 읽습니다.',
+  };
+
+  // What the browser keeps: names of files of the program, behind this.
+  const kept = 'viewing-sandbox:', settings = '/home/web_user/.config/viewing-sandbox/';
+  const answers_folder = settings + 'answers/';
+  const unkept = new Map();  // path: text, which the browser refused to keep
+
+  const isKorean = () => {
+    if (is_open) return document.documentElement.lang === 'ko';
+    try {
+      const {language} = JSON.parse(localStorage.getItem(kept + settings + 'window.json')) ?? {};
+      if (language) return language === 'ko';
+    } catch {
+      // Nothing is remembered, or it cannot be read: the browser's language.
+    }
+    return navigator.language.startsWith('ko');
+  };
+  const say = (text, values = {}) =>
+    (isKorean() ? korean[text] ?? text : text).replace(/\{(\w+)\}/g, (place, name) => values[name] ?? place);
+
+  // ---- Answers, as files to be handed in
+
+  const handOver = (bytes, name) => {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([bytes]));
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  };
+
+  /// Of everybody who has answered in this browser: [{path, text, student}].
+  const answers = () => {
+    const found = new Map();
+    try {
+      for (const name of Object.keys(localStorage))
+        if (name.startsWith(kept + answers_folder)) found.set(name.slice(kept.length), localStorage.getItem(name));
+    } catch {
+      // No storage is allowed here.
+    }
+    for (const [path, text] of unkept) if (path.startsWith(answers_folder)) found.set(path, text);
+    return [...found].filter(([path]) => path.endsWith('.json')).map(([path, text]) => {
+      let student = '';
+      try {
+        student = String(JSON.parse(text).student ?? '');
+      } catch {
+        // Damaged: handed over as it is.
+      }
+      return {path, text, student};
+    });
+  };
+  const saveAnswers = ({text, student}) => handOver(text, `answers${student && '-' + student}.json`.replace(/[/\\]/g, '_'));
+
+  // ---- The notice over the page
+
+  let ended = '', is_open = false;
+
+  const button = (text, act) => {
+    const made = document.createElement('button');
+    made.textContent = text;
+    made.onclick = act;
+    return made;
+  };
+
+  /// Over everything; `is_over`: the last picture is seen behind it.
+  const notice = (text, is_over) => {
+    $('notice').hidden = false;
+    $('notice').classList.toggle('over', is_over);
+    $('notice-text').textContent = text;
+    const buttons = [button(say('Load again'), () => location.reload())];
+    for (const found of answers()) {
+      const words = found.student ? say('Save answers of {student}', found) : say('Save answers');
+      buttons.push(button(words, () => saveAnswers(found)));
+    }
+    $('notice-buttons').replaceChildren(...buttons);
+  };
+
+  const tellHost = (what) => {
+    if (window.parent !== window) window.parent.postMessage({from: 'viewing-sandbox', ...what}, '*');
+  };
+
+  /// Nothing of the program runs any more: what it would do now could only spoil what is kept.
+  const end = (sentence) => {
+    if (ended) return;
+    ended = sentence;
+    if (typeof Module !== 'undefined')
+      for (const name of Object.keys(Module)) if (name.startsWith('_page_')) Module[name] = () => 0;
+    notice(sentence, is_open);
+    tellHost({is: 'ended', error: sentence});
+  };
+
+  // ---- What goes wrong
+
+  const isOfProgram = (error) =>
+    error instanceof WebAssembly.RuntimeError || (WebAssembly.Exception && error instanceof WebAssembly.Exception);
+  const isOurs = (place) =>
+    [location.href.split('#')[0], ...[...document.scripts].map((script) => script.src)].some((file) => file && place.includes(file));
+
+  const failed = (error) => {
+    const text = isOfProgram(error) && !(error instanceof Error) ? 'exception' : String(error?.message ?? error);
+    const reason = text.split('\n')[0].replace(/\.$/, '');
+    if (!is_open) return end(say('The sandbox cannot be loaded: {reason}.', {reason}));
+    if (/enlarge memory|out of memory|allocation failed|OOM/i.test(reason))
+      return end(say('The sandbox has used up the memory that the browser gives to a page. The picture is the last one; loading again brings back what is kept.'));
+    end(say('The sandbox has stopped on an error of its own ({reason}). The picture is the last one; loading again brings back what is kept.', {reason}));
+  };
+
+  window.addEventListener('error', (event) => {
+    const {target, error, filename} = event;
+    if (target instanceof HTMLScriptElement || target instanceof HTMLLinkElement) {
+      const file = (target.src || target.href).split('/').pop();
+      return end(say('The sandbox cannot be loaded: {reason}.', {reason: say('{file} did not come from the server', {file})}));
+    }
+    // A DOMException is the browser's refusal of one thing: the program goes on.
+    if (error && !(error instanceof DOMException) && (isOfProgram(error) || isOurs(filename ?? ''))) failed(error);
+  }, true);
+  window.addEventListener('unhandledrejection', ({reason}) => {
+    if (isOfProgram(reason) || (reason instanceof Error && !(reason instanceof DOMException) && isOurs(reason.stack ?? ''))) failed(reason);
+  });
+
+  // ---- Messages: of the page around this one alone. One that has opened it in a window, or any other, is not heard
+
+  let answer = null;  // a function that promises one
+  window.addEventListener('message', ({data, source, origin}) => {
+    if (window.parent === window || source !== window.parent || data?.to !== 'viewing-sandbox') return;
+    const send = (what) => source.postMessage({from: 'viewing-sandbox', id: data.id, ...what}, origin === 'null' ? '*' : origin);
+    if (ended) return send({error: ended});
+    if (!answer) return send({error: 'the sandbox is still loading: it says ready when it answers'});
+    answer(data).then((value) => send({answer: value}), (error) => {
+      if (isOfProgram(error)) failed(error);
+      send({error: ended || String(error?.message ?? error).split('\n')[0]});
+    });
+  });
+
+  $('notice-text').textContent = say('Loading…');
+  return {
+    say, button, handOver, answers, saveAnswers, tellHost, end, failed, kept, settings, answers_folder, unkept,
+    hasEnded: () => ended !== '',
+    opened: () => {
+      is_open = true;
+      $('notice').hidden = true;
+    },
+    answerBy: (made) => { answer = made; },
+  };
+})();

@@ -1,0 +1,229 @@
+// What page.js asks by name, for itself and for the page around it: the state, matrices, pictures; setting and opening.
+// Whatever is wrong is one sentence, and then nothing has changed.
+#include <emscripten.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include "app/browser/open_page.h"
+#include "app/picture.h"
+#include "gl/gl.h"
+#include "image/png.h"
+#include "measure/camera_picture.h"
+#include "platform/file.h"
+#include "platform/text_file.h"
+#include "report/matrices_report.h"
+#include "state/file/json.h"
+#include "state/file/link.h"
+#include "text/catalogue.h"
+#include "text/numbers.h"
+#include "text/words.h"
+
+namespace viewing {
+namespace {
+
+/// What a message opens: a state, a link to one, or a preset's name; never a file of that name.
+Result<LoadedState> state_to_open(const std::string& text) {
+    if (is_link(text)) return state_in_text(text, "open");
+    if (text.starts_with('{')) {
+        Result<LoadedState> state = state_in_text(text, "open");
+        if (state) state->reach = {false, {}};  // a text has no folder
+        return state;
+    }
+    std::vector<std::string> names;
+    for (const NamedFile& preset : page->presets) names.push_back(preset.name);
+    if (std::find(names.begin(), names.end(), text) != names.end()) return load_state(text);
+    return Error{"open: " + one_line(text) +
+                 " is no preset; a preset's name, a state or a link can be opened, such as \"teapot\"" +
+                 suggestion(text, names)};
+}
+
+/// The pictures that can be asked for; the window's is as large as it is shown.
+constexpr std::array asked_views{PictureView::camera, PictureView::depth, PictureView::stencil, PictureView::window};
+
+std::optional<PictureView> asked_view(std::string_view name) {
+    const auto* const at = std::find_if(asked_views.begin(), asked_views.end(), [name](PictureView view) {
+        return picture_view_names[static_cast<std::size_t>(view)] == name;
+    });
+    return at != asked_views.end() ? std::optional(*at) : std::nullopt;
+}
+
+/// Pixels of a picture that is asked for: drawn with four samples it has half a gigabyte, as much as a browser gives.
+constexpr std::int32_t most_asked_pixels = 16'777'216;
+
+/// The longest side that this driver draws.
+int longest_side() {
+    int longest = largest_image_side;
+    for (const GLenum limit : {GL_MAX_TEXTURE_SIZE, GL_MAX_RENDERBUFFER_SIZE}) {
+        GLint most = 0;
+        glGetIntegerv(limit, &most);
+        longest = std::min(longest, most);
+    }
+    return longest;
+}
+
+/// "" where a picture of this size can be drawn.
+std::string size_trouble(glm::dvec2 size_px) {
+    const int longest = longest_side();
+    const bool fits = size_px.x >= 1.0 && size_px.y >= 1.0 && size_px.x <= longest && size_px.y <= longest;
+    if (fits && size_px.x * size_px.y <= double{most_asked_pixels}) return "";
+    return "picture: size must be two sides from 1 to " + std::to_string(longest) + " pixels and at most " +
+           grouped_number(most_asked_pixels) + " pixels in all, got " + shortest_number(size_px.x) + " and " +
+           shortest_number(size_px.y);
+}
+
+Result<PictureRequest> picture_request(std::string_view view, glm::dvec2 size_px, double samples) {
+    const std::optional<PictureView> asked = asked_view(view);
+    if (!asked) {
+        std::vector<std::string> names;
+        for (const PictureView known : asked_views)
+            names.emplace_back(picture_view_names[static_cast<std::size_t>(known)]);
+        return Error{"picture: view must be one of " + joined(names) + ", got " + one_line(view)};
+    }
+    PictureRequest request{.view = *asked, .size_px = page->studio.shown().camera_px};
+    const bool is_window = request.view == PictureView::window;
+    const bool has_size = size_px != glm::dvec2(0.0), has_samples = samples != -1.0;
+    if (is_window && (has_size || has_samples))
+        return Error{"picture: the window is drawn as it is shown; leave out size and samples"};
+    if (const std::string trouble = has_size ? size_trouble(size_px) : ""; !trouble.empty()) return Error{trouble};
+    if (has_samples && samples != 0.0 && samples != 4.0)
+        return Error{"picture: samples must be 0 or 4, got " + shortest_number(samples)};
+    if (has_size) request.size_px = size_px;
+    if (has_samples) request.samples = static_cast<int>(samples);
+    return request;
+}
+
+Result<Image> asked_picture(const PictureRequest& request, const Params& params) {
+    if (request.view == PictureView::window) return page->studio.read();
+    for (int most = 16; most > 0 && glGetError() != GL_NO_ERROR; --most) continue;  // of what was drawn before
+    Result<Image> image = camera_picture(page->renderer, params, page->studio.session.scene(), request.size_px);
+    if (image && glGetError() == GL_OUT_OF_MEMORY)
+        return Error{"picture: the graphics driver has no memory for " + std::to_string(request.size_px.x) + " by " +
+                     std::to_string(request.size_px.y) + " pixels; ask for fewer"};
+    return image;
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at <= text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.emplace_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// Of page_open_answer().
+constexpr const char* is_opened = "opened";
+
+}  // namespace
+
+std::string text_trouble(std::size_t bytes) {
+    if (bytes <= max_document_bytes) return "";
+    return say("This text has {size} bytes, and at most {limit} are read: everything is as it was",
+               "size"_a = grouped_number(static_cast<std::int64_t>(bytes)),
+               "limit"_a = grouped_number(static_cast<std::int64_t>(max_document_bytes)));
+}
+
+bool takes(const char* text) {
+    const std::string trouble = text_trouble(std::strlen(text));
+    if (trouble.empty()) return true;
+    page->studio.session.report(Error{trouble});
+    push(FocusChanged{true});
+    return false;
+}
+
+void refuse_what_is_not_there() {
+    const OutsideFile* const asked = page->studio.session.asks_to_read();
+    if (!asked || is_there(asked->file)) return;
+    page->studio.session.answer(false);
+    page->studio.session.message.is_error = true;  // it stays
+}
+
+}  // namespace viewing
+
+// What page.js calls. Texts are UTF-8; those that are returned are there until the next call.
+extern "C" {
+using namespace viewing;
+
+/// Why page.js must not hand over a text of so many bytes, as one sentence; "": it may.
+EMSCRIPTEN_KEEPALIVE const char* page_text_trouble(double bytes) {
+    return given(text_trouble(static_cast<std::size_t>(bytes)));
+}
+
+/// Says in the window what page.js has found wrong.
+EMSCRIPTEN_KEEPALIVE void page_report(const char* sentence) {
+    page->studio.session.report(Error{sentence});
+    push(FocusChanged{true});
+}
+
+/// The whole state as JSON.
+EMSCRIPTEN_KEEPALIVE const char* page_state() {
+    return given(page->studio.session.text());
+}
+
+/// The matrices with their facts as JSON, as `viewing-sandbox matrices --json` has them.
+EMSCRIPTEN_KEEPALIVE const char* page_matrices() {
+    const ShownFrame& shown = page->studio.shown();
+    return given(matrices_as_json(shown.derived, shown.problems).dump());
+}
+
+/// Sets fields, "light.position=[1,2,3]", one a line: all of them, or none and the sentence of what is wrong, else "".
+EMSCRIPTEN_KEEPALIVE const char* page_set(const char* text) {
+    if (const std::string trouble = text_trouble(std::strlen(text)); !trouble.empty()) return given(trouble);
+    Session& session = page->studio.session;
+    Result<Params> changed = apply_settings(session.params, lines_of(text), "");
+    if (!changed) return given(changed.error());
+    session.params = *std::move(changed);
+    push(FocusChanged{true});
+    return given("");
+}
+
+/// Begins to open a state as JSON, a link or a preset's name; the sentence of what is wrong at once, else "", and then
+/// page_open_answer() says what came of it.
+EMSCRIPTEN_KEEPALIVE const char* page_open(const char* text) {
+    if (const std::string trouble = text_trouble(std::strlen(text)); !trouble.empty()) return given(trouble);
+    Result<LoadedState> state = state_to_open(text);
+    if (!state) return given(state.error());
+    // Looks and layout are the person's, or the embedding page's, where the state says nothing of them.
+    Session& session = page->studio.session;
+    if (state->params.ui == UiParams{}) state->params.ui = session.params.ui;
+    if (state->params.view.layout == LayoutParams{}) state->params.view.layout = session.params.view.layout;
+    session.replace(*state);
+    push(FocusChanged{true});
+    return given("");
+}
+
+/// Of the latest page_open(): "" while it is on its way, "opened", or the sentence of what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* page_open_answer() {
+    Session& session = page->studio.session;
+    session.update_scene();
+    refuse_what_is_not_there();
+    if (session.asks_to_read()) {
+        session.take_outcome();  // of the reading that ended in the question
+        return given("");
+    }
+    if (session.loading_fraction()) return given("");
+    const std::optional<Status> outcome = session.take_outcome();
+    if (!outcome) return given(session.message.text.empty() ? "open: it was not read" : session.message.text);
+    return given(*outcome ? is_opened : outcome->error());
+}
+
+/// A picture as a PNG with its state, in the page's files; its name there, which begins with "/", else the sentence of
+/// what is wrong. `width` and `height` 0: as large as the view is; `samples` −1: as the state says.
+EMSCRIPTEN_KEEPALIVE const char* page_picture(const char* view, double width, double height, double samples) {
+    Studio& studio = page->studio;
+    const Result<PictureRequest> request = picture_request(view, {width, height}, samples);
+    if (!request) return given(request.error());
+    const Params params = drawn_params(studio.shown().params, *request);
+    const Result<Image> image = asked_picture(*request, params);
+    if (!image) return given(image.error());
+    const std::vector<std::uint8_t> png = encode_png(*image, write_state(studio.session.portable(params)));
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / "picture.png";
+    std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char*>(png.data()), std::ssize(png));
+    return given(file.string());
+}
+}

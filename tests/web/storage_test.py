@@ -1,0 +1,190 @@
+"""What the browser keeps, and what is said and offered where it keeps nothing."""
+import json
+import unittest
+
+import browser
+import native
+import student
+
+FILL = """(() => {
+    let text = 'x'.repeat(1 << 20), n = 0;
+    while (text.length >= 1)
+        try { localStorage.setItem('filler' + n++, text); } catch { text = text.slice(0, text.length >> 1); }
+})()"""
+IS_ASKED = """(() => {
+    const event = new Event('beforeunload', {cancelable: true});
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+})()"""
+SANDBOX = """<!DOCTYPE html><title>Course</title><link rel="icon" href="data:,"><style>body { margin: 0; overflow: hidden }</style>
+<iframe id="frame" sandbox="allow-scripts allow-downloads" frameborder="0" width="1600" height="900" src="ADDRESS"></iframe>"""
+
+
+class NotKept(student.Student, browser.Checked):
+    def setUp(self):
+        self.page = browser.Page(size=(1600, 900))
+        self.addCleanup(self.page.close)
+
+    def bar(self):
+        return self.page.js("document.getElementById('bar').hidden ? '' : document.getElementById('bar-text').textContent")
+
+    def press(self, label):
+        """A button of the bar."""
+        [button] = [button for button in self.page.driver.find_elements("css selector", "#bar button") if button.text == label]
+        button.click()
+        self.page.settle()
+
+    def attempts(self, file):
+        hand_in = json.loads(file.read_text())
+        self.assertEqual(hand_in["student"], student.NUMBER)
+        return [attempt["answer"][0] for item in hand_in["items"] for attempt in item["attempts"]]
+
+    def test_a_full_storage_is_said_until_the_answers_are_saved(self):
+        self.open_exercise()
+        self.page.settle(0.8)
+        self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
+        self.page.js(FILL)
+        self.answer(7)
+        self.page.settle(0.8)
+        self.assertRegex(self.bar(), r"full.* \d\d:\d\d .*lost when it closes\.$")
+        self.assertTrue(self.page.js(IS_ASKED), "the page asks before it goes")
+        bottom = self.page.js("document.getElementById('bar').getBoundingClientRect().bottom")
+        self.assertEqual(self.page.js("document.getElementById('view').getBoundingClientRect().top"), bottom, "nothing is covered")
+        self.press("Save answers")
+        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+        self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
+        self.answer(8)
+        self.page.settle(0.8)
+        self.assertNotEqual(self.bar(), "", "what came after is not saved")
+        self.page.js("localStorage.clear()")
+        self.answer(9)
+        self.page.settle(0.8)
+        self.assertEqual((self.bar(), self.page.js(IS_ASKED)), ("", False))
+        self.assertIn("32201234", self.page.js("Object.keys(localStorage).join()"))
+
+    def test_a_program_that_stops_offers_what_was_never_kept(self):
+        self.open_exercise()
+        self.page.js(FILL)
+        self.answer(7)
+        self.page.settle(0.8)
+        self.page.js("setTimeout(() => Module._page_set(0xfffffff0))")
+        self.page.until("the notice", self.page.notice)
+        [button] = [button for button in self.page.driver.find_elements("css selector", "#notice button") if student.NUMBER in button.text]
+        button.click()
+        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+        self.page.complaints()  # the trap
+
+    def test_where_nothing_may_be_kept_looks_and_answers_are_said(self):
+        host = self.page.home / "course.html"
+        host.write_text(SANDBOX.replace("ADDRESS", self.page.server.address), encoding="utf-8")
+        self.page.driver.get(host.as_uri())
+        self.page.driver.switch_to.frame("frame")
+        self.page.settle()
+        self.page.open = lambda: None  # the page that is there
+        self.sign_in()
+        self.page.settle(0.8)
+        self.assertRegex(self.bar(), r"keep nothing.*theme.*closes\.$")
+        self.press("Hide")
+        self.assertEqual(self.bar(), "")
+        self.choose_exercise()
+        self.answer(7)
+        self.page.settle(0.8)
+        self.assertRegex(self.bar(), r"keep nothing.*answers since \d\d:\d\d .*closes\.$")
+        self.press("Save answers")
+        self.assertEqual(self.attempts(self.page.downloaded(f"answers-{student.NUMBER}.json")), [7])
+
+    def test_an_embed_says_nothing_of_looks(self):
+        self.page.open("#embed&preset=teapot")
+        self.page.js(FILL)
+        self.page.js("kept.keep('/home/web_user/.config/viewing-sandbox/window.json', new Uint8Array(9))")
+        self.assertEqual(self.bar(), "")
+        self.page.open("#preset=teapot")
+        self.page.js("kept.keep('/home/web_user/.config/viewing-sandbox/window.json', new Uint8Array(9))")
+        self.assertNotEqual(self.bar(), "")
+
+
+class TwoTabs(student.Student, browser.Checked):
+    """Tabs of one browser write the same files: nothing that one of them has kept is lost by the other."""
+
+    def setUp(self):
+        self.page = browser.Page(size=(1600, 900))
+        self.addCleanup(self.page.close)
+        self.open_exercise()
+        self.tabs = [self.page.driver.current_window_handle]
+        self.page.driver.switch_to.new_window("tab")
+        self.tabs.append(self.page.driver.current_window_handle)
+        self.page.cdp("Page.addScriptToEvaluateOnNewDocument", source=browser.WATCH)
+        self.page.resize((1600, 900))
+        self.page.open()
+        self.page.click("top/Exercises")
+        self.choose_exercise()
+
+    def to(self, tab):
+        self.page.driver.switch_to.window(self.tabs[tab])
+        self.page.cdp("Page.bringToFront")
+        self.page.settle()
+
+    def kept(self, name):
+        return json.loads(self.page.js("localStorage.getItem('viewing-sandbox:/home/web_user/.config/viewing-sandbox/' + arguments[0])", name))
+
+    def answers(self):
+        return sorted(attempt["answer"][0] for item in self.kept(f"answers/{student.COURSE}~{student.NUMBER}.json")["items"]
+                      for attempt in item["attempts"])
+
+    def test_answers_of_both_are_kept(self):
+        for number, tab in ((1, 1), (2, 0), (3, 1), (4, 0)):
+            self.to(tab)
+            self.answer(number)
+            self.page.settle(0.8)
+        for tab in (0, 1):
+            self.to(tab)
+            self.page.until("all four", lambda: self.answers() == [1, 2, 3, 4])
+
+    def test_what_is_written_at_the_same_moment_is_merged(self):
+        """Storage that tells this tab nothing of the other's write, as between two processes."""
+        self.to(0)
+        self.answer(1)
+        self.page.settle(0.8)
+        name = f"answers/{student.COURSE}~{student.NUMBER}.json"
+        other = self.kept(name)
+        [item] = other["items"]
+        item["attempts"] = [dict(item["attempts"][0], answer=[5.0] + item["attempts"][0]["answer"][1:], at="2026-01-01T00:00:00")]
+        # Of this tab's own writes no event comes: as if it had not come yet.
+        self.page.js("localStorage.setItem('viewing-sandbox:/home/web_user/.config/viewing-sandbox/' + arguments[0], arguments[1])",
+                     name, json.dumps(other))
+        self.answer(2)
+        self.page.until("all three", lambda: self.answers() == [1, 2, 5])
+
+    def test_looks_of_one_and_progress_of_the_other_are_kept(self):
+        self.to(0)
+        self.page.open("#lesson=lens")
+        for _ in range(4):
+            self.page.key("PageDown")
+        self.page.settle(0.8)
+        self.to(1)
+        self.page.open()
+        self.page.click("top/Look")
+        self.page.click("Light")
+        self.page.key("Escape")
+        self.page.settle(0.8)
+        self.to(0)
+        self.page.key("PageDown")
+        self.page.key("PageDown")
+        self.page.settle(0.8)
+        self.page.until("both", lambda: self.kept("window.json").get("theme") == "light" and self.kept("window.json")["lessons"]["lens"]["step"] == 4)
+
+    def test_what_cannot_be_read_is_kept_under_another_name(self):
+        name = f"answers/{student.COURSE}~{student.NUMBER}.json"
+        self.page.js("localStorage.setItem('viewing-sandbox:/home/web_user/.config/viewing-sandbox/' + arguments[0], '{cut off')", name)
+        self.page.driver.refresh()
+        self.page.settle()
+        self.page.click("top/Exercises")
+        self.choose_exercise()
+        self.answer(1)
+        self.page.settle(0.8)
+        self.assertEqual(self.answers(), [1])
+        self.assertIn("{cut off", self.page.js("Object.values(localStorage)"))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,54 @@
+"""A student at an exercise of the page: what the tests of answers and of their keeping have in common."""
+import browser
+
+NUMBER, COURSE = "32201234", "viewing-2026"
+
+
+class Student:
+    """For a test with a page 1600 × 900."""
+
+    def fill_in(self, label, text):
+        self.page.click(label)
+        self.page.key("KeyA", browser.CTRL)
+        self.page.type(text)
+
+    def type_matrix(self, matrix):
+        """From entry to entry by Tab, faster than the page draws."""
+        self.page.click("lesson strip/answers/answer/r0c0", count=2)
+        for row in matrix:
+            for number in row:
+                self.page.strike(f"{number:g}")
+                self.page.press("Tab")
+        self.page.key("Enter")
+
+    def save(self):
+        self.page.click("top/Exercises")
+        self.page.click("exercises/Save answers…")
+        self.page.click("Save")
+        return self.page.downloaded("*.json")
+
+    def sign_in(self):
+        self.page.open()
+        self.page.click("top/Exercises")
+        self.fill_in("exercises/Student number", NUMBER)
+        self.fill_in("exercises/Course", COURSE)
+        self.page.key("Enter")
+
+    def choose_exercise(self):
+        """The one of the shadow's matrix, on the page of exercises."""
+        page = self.page
+        while (at := page.place("exercises/card 16"))[1] > 850:
+            page.wheel((800, 600), -2)
+        page.click(at)
+        self.assertIn("shadow matrix", page.told())
+
+    def open_exercise(self):
+        self.sign_in()
+        self.choose_exercise()
+
+    def answer(self, number):
+        """Types one number of the matrix and has it checked."""
+        self.page.click("lesson strip/answers/answer/r0c0", count=2)
+        self.page.type(f"{number:g}")
+        self.page.key("Enter")
+        self.page.click("lesson strip/Check")
