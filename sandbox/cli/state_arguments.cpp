@@ -165,8 +165,10 @@ LinkedStep lesson_step(const Options& options, const std::string& lesson, const 
 }
 
 Scene scene_of(const LoadedState& state) {
-    return value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar,
-                                   {.origin = state.scene_origin, .reach = state.reach}));
+    Scene scene = value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar,
+                                          {.origin = state.scene_origin, .reach = state.reach}));
+    for (const std::string& note : scene.notes) std::cerr << note << '\n';
+    return scene;
 }
 
 }  // namespace viewing

@@ -58,7 +58,7 @@ private:
 /// The step that --lesson and --step say, the first where it is left out. Throws Failure.
 LinkedStep lesson_step(const Options& options, const std::string& lesson, const std::optional<std::string>& number);
 
-/// The scene of a state with its meshes. Throws Failure.
+/// The scene of a state with its meshes; what was left out of them goes to stderr. Throws Failure.
 Scene scene_of(const LoadedState& state);
 
 /// The files that a state's scene names, and all that were read for it.

@@ -14,4 +14,10 @@ glm::dmat3 normal_matrix(const glm::dmat3& matrix) {
     return largest > 0.0 ? cofactors / largest : cofactors;
 }
 
+glm::dvec3 direction_of(const glm::dvec3& vector) {
+    const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    const bool is_finite = std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
+    return is_finite && largest > 0.0 ? glm::normalize(vector / largest) : glm::dvec3(0.0);
+}
+
 }  // namespace viewing

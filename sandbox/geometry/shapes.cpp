@@ -180,7 +180,10 @@ Mesh triangle_mesh(const std::array<glm::dvec3, 3>& vertices) {
     Mesh mesh;
     mesh.positions.assign(vertices.begin(), vertices.end());
     mesh.indices = {0, 1, 2};
-    make_normals(mesh);
+    const glm::dvec3 a = mesh.positions[0], b = mesh.positions[1], c = mesh.positions[2];
+    const glm::dvec3 twice_area = glm::cross(b - a, c - a);
+    const double length = glm::length(twice_area);
+    mesh.normals.assign(3, length > 0.0 ? twice_area / length : glm::dvec3(0.0, 1.0, 0.0));
     return mesh;
 }
 
@@ -194,27 +197,6 @@ void center_and_fit(Mesh& mesh) {
     const double scale = longest > 0.0 ? 2.0 / longest : 1.0;
     for (glm::vec3& position : mesh.positions) {
         position = glm::vec3((glm::dvec3(position) - center) * scale);
-    }
-}
-
-void make_normals(Mesh& mesh) {
-    if (mesh.normals.size() == mesh.positions.size()) {
-        return;
-    }
-    std::vector<glm::dvec3> sums(mesh.positions.size(), glm::dvec3(0.0));
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const Index* corner = &mesh.indices[i];
-        const glm::dvec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]], c = mesh.positions[corner[2]];
-        const glm::dvec3 twice_area = glm::cross(b - a, c - a);
-        for (int k = 0; k < 3; ++k) {
-            sums[corner[k]] += twice_area;
-        }
-    }
-    mesh.normals.clear();
-    mesh.normals.reserve(sums.size());
-    for (const glm::dvec3& sum : sums) {
-        const double length = glm::length(sum);
-        mesh.normals.emplace_back(length > 0.0 ? sum / length : glm::dvec3(0.0, 1.0, 0.0));
     }
 }
 

@@ -25,8 +25,4 @@ Mesh teapot_mesh(int resolution = 10);
 /// A mesh without extent is only centred.
 void center_and_fit(Mesh& mesh);
 
-/// Area-weighted vertex normals for a mesh that has none or the wrong number; zero-area triangles add
-/// nothing, and a vertex that only such triangles use gets (0, 1, 0).
-void make_normals(Mesh& mesh);
-
 }  // namespace viewing

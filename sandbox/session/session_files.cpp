@@ -126,6 +126,8 @@ void Session::end_reading(Result<Arrived> result) {
         outcome_ = Status(std::monostate{});
     }
     if (wanted.told) message = {*wanted.told, false};
+    if (const std::vector<std::string>& notes = result->scene.notes; !notes.empty())
+        message = {fmt::format("{}", fmt::join(notes, "; ")), false};
     steps_back_ = 0;
     loaded_source_ = params.scene;
     loaded_base_ = base_;

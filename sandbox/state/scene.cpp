@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <glm/gtc/matrix_transform.hpp>
 #include <unordered_set>
 
 #include "platform/text_file.h"
@@ -147,12 +148,15 @@ Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const 
                 return Error{place_of(*from, i, reading.origin) + ": " + passed.error()};
             }
         }
-        Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, from->base, &of_object);
-        if (!mesh) {
-            return Error{place_of(*from, i, reading.origin) + ": " + mesh.error()};
+        const Result<std::shared_ptr<const ObjMesh>> read = shared_mesh(object, from->base, &of_object);
+        if (!read) {
+            return Error{place_of(*from, i, reading.origin) + ": " + read.error()};
         }
-        triangles += (*mesh)->triangle_count();
-        scene.objects.push_back({object, *mesh, world_from_model(object.position, object.rotation, object.scale)});
+        const auto& [mesh, origin, notes] = **read;
+        triangles += mesh.triangle_count();
+        const glm::dmat4 placed = world_from_model(object.position, object.rotation, object.scale);
+        scene.objects.push_back({object, {*read, &mesh}, glm::translate(placed, origin)});
+        for (const std::string& note : notes) scene.notes.push_back(place_of(*from, i, reading.origin) + ": " + note);
     }
     if (triangles > max_scene_triangles) {
         return Error{reading.origin + ": " + too_many(triangles)};
@@ -178,8 +182,8 @@ SceneDescription scene_of_mesh(const fs::path& file, WorkProgress* progress) {
     object.color = {0xc9, 0xa2, 0x6b};
 
     double half_height = 1.0;
-    if (const Result<std::shared_ptr<const Mesh>> mesh = shared_mesh(object, "", progress)) {
-        half_height = bounds_of(**mesh).size().y / 2.0;
+    if (const Result<std::shared_ptr<const ObjMesh>> read = shared_mesh(object, "", progress)) {
+        half_height = bounds_of((*read)->mesh).size().y / 2.0;
     }
     object.position.y = half_height;
     return {{object}};

@@ -27,6 +27,7 @@ struct Scene {
     std::optional<CoplanarParams> made_from = {};  ///< what the formula took that made the objects, if one did
     std::filesystem::path file = {};  ///< that it was read from, where that is no asset and not the state itself
     std::vector<std::filesystem::path> read = {};  ///< resolved: all files that were read for it
+    std::vector<std::string> notes = {};           ///< of its mesh files, with the places that errors name
 
     const SceneObject* find(std::string_view name) const;
 };
@@ -61,9 +62,20 @@ Result<Scene> load_scene(const SceneSource& source, const std::filesystem::path&
 /// Of all objects together.
 inline constexpr std::uint64_t max_scene_triangles = 50'000'000;
 
-/// A Wavefront OBJ file: centred and scaled to fit (longest side 2), the file's normals used where every corner has one
-/// and made otherwise, polygons cut into triangles. At most 50 million triangles and 4 GiB. Materials are ignored.
-Result<Mesh> load_obj(const std::filesystem::path& file, WorkProgress* progress = nullptr);
+/// A mesh as a file has it.
+struct ObjMesh {
+    Mesh mesh;
+    glm::dvec3 origin{0.0};          ///< where the mesh's origin lies in the coordinates of the object
+    std::vector<std::string> notes;  ///< what was left out or replaced: "bunny.obj: line 3: …"
+};
+
+/// A Wavefront OBJ file, centred in double precision and with `fit` scaled so that its longest side is 2; without it
+/// the mesh is centred too, but its origin says where. Polygons are cut into triangles: one that is not concave into a fan
+/// about its first corner. Corners keep the file's normals; others get one made from the faces: smooth within a
+/// smoothing group, flat after "s off", and without any "s" smooth up to the crease angle. At most 50 million triangles
+/// and 4 GiB. Materials are ignored.
+Result<ObjMesh> load_obj(const std::filesystem::path& file, const MeshReading& reading = {},
+                         WorkProgress* progress = nullptr);
 
 /// Whether a name says that it is a Wavefront file: ".obj" in capitals or not.
 bool is_obj_file(const std::filesystem::path& file);

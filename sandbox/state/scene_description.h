@@ -21,6 +21,13 @@ struct Color {
 
 enum class ShapeKind { box, sphere, torus, cylinder, cone, quad, triangle, teapot, mesh };
 
+/// What is made of a mesh file's numbers.
+struct MeshReading {
+    double crease_deg = 30.0;  ///< angle between faces up to which made normals are smooth: 0 … 180
+    bool fit = true;           ///< centred and scaled; else the file's own coordinates
+    bool operator==(const MeshReading&) const = default;
+};
+
 /// One object of a scene: what it is and where. world_from_model = T R S.
 struct ObjectDescription {
     std::string name;
@@ -32,6 +39,7 @@ struct ObjectDescription {
     bool decal = false;                    ///< depth.offset applies to it
     std::array<glm::dvec3, 3> vertices{};  ///< triangle only
     std::string file;                      ///< mesh only, relative to the scene's file
+    MeshReading reading;                   ///< mesh only
     int resolution = 10;                   ///< teapot only: cuts per patch side
     bool operator==(const ObjectDescription&) const = default;
 };

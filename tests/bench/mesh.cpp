@@ -51,9 +51,9 @@ double megabytes(const std::vector<T>& values) {
 /// Megabytes of what was read.
 double load(const std::string& path, bool ours) {
     if (ours) {
-        const Result<Mesh> mesh = load_obj(path);
-        if (!mesh) return 0.0;
-        return megabytes(mesh->positions) + megabytes(mesh->normals) + megabytes(mesh->indices);
+        const Result<ObjMesh> read = load_obj(path);
+        if (!read) return 0.0;
+        return megabytes(read->mesh.positions) + megabytes(read->mesh.normals) + megabytes(read->mesh.indices);
     }
     tinyobj::ObjReader reader;
     if (!reader.ParseFromFile(path)) return 0.0;

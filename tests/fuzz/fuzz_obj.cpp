@@ -18,11 +18,13 @@ void check(bool holds) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
-    const viewing::Result<viewing::Mesh> mesh = viewing::read_obj(stream, size, "fuzz.obj", nullptr);
-    if (!mesh) {
-        check(mesh.error().find('\n') == std::string::npos);
+    const viewing::Result<viewing::ObjMesh> read = viewing::read_obj(stream, size, "fuzz.obj", {}, nullptr);
+    if (!read) {
+        check(read.error().find('\n') == std::string::npos);
         return 0;
     }
+    for (const std::string& note : read->notes) check(note.find('\n') == std::string::npos);
+    const viewing::Mesh* const mesh = &read->mesh;
     check(!mesh->indices.empty() && mesh->indices.size() % 3 == 0);
     check(mesh->normals.size() == mesh->positions.size());
     for (const std::uint32_t index : mesh->indices) {

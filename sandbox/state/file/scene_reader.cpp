@@ -43,14 +43,14 @@ std::array<glm::dvec3, 3> read_vertices(const Json& value, const Where& where) {
     return vertices;
 }
 
-/// Refuses a field that another shape has.
+/// Refuses a field that another shape has, and the lack of one that is needed.
 void require_shape(const ObjectDescription& object, ShapeKind shape, const Json& value, const Where& where,
-                   const char* key) {
+                   const char* key, bool is_needed) {
     if (object.shape != shape && value.contains(key)) {
         where.key(key).refuse("belongs to the shape " + std::string(name_of(shape)) + ", this one is a " +
                               std::string(name_of(object.shape)));
     }
-    if (object.shape == shape && !value.contains(key) && shape != ShapeKind::teapot) {
+    if (object.shape == shape && !value.contains(key) && is_needed) {
         where.key(key).refuse("is missing: a " + std::string(name_of(shape)) + " needs it");
     }
 }
@@ -75,14 +75,18 @@ void read_member(ObjectDescription& object, const std::string& key, const Json& 
         object.vertices = read_vertices(value, where);
     } else if (key == "file") {
         object.file = read_name(value, where);
+    } else if (key == "crease_deg") {
+        object.reading.crease_deg = read_number(value, where, crease_range);
+    } else if (key == "fit") {
+        object.reading.fit = read_bool(value, where);
     } else {
         object.resolution = read_whole(value, where, 1, max_resolution);
     }
 }
 
 ObjectDescription read_object(const Json& value, const Where& where) {
-    static const std::vector<std::string> keys = {"name",  "shape", "position", "rotation", "scale",
-                                                  "color", "decal", "vertices", "file",     "resolution"};
+    static const std::vector<std::string> keys = {"name",  "shape",    "position", "rotation",   "scale", "color",
+                                                  "decal", "vertices", "file",     "crease_deg", "fit",   "resolution"};
     require_object(value, where, "an object {\"name\": …, \"shape\": …}");
     ObjectDescription object;
     for (const auto& [key, member] : value.items()) {
@@ -95,9 +99,11 @@ ObjectDescription read_object(const Json& value, const Where& where) {
     if (!value.contains("shape")) {
         where.key("shape").refuse("is missing: one of " + joined(names_of<ShapeKind>()));
     }
-    require_shape(object, ShapeKind::triangle, value, where, "vertices");
-    require_shape(object, ShapeKind::mesh, value, where, "file");
-    require_shape(object, ShapeKind::teapot, value, where, "resolution");
+    require_shape(object, ShapeKind::triangle, value, where, "vertices", true);
+    require_shape(object, ShapeKind::mesh, value, where, "file", true);
+    require_shape(object, ShapeKind::mesh, value, where, "crease_deg", false);
+    require_shape(object, ShapeKind::mesh, value, where, "fit", false);
+    require_shape(object, ShapeKind::teapot, value, where, "resolution", false);
     return object;
 }
 
@@ -119,6 +125,8 @@ Json object_as_json(const ObjectDescription& object) {
         }
     } else if (object.shape == ShapeKind::mesh) {
         json["file"] = object.file;
+        json["crease_deg"] = object.reading.crease_deg;
+        json["fit"] = object.reading.fit;
     } else if (object.shape == ShapeKind::teapot) {
         json["resolution"] = object.resolution;
     }

@@ -156,10 +156,13 @@ Json scene_object() {
                              {"decal", {{"type", "boolean"}}},
                              {"vertices", list_of(3, place)},
                              {"file", name()},
+                             {"crease_deg", number_in(crease_range)},
+                             {"fit", {{"type", "boolean"}}},
                              {"resolution", whole_in(1, max_resolution)}});
     object["required"] = {"name", "shape"};
     object["allOf"] =
         Json::array({only_of(ShapeKind::triangle, "vertices", true), only_of(ShapeKind::mesh, "file", true),
+                     only_of(ShapeKind::mesh, "crease_deg", false), only_of(ShapeKind::mesh, "fit", false),
                      only_of(ShapeKind::teapot, "resolution", false)});
     return object;
 }

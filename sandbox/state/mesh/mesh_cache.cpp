@@ -5,7 +5,6 @@
 
 #include "geometry/shapes.h"
 #include "state/fields.h"
-#include "state/scene.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -13,7 +12,7 @@ namespace viewing {
 
 namespace {
 
-using SharedMesh = std::shared_ptr<const Mesh>;
+using SharedMesh = std::shared_ptr<const ObjMesh>;
 
 class Cache {
 public:
@@ -24,12 +23,12 @@ public:
     }
 
     /// Two threads may have made the same mesh: the first one's is shared.
-    SharedMesh add(const std::string& key, Mesh mesh, bool keep) {
+    SharedMesh add(const std::string& key, ObjMesh mesh, bool keep) {
         const std::scoped_lock lock(mutex_);
         std::erase_if(meshes_, [](const auto& entry) { return entry.second.expired(); });
         SharedMesh shared = meshes_[key].lock();
         if (!shared) {
-            shared = std::make_shared<const Mesh>(std::move(mesh));
+            shared = std::make_shared<const ObjMesh>(std::move(mesh));
             meshes_[key] = shared;
         }
         if (keep) {
@@ -40,7 +39,7 @@ public:
 
 private:
     std::mutex mutex_;
-    std::map<std::string, std::weak_ptr<const Mesh>> meshes_;
+    std::map<std::string, std::weak_ptr<const ObjMesh>> meshes_;
     SharedMesh last_file_;
 };
 
@@ -85,13 +84,14 @@ Mesh shape_mesh(const ObjectDescription& object) {
     return {};
 }
 
-/// A file's name, size and time of change: another content is another key.
-std::string file_key(const std::filesystem::path& file) {
+/// A file's name, size and time of change, and how it is read: another content is another key.
+std::string file_key(const std::filesystem::path& file, const MeshReading& reading) {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     const auto time = std::filesystem::last_write_time(file, error).time_since_epoch().count();
     return "file " + std::filesystem::absolute(file, error).string() + " " + std::to_string(size) + " " +
-           std::to_string(static_cast<std::int64_t>(time));
+           std::to_string(static_cast<std::int64_t>(time)) + " " + format_number(reading.crease_deg) +
+           (reading.fit ? " fit" : "");
 }
 
 }  // namespace
@@ -100,15 +100,15 @@ Result<SharedMesh> shared_mesh(const ObjectDescription& object, const std::files
                                WorkProgress* progress) {
     const bool is_file = object.shape == ShapeKind::mesh;
     const std::filesystem::path file = base / object.file;
-    const std::string key = is_file ? file_key(file) : shape_key(object);
+    const std::string key = is_file ? file_key(file, object.reading) : shape_key(object);
     if (SharedMesh shared = cache().find(key)) {
         report(progress, 1.0);
         return shared;
     }
     if (!is_file) {
-        return cache().add(key, shape_mesh(object), false);
+        return cache().add(key, ObjMesh{shape_mesh(object), {}, {}}, false);
     }
-    Result<Mesh> mesh = load_obj(file, progress);
+    Result<ObjMesh> mesh = load_obj(file, object.reading, progress);
     if (!mesh) {
         return Error{mesh.error()};
     }

@@ -1,14 +1,14 @@
 // A Wavefront OBJ file as a Mesh: polygons are cut into triangles, and corners with the same position and normal become
-// one vertex. Materials and groups are ignored. Read obj_lines.cpp next.
+// one vertex. Materials and names are ignored. Read obj_lines.cpp next.
 #include "state/mesh/obj.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
-#include "geometry/shapes.h"
 #include "platform/file.h"
+#include "state/mesh/made_normals.h"
 #include "state/mesh/obj_lines.h"
 #include "state/mesh/obj_vertices.h"
 #include "state/mesh/polygon.h"
@@ -17,65 +17,88 @@ namespace viewing {
 
 namespace {
 
-bool is_direction(const glm::vec3& v) {
-    const float squared = glm::dot(v, v);
-    return std::isfinite(squared) && squared > 0.0F;
-}
-
-/// Normals count only if every corner has one that points somewhere.
-bool every_corner_has_a_normal(const ObjContent& content) {
-    for (const ObjCorner& corner : content.corners) {
-        if (corner.normal == ObjCorner::no_normal ||
-            !is_direction(content.normals[static_cast<std::size_t>(corner.normal)])) {
-            return false;
-        }
-    }
-    return true;
-}
-
 constexpr const char* was_cancelled = "loading was cancelled";
 
-/// The triangles; an error where it was cancelled or would take too long.
-Result<Mesh> assembled(const ObjContent& content, WorkProgress* progress) {
-    Mesh mesh;
-    mesh.indices.reserve(static_cast<std::size_t>(3 * content.triangle_count));
-    ObjVertices vertices(content, every_corner_has_a_normal(content), mesh);
-    PolygonCutter cutter;
-    std::vector<glm::vec3> corners;
-    std::vector<std::uint32_t> triangles;
-    std::size_t begin = 0, next_look = 0;
-    constexpr std::size_t corners_between_looks = 8'192;
-    const auto add_face = [&](std::uint32_t count) -> Status {
-        if (begin >= next_look) {
-            report(progress, static_cast<double>(begin) / static_cast<double>(content.corners.size()));
-            if (is_cancelled(progress)) return Error{was_cancelled};
-            next_look = begin + corners_between_looks;
-        }
-        corners.clear();
-        for (std::size_t i = begin; i < begin + count; ++i)
-            corners.push_back(content.positions[static_cast<std::size_t>(content.corners[i].position)]);
-        triangles.clear();
-        if (!cutter.cut(corners, triangles))
-            return Error{"its concave faces have too many corners: to cut them up takes more than " +
-                         std::to_string(PolygonCutter::most_tests / 1'000'000) +
-                         " million tests; cut them into triangles before"};
-        for (const std::uint32_t corner : triangles)
-            mesh.indices.push_back(vertices.vertex(content.corners[begin + corner]));
-        begin += count;
-        return std::monostate{};
-    };
-    for (const auto& [corners_each, count] : content.faces)
-        for (std::uint32_t face = 0; face < count; ++face)
-            if (Status added = add_face(corners_each); !added) return Error{added.error()};
-    return mesh;
+Bounds bounds_of_corners(const ObjContent& content) {
+    Bounds bounds;
+    for (const ObjCorner& corner : content.corners)
+        bounds.add(content.positions[static_cast<std::size_t>(corner.position)]);
+    return bounds;
 }
 
-bool has_area(const Mesh& mesh) {
+/// The triangles of all faces.
+class Assembly {
+public:
+    Assembly(ObjContent& content, WorkProgress* progress)
+        : content_(content), progress_(progress), vertices_(content, mesh_) {
+        mesh_.indices.reserve(static_cast<std::size_t>(3 * content.triangle_count));
+    }
+
+    /// An error where it was cancelled or would take too long.
+    Result<Mesh> run() {
+        std::uint64_t face = 0;
+        for (const auto& [corners_each, count, smoothing] : content_.faces)
+            for (std::uint32_t i = 0; i < count; ++i, ++face)
+                if (Status added = add_face(face, corners_each); !added) return Error{added.error()};
+        if (crossing_count_ > 0)
+            content_.notes.push_back(
+                at_face(first_crossing_) + "crosses itself and is filled by a fan" +
+                (crossing_count_ > 1 ? ", as " + std::to_string(crossing_count_ - 1) + " more" : ""));
+        return std::move(mesh_);
+    }
+
+private:
+    Status add_face(std::uint64_t face, std::uint32_t corner_count);
+    std::string at_face(std::uint64_t face) const {
+        return "line " + std::to_string(content_.face_lines.line_of(face)) + ": face " + std::to_string(face + 1) + " ";
+    }
+
+    ObjContent& content_;
+    WorkProgress* const progress_;
+    Mesh mesh_;
+    ObjVertices vertices_;
+    PolygonCutter cutter_;
+    std::vector<glm::dvec3> corners_;
+    std::vector<std::uint32_t> triangles_;
+    std::size_t begin_ = 0, next_look_ = 0;
+    std::uint64_t first_crossing_ = 0, crossing_count_ = 0;
+};
+
+Status Assembly::add_face(std::uint64_t face, std::uint32_t corner_count) {
+    constexpr std::size_t corners_between_looks = 8'192;
+    if (begin_ >= next_look_) {
+        report(progress_, static_cast<double>(begin_) / static_cast<double>(content_.corners.size()));
+        if (is_cancelled(progress_)) return Error{was_cancelled};
+        next_look_ = begin_ + corners_between_looks;
+    }
+    corners_.clear();
+    for (std::size_t i = begin_; i < begin_ + corner_count; ++i)
+        corners_.push_back(content_.positions[static_cast<std::size_t>(content_.corners[i].position)]);
+    triangles_.clear();
+    switch (cutter_.cut(corners_, triangles_)) {
+        case PolygonCutter::Outcome::takes_too_long:
+            return Error{
+                at_face(face) + "has " + std::to_string(corner_count) + " corners: to cut it up takes more than " +
+                std::to_string(PolygonCutter::most_tests / 1'000'000) + " million tests; cut it into triangles before"};
+        case PolygonCutter::Outcome::crosses_itself:
+            if (crossing_count_++ == 0) first_crossing_ = face;
+            break;
+        case PolygonCutter::Outcome::filled:
+            break;
+    }
+    for (const std::uint32_t corner : triangles_)
+        mesh_.indices.push_back(vertices_.vertex(content_.corners[begin_ + corner]));
+    begin_ += corner_count;
+    return std::monostate{};
+}
+
+/// `unit`: half the mesh's longest side.
+bool has_area(const Mesh& mesh, double unit) {
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a(mesh.positions[mesh.indices[i]]);
         const glm::dvec3 ab = glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a;
         const glm::dvec3 ac = glm::dvec3(mesh.positions[mesh.indices[i + 2]]) - a;
-        if (glm::length(glm::cross(ab, ac)) > 1e-12) {
+        if (glm::length(glm::cross(ab, ac)) > 1e-12 * unit * unit) {
             return true;
         }
     }
@@ -84,40 +107,34 @@ bool has_area(const Mesh& mesh) {
 
 }  // namespace
 
-Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name, WorkProgress* progress) {
+Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name,
+                         const MeshReading& reading, WorkProgress* progress) {
     const auto refusal = [&name](const std::string& what) { return Error{name + ": " + what}; };
-    constexpr double reading = 0.8;
-    WorkProgress of_reading{.whole = progress, .begin = 0.0, .end = reading};
-    const Result<ObjContent> content = read_obj_lines(stream, size_bytes, &of_reading);
-    if (!content) {
-        return refusal(content.error());
-    }
-    if (content->faces.empty()) {
-        return refusal(content->positions.empty() ? "not an OBJ file, or an empty one: it has no vertices and no faces"
-                                                  : "has vertices but no faces");
-    }
-    WorkProgress of_assembling{.whole = progress, .begin = reading, .end = 1.0};
-    Result<Mesh> assembly = assembled(*content, &of_assembling);
-    if (!assembly) {
-        return refusal(assembly.error());
-    }
-    Mesh mesh = *std::move(assembly);
+    constexpr double share_of_lines = 0.8;
+    WorkProgress of_lines{.whole = progress, .begin = 0.0, .end = share_of_lines};
+    Result<ObjContent> content = read_obj_lines(stream, size_bytes, &of_lines);
+    if (!content) return refusal(content.error());
+
+    // In double precision as far as this: coordinates may be far away and close together.
+    const Bounds bounds = bounds_of_corners(*content);
+    const glm::dvec3 center = bounds.center(), size = bounds.size();
+    const double longest = std::max({size.x, size.y, size.z});
+    if (!(longest > std::numeric_limits<double>::min())) return refusal("has no face with an area");
+    const double unit = reading.fit ? longest / 2.0 : 1.0;
+    for (glm::dvec3& position : content->positions) position = (position - center) / unit;
+    make_missing_normals(*content, reading.crease_deg);
+
+    WorkProgress of_assembling{.whole = progress, .begin = share_of_lines, .end = 1.0};
+    Result<Mesh> mesh = Assembly(*content, &of_assembling).run();
+    if (!mesh) return refusal(mesh.error());
+    if (!has_area(*mesh, longest / 2.0 / unit)) return refusal("has no face with an area");
     if (is_cancelled(progress)) return refusal(was_cancelled);
-    center_and_fit(mesh);
-    if (!has_area(mesh)) {
-        return refusal("has no face with an area");
-    }
-    if (is_cancelled(progress)) {
-        return refusal(was_cancelled);
-    }
-    if (mesh.normals.empty()) {
-        make_normals(mesh);
-    }
     report(progress, 1.0);
-    return mesh;
+    for (std::string& note : content->notes) note = name + ": " + note;
+    return ObjMesh{*std::move(mesh), reading.fit ? glm::dvec3(0.0) : center, std::move(content->notes)};
 }
 
-Result<Mesh> load_obj(const std::filesystem::path& file, WorkProgress* progress) {
+Result<ObjMesh> load_obj(const std::filesystem::path& file, const MeshReading& reading, WorkProgress* progress) {
     const std::string name = file.string();
     if (Status checked = check_readable(file); !checked) {
         return Error{checked.error()};
@@ -131,7 +148,7 @@ Result<Mesh> load_obj(const std::filesystem::path& file, WorkProgress* progress)
     if (error || !stream) {
         return Error{name + ": cannot be read"};
     }
-    return read_obj(stream, size_bytes, name, progress);
+    return read_obj(stream, size_bytes, name, reading, progress);
 }
 
 }  // namespace viewing

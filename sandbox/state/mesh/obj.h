@@ -5,16 +5,15 @@
 #include <istream>
 #include <string>
 
-#include "geometry/mesh.h"
-#include "platform/progress.h"
-#include "text/result.h"
+#include "state/scene.h"
 
 namespace viewing {
 
 inline constexpr std::uint64_t max_obj_bytes = 4ULL << 30U;
 inline constexpr std::uint64_t max_obj_triangles = 50'000'000;
 
-/// Reads a mesh, centred and scaled to fit. `name` opens every message; `size_bytes` only scales the progress.
-Result<Mesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name, WorkProgress* progress);
+/// As load_obj(). `name` opens every message; `size_bytes` only scales the progress.
+Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const std::string& name,
+                         const MeshReading& reading, WorkProgress* progress);
 
 }  // namespace viewing

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <string_view>
+#include <limits>
+#include <utility>
 
+#include "geometry/normals.h"
 #include "state/mesh/obj.h"
+#include "state/mesh/obj_words.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -15,117 +16,14 @@ namespace {
 
 constexpr std::size_t block_bytes = 256U << 10U;
 constexpr std::size_t longest_line = 1U << 20U;
-constexpr std::size_t longest_number = 64;
 constexpr double largest_coordinate = 1e12;
-
-bool is_space(char c) {
-    return c == ' ' || c == '\t';
-}
-
-/// The next word of a line, which is taken off its front; empty at the end.
-std::string_view next_word(std::string_view& line) {
-    std::size_t begin = 0;
-    while (begin < line.size() && is_space(line[begin])) {
-        ++begin;
-    }
-    std::size_t end = begin;
-    while (end < line.size() && !is_space(line[end])) {
-        ++end;
-    }
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
-
-/// The digits from the front of a word, which are taken off it.
-std::string_view take_digits(std::string_view& word) {
-    std::size_t end = 0;
-    while (end < word.size() && is_digit(word[end])) ++end;
-    const std::string_view digits = word.substr(0, end);
-    word.remove_prefix(end);
-    return digits;
-}
-
-bool take(char c, std::string_view& word) {
-    if (word.empty() || word.front() != c) return false;
-    word.remove_prefix(1);
-    return true;
-}
-
-/// Whether a sign, taken off the front of a word, is a minus.
-bool take_sign(std::string_view& word) {
-    const bool is_negative = take('-', word);
-    if (!is_negative) take('+', word);
-    return is_negative;
-}
-
-/// A decimal number: sign, digits with a point somewhere, exponent. One beyond what a double holds is infinite.
-std::optional<double> number_of(std::string_view word) {
-    if (word.size() > longest_number) return std::nullopt;
-    const bool is_negative = take_sign(word);
-    double digits_value = 0.0;
-    int power_of_ten = 0;
-    const auto add = [&](std::string_view digits) {
-        for (const char digit : digits) digits_value = 10.0 * digits_value + (digit - '0');
-        return digits.size();
-    };
-    std::size_t count = add(take_digits(word));
-    if (take('.', word)) {
-        const std::size_t decimals = add(take_digits(word));
-        count += decimals;
-        power_of_ten = -static_cast<int>(decimals);
-    }
-    if (count == 0) return std::nullopt;
-    if (take('e', word) || take('E', word)) {
-        const bool divides = take_sign(word);
-        const std::string_view digits = take_digits(word);
-        if (digits.empty()) return std::nullopt;
-        constexpr int beyond_all = 9999;
-        int exponent = 0;
-        for (const char digit : digits) exponent = std::min(10 * exponent + (digit - '0'), beyond_all);
-        power_of_ten += divides ? -exponent : exponent;
-    }
-    if (!word.empty()) return std::nullopt;
-    if (is_negative) digits_value = -digits_value;
-    if (digits_value == 0.0) return digits_value;
-    return power_of_ten < 0 ? digits_value / std::pow(10.0, -power_of_ten)
-                            : digits_value * std::pow(10.0, power_of_ten);
-}
-
-/// The indices of a corner as the file has them, from 1 or from the end if negative; 0 for what is not told.
-struct NamedCorner {
-    int position = 0, normal = 0;
-};
-
-/// A corner of a face: v, v/vt, v//vn or v/vt/vn, each a whole number of at most nine digits.
-std::optional<NamedCorner> corner_of(std::string_view word) {
-    constexpr std::size_t most_digits = 9;
-    NamedCorner corner;
-    for (int part = 0;; ++part) {
-        const bool is_negative = take('-', word);
-        const std::string_view digits = take_digits(word);
-        const bool left_out = part == 1 && digits.empty() && !is_negative;
-        if ((digits.empty() && !left_out) || digits.size() > most_digits) return std::nullopt;
-        int index = 0;
-        for (const char digit : digits) index = 10 * index + (digit - '0');
-        if (is_negative) index = -index;
-        if (part == 0) corner.position = index;
-        if (part == 2) corner.normal = index;
-        if (word.empty()) return left_out ? std::nullopt : std::optional(corner);
-        if (part == 2 || !take('/', word)) return std::nullopt;
-    }
-}
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// An index as the file has it, made to count from 0; −1 for one before the first. One that is positive may name what
 /// comes later in the file.
 int from_zero(int index, std::size_t count) {
     const auto size = static_cast<int>(count);
     return index > 0 ? index - 1 : index < 0 && -index <= size ? size + index : -1;
-}
-
-bool is_usable(const glm::vec3& v) {
-    const auto fits = [](float x) { return std::abs(static_cast<double>(x)) <= largest_coordinate; };
-    return fits(v.x) && fits(v.y) && fits(v.z);
 }
 
 class ObjLines {
@@ -141,29 +39,53 @@ public:
         content_.positions.reserve(likely_bytes / 128);
         content_.normals.reserve(likely_bytes / 128);
         while (!is_at_end_ && trouble_.empty()) take_block();
-        if (trouble_.empty()) check_indices();
+        if (trouble_.empty() && content_.faces.empty()) trouble_ = without_faces();
+        if (trouble_.empty()) check_corners();
         if (!trouble_.empty()) return Error{trouble_};
+        note_what_is_left_out();
         return std::move(content_);
     }
 
 private:
     void take_block();
+    void take_lines(std::string_view block, bool is_last);
     void take_line(std::string_view line);
-    void take_numbers(std::string_view rest, std::vector<glm::vec3>& triples);
+    void take_statement(std::string_view line);
+    void take_position(std::string_view rest);
+    void take_normal(std::string_view rest);
     void take_face(std::string_view rest);
+    void take_smoothing(std::string_view rest, std::string_view line);
     void add_corner(const NamedCorner& named);
-    void check_indices();
+    void check_corners();
+    bool is_usable(int position, std::uint64_t face);
+    std::string without_faces() const;
+    void note_what_is_left_out();
     /// `token`: what of the line is wrong; empty where nothing can be pointed at.
     void refuse(const std::string& what, std::string_view token = {});
+
+    /// Something that is met more than once: how often, and the sentence of the first.
+    struct Met {
+        std::uint64_t count = 0;
+        std::string first;
+    };
+    void meet(Met& met, std::uint64_t line, const std::string& what) {
+        if (met.count++ == 0) met.first = at_line(line) + what;
+    }
+    static std::string at_line(std::uint64_t line) { return "line " + std::to_string(line) + ": "; }
 
     std::istream& source_;
     const std::uint64_t size_bytes_;
     WorkProgress* const progress_;
     std::uint64_t bytes_read_ = 0;
-    std::size_t line_number_ = 0;
-    std::string unfinished_;  ///< the beginning of a line whose end is in the next block
+    std::uint64_t line_number_ = 0;
+    std::uint64_t statement_line_ = 0;  ///< where the statement at hand begins
+    std::string unfinished_;            ///< the beginning of a line whose end is in the next block
+    std::string statement_;             ///< the beginning of one that goes on in the next line
+    bool ends_with_cr_ = false;         ///< the last block: an LF at the start of the next belongs to it
+    int smoothing_ = ObjFaces::no_statement;
     ObjContent content_;
-    std::string trouble_;  ///< the first that was met
+    Met strange_, replaced_;  ///< lines that are not understood, and corners whose normal cannot be used
+    std::string trouble_;     ///< the first that was met
     bool is_at_end_ = false;
 };
 
@@ -175,114 +97,244 @@ void ObjLines::take_block() {
     source_.read(block.data() + kept, block_bytes);
     const auto count = static_cast<std::size_t>(source_.gcount());
     block.resize(kept + count);
+    const char* const encoding = bytes_read_ == 0 ? foreign_encoding(block) : nullptr;
     bytes_read_ += count;
     const double done = size_bytes_ == 0 ? 1.0 : static_cast<double>(bytes_read_) / static_cast<double>(size_bytes_);
     report(progress_, std::min(done, 1.0));
     if (is_cancelled(progress_)) {
         trouble_ = "loading was cancelled";
-        return;
-    }
-
-    std::string_view rest = block;
-    for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-        take_line(rest.substr(0, end));
-        if (!trouble_.empty()) return;
-        rest.remove_prefix(end + 1);
-    }
-    if (count == 0) {
-        take_line(rest);
-        is_at_end_ = true;
-    } else if (rest.size() > longest_line) {
-        ++line_number_;
-        refuse("a line longer than 1 MiB");
+    } else if (encoding != nullptr) {
+        trouble_ = at_line(1) + encoding + " text: save it as UTF-8";
     } else {
-        unfinished_ = rest;
+        take_lines(block, count == 0);
     }
 }
 
+void ObjLines::take_lines(std::string_view block, bool is_last) {
+    const auto end_of_line = [](std::string_view text) {
+        const auto end = std::find_if(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; });
+        return static_cast<std::size_t>(end - text.begin());
+    };
+    if (std::exchange(ends_with_cr_, false) && block.starts_with('\n')) block.remove_prefix(1);
+    for (std::size_t end = end_of_line(block); end < block.size(); end = end_of_line(block)) {
+        take_line(block.substr(0, end));
+        if (!trouble_.empty()) return;
+        const bool is_cr = block[end] == '\r';
+        block.remove_prefix(end + 1);
+        if (!is_cr) continue;
+        ends_with_cr_ = block.empty();
+        if (block.starts_with('\n')) block.remove_prefix(1);
+    }
+    if (is_last) {
+        take_line(block);
+        if (trouble_.empty()) take_statement(statement_);
+        is_at_end_ = true;
+    } else if (block.size() > longest_line) {
+        statement_line_ = line_number_ + 1;
+        refuse("a line longer than 1 MiB");
+    } else {
+        unfinished_ = block;
+    }
+}
+
+/// Takes away the comment and joins what is continued.
 void ObjLines::take_line(std::string_view line) {
     ++line_number_;
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (line_number_ == 1 && line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
-    while (!line.empty() && (line.back() == '\r' || is_space(line.back()))) line.remove_suffix(1);
-    if (std::find(line.begin(), line.end(), '\0') != line.end()) return refuse("binary data");
+    if (statement_.empty()) statement_line_ = line_number_;
+    if (line.find('\0') != std::string_view::npos) return refuse("binary data");
+    line = without_comment(line);
+    while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+    std::string_view rest = statement_.empty() ? line : statement_;
+    if (line.ends_with('\\')) {
+        if (statement_of(next_word(rest)) != Statement::names) {  // a name may end with it
+            statement_.append(line.substr(0, line.size() - 1)).push_back(' ');
+            if (statement_.size() > longest_line) refuse("a line longer than 1 MiB");
+            return;
+        }
+    }
+    if (statement_.empty()) return take_statement(line);
+    statement_ += line;
+    take_statement(std::exchange(statement_, {}));
+}
+
+void ObjLines::take_statement(std::string_view line) {
     std::string_view rest = line;
-    const std::string_view keyword = next_word(rest);
-    if (keyword == "v") {
-        take_numbers(rest, content_.positions);
-        if (trouble_.empty() && !is_usable(content_.positions.back()))
-            trouble_ = "vertex " + std::to_string(content_.positions.size()) + " has a coordinate beyond 1e12";
-    } else if (keyword == "vn") {
-        take_numbers(rest, content_.normals);
-    } else if (keyword == "f") {
-        take_face(rest);
+    const std::string_view word = next_word(rest);
+    if (word.empty()) return;
+    const std::optional<Statement> statement = statement_of(word);
+    if (!statement) return meet(strange_, statement_line_, "not understood: " + excerpt(line));
+    switch (*statement) {
+        case Statement::position:
+            return take_position(rest);
+        case Statement::face:
+            return take_face(rest);
+        case Statement::normal:
+            return take_normal(rest);
+        case Statement::smoothing:
+            return take_smoothing(rest, line);
+        case Statement::line:
+            ++content_.line_count;
+            return;
+        case Statement::point:
+            ++content_.point_count;
+            return;
+        case Statement::surface:
+            ++content_.surface_count;
+            return;
+        case Statement::numbers:
+        case Statement::names:
+            return;
     }
 }
 
-/// Three numbers; further ones (a weight, a colour) have to be numbers too.
-void ObjLines::take_numbers(std::string_view rest, std::vector<glm::vec3>& triples) {
-    glm::vec3 triple(0.0F);
-    int count = 0;
-    for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest)) {
+/// Three numbers; what follows (a weight, a colour) is not used.
+void ObjLines::take_position(std::string_view rest) {
+    glm::dvec3 position(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::string_view word = next_word(rest);
+        if (word.empty()) return refuse("not three numbers");
         const std::optional<double> number = number_of(word);
-        if (!number) return refuse("not a number", word);
-        if (count < 3) triple[count] = static_cast<float>(*number);
-        ++count;
+        if (!number && !is_no_finite_number(word)) return refuse("not a number", word);
+        position[axis] = number.value_or(no_number);
     }
-    if (count < 3) return refuse("not three numbers");
-    triples.push_back(triple);
+    content_.positions.push_back(position);
+    content_.position_lines.add(statement_line_);
+}
+
+/// One that cannot be read has no direction.
+void ObjLines::take_normal(std::string_view rest) {
+    glm::dvec3 normal(0.0);
+    for (int axis = 0; axis < 3; ++axis) normal[axis] = number_of(next_word(rest)).value_or(no_number);
+    content_.normals.emplace_back(direction_of(normal));
+    content_.normal_lines.add(statement_line_);
 }
 
 void ObjLines::take_face(std::string_view rest) {
     const std::size_t begin = content_.corners.size();
-    ++content_.face_count;
-    for (std::string_view word = next_word(rest); !word.empty() && word.front() != '#'; word = next_word(rest)) {
+    content_.face_lines.add(statement_line_);
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
         const std::optional<NamedCorner> corner = corner_of(word);
         if (!corner) return refuse("not a corner of a face", word);
         add_corner(*corner);
     }
     const std::size_t count = content_.corners.size() - begin;
     if (count < 3) return refuse("a face with fewer than three corners");
-    if (content_.faces.empty() || content_.faces.back().corners_each != count)
-        content_.faces.push_back({static_cast<std::uint32_t>(count), 0});
+    if (content_.faces.empty() || content_.faces.back().corners_each != count ||
+        content_.faces.back().smoothing != smoothing_)
+        content_.faces.push_back({static_cast<std::uint32_t>(count), 0, smoothing_});
     ++content_.faces.back().count;
     content_.triangle_count += count - 2;
-    if (content_.triangle_count > max_obj_triangles) trouble_ = "more than 50 million triangles";
+    if (content_.triangle_count > max_obj_triangles) refuse("more than 50 million triangles");
 }
 
+/// "s 3", "s off", "s 0", and "s on" for a group.
+void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
+    std::string_view word = next_word(rest);
+    if (word == "off" || word == "on") {
+        smoothing_ = word == "on" ? 1 : ObjFaces::smoothing_off;
+        return;
+    }
+    constexpr std::size_t most_digits = 9;
+    const std::string_view digits = take_digits(word);
+    if (digits.empty() || digits.size() > most_digits || !word.empty())
+        return meet(strange_, statement_line_, "not understood: " + excerpt(line));
+    smoothing_ = 0;
+    for (const char digit : digits) smoothing_ = 10 * smoothing_ + (digit - '0');
+}
+
+std::string face_names(std::uint64_t face, const char* what, int index) {
+    return "face " + std::to_string(face + 1) + " names " + what + ' ' + std::to_string(index);
+}
+
+/// What a face names must not be before the first; what comes later in the file is looked at in the end.
 void ObjLines::add_corner(const NamedCorner& named) {
+    const std::uint64_t face = content_.face_lines.count() - 1;
     const int position = from_zero(named.position, content_.positions.size());
     const bool has_normal = named.normal != 0;
     const int normal = has_normal ? from_zero(named.normal, content_.normals.size()) : ObjCorner::no_normal;
     content_.corners.push_back({position, normal});
-    if (!trouble_.empty() || (position >= 0 && (!has_normal || normal >= 0))) return;
-    trouble_ = "face " + std::to_string(content_.face_count) + " names " +
-               (position < 0 ? "vertex " + std::to_string(named.position) : "normal " + std::to_string(named.normal)) +
-               ", which there is not";
+    if (has_normal && normal < 0)
+        meet(replaced_, statement_line_, face_names(face, "normal", named.normal) + ", which there is not");
+    if (trouble_.empty() && position < 0) refuse(face_names(face, "vertex", named.position) + ", which there is not");
 }
 
-/// Positive indices may name what comes later in the file, so they are checked at the end.
-void ObjLines::check_indices() {
-    const auto refuse_corner = [this](std::size_t face, const char* what, int index, std::size_t count) {
-        trouble_ = "face " + std::to_string(face) + " names " + what + " " + std::to_string(index + 1) +
-                   ", but there are " + std::to_string(count);
-    };
-    std::size_t corner = 0, face = 0;
-    for (const auto& [corners_each, count] : content_.faces) {
+/// Refuses a corner whose position there is not; one whose normal cannot be used is left without.
+void ObjLines::check_corners() {
+    std::size_t corner = 0;
+    std::uint64_t face = 0;
+    for (const auto& [corners_each, count, smoothing] : content_.faces) {
         for (std::uint64_t i = 0; i < std::uint64_t{corners_each} * count; ++i, ++corner) {
-            if (i % corners_each == 0) ++face;
-            const auto [position, normal] = content_.corners[corner];
-            if (position >= static_cast<int>(content_.positions.size()))
-                return refuse_corner(face, "vertex", position, content_.positions.size());
-            if (normal >= static_cast<int>(content_.normals.size()))
-                return refuse_corner(face, "normal", normal, content_.normals.size());
+            const std::uint64_t of_face = face + i / corners_each;
+            ObjCorner& checked = content_.corners[corner];
+            if (!is_usable(checked.position, of_face)) return;
+            if (checked.normal == ObjCorner::no_normal) continue;
+            const auto normal = static_cast<std::size_t>(checked.normal);
+            if (normal >= content_.normals.size())
+                meet(replaced_, content_.face_lines.line_of(of_face),
+                     face_names(of_face, "normal", checked.normal + 1) + ", but there are " +
+                         std::to_string(content_.normals.size()));
+            else if (content_.normals[normal] == glm::vec3(0.0F))
+                meet(replaced_, content_.normal_lines.line_of(normal),
+                     "normal " + std::to_string(normal + 1) + " points nowhere");
+            else
+                continue;
+            checked.normal = ObjCorner::no_normal;
         }
+        face += count;
     }
+}
+
+/// Says what is wrong with a position that a face names.
+bool ObjLines::is_usable(int position, std::uint64_t face) {
+    const auto index = static_cast<std::size_t>(position);
+    if (index >= content_.positions.size()) {
+        trouble_ = at_line(content_.face_lines.line_of(face)) + face_names(face, "vertex", position + 1) +
+                   ", but there are " + std::to_string(content_.positions.size());
+        return false;
+    }
+    const glm::dvec3 size = glm::abs(content_.positions[index]);
+    if (size.x <= largest_coordinate && size.y <= largest_coordinate && size.z <= largest_coordinate) return true;
+    const bool is_number = !std::isnan(size.x) && !std::isnan(size.y) && !std::isnan(size.z);
+    trouble_ = at_line(content_.position_lines.line_of(index)) + "vertex " + std::to_string(position + 1) +
+               (is_number ? " has a coordinate beyond 1e12" : " has a coordinate that is not a finite number");
+    return false;
+}
+
+std::string ObjLines::without_faces() const {
+    std::string has;
+    const auto add = [&has](const char* what, std::uint64_t count) {
+        if (count > 0) has += (has.empty() ? "" : ", ") + std::string(what) + " (" + std::to_string(count) + ")";
+    };
+    add("lines", content_.line_count);
+    add("points", content_.point_count);
+    add("curves and surfaces", content_.surface_count);
+    if (has.empty()) add("vertices", content_.positions.size());
+    if (has.empty()) return "not an OBJ file, or an empty one: it has no vertices and no faces";
+    const std::string also = strange_.count > 0 ? "; " + strange_.first : "";
+    return "has only " + has + " and no faces: nothing to shade" + also;
+}
+
+void ObjLines::note_what_is_left_out() {
+    const auto note = [this](const Met& met, const std::string& rest) {
+        if (met.count > 0) content_.notes.push_back(met.first + rest);
+    };
+    note(strange_, strange_.count > 1 ? ", and " + std::to_string(strange_.count - 1) + " more" : "");
+    note(replaced_, "; corners that got a normal made from the faces: " + std::to_string(replaced_.count));
+    std::string left_out;
+    const auto add = [&left_out](const char* what, std::uint64_t count) {
+        if (count > 0) left_out += (left_out.empty() ? "" : ", ") + std::string(what) + ": " + std::to_string(count);
+    };
+    add("lines", content_.line_count);
+    add("points", content_.point_count);
+    add("curves and surfaces", content_.surface_count);
+    if (!left_out.empty()) content_.notes.push_back("only faces are drawn; left out: " + left_out);
 }
 
 /// What is wrong with a line as such comes before what it names.
 void ObjLines::refuse(const std::string& what, std::string_view token) {
-    trouble_ = "line " + std::to_string(line_number_) + ": " + what + (token.empty() ? "" : ": " + excerpt(token));
+    trouble_ = at_line(statement_line_) + what + (token.empty() ? "" : ": " + excerpt(token));
 }
 
 }  // namespace

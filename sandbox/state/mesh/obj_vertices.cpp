@@ -18,35 +18,35 @@ std::size_t ObjVertices::Mixed::operator()(std::uint64_t key) const {
     return static_cast<std::size_t>(key ^ (key >> 31U));
 }
 
-ObjVertices::ObjVertices(const ObjContent& content, bool with_normals, Mesh& mesh)
-    : content_(content), with_normals_(with_normals), mesh_(mesh), first_(content.positions.size(), none) {
+ObjVertices::ObjVertices(const ObjContent& content, Mesh& mesh)
+    : content_(content), mesh_(mesh), first_(content.positions.size(), none) {
     // Mostly a position is one vertex.
     made_.reserve(content.positions.size());
     mesh.positions.reserve(content.positions.size());
-    if (with_normals) mesh.normals.reserve(content.positions.size());
+    mesh.normals.reserve(content.positions.size());
 }
 
 std::uint32_t ObjVertices::vertex(const ObjCorner& corner) {
-    const int normal = with_normals_ ? corner.normal : ObjCorner::no_normal;
     std::uint32_t* link = &first_[static_cast<std::size_t>(corner.position)];
     for (int length = 0; length < longest_chain; ++length) {
         ++steps_;
         if (*link == none) {
             *link = static_cast<std::uint32_t>(made_.size());
-            return made(corner, normal);
+            return made(corner);
         }
-        if (made_[*link].normal == normal) return *link;
+        if (made_[*link].normal == corner.normal) return *link;
         link = &made_[*link].next;
     }
-    const std::uint64_t key = (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(normal);
+    const std::uint64_t key =
+        (static_cast<std::uint64_t>(corner.position) << 32U) | static_cast<std::uint32_t>(corner.normal);
     const auto [found, is_new] = further_.try_emplace(key, static_cast<std::uint32_t>(made_.size()));
-    return is_new ? made(corner, normal) : found->second;
+    return is_new ? made(corner) : found->second;
 }
 
-std::uint32_t ObjVertices::made(const ObjCorner& corner, int normal) {
-    made_.push_back({normal, none});
-    mesh_.positions.push_back(content_.positions[static_cast<std::size_t>(corner.position)]);
-    if (with_normals_) mesh_.normals.push_back(glm::normalize(content_.normals[static_cast<std::size_t>(normal)]));
+std::uint32_t ObjVertices::made(const ObjCorner& corner) {
+    made_.push_back({corner.normal, none});
+    mesh_.positions.emplace_back(content_.positions[static_cast<std::size_t>(corner.position)]);
+    mesh_.normals.push_back(content_.normals[static_cast<std::size_t>(corner.normal)]);
     return static_cast<std::uint32_t>(made_.size() - 1);
 }
 

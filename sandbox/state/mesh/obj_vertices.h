@@ -14,8 +14,8 @@ namespace viewing {
 /// are chained, which is quickest, and further ones, of which a file may have any number, are looked up.
 class ObjVertices {
 public:
-    /// `content` and `mesh` must outlive it. Without normals corners differ by their position alone.
-    ObjVertices(const ObjContent& content, bool with_normals, Mesh& mesh);
+    /// `content`, whose corners all have a normal, and `mesh` must outlive it.
+    ObjVertices(const ObjContent& content, Mesh& mesh);
 
     /// The index of the corner's vertex, which is added to the mesh where it is a new one.
     std::uint32_t vertex(const ObjCorner& corner);
@@ -31,10 +31,9 @@ private:
         std::size_t operator()(std::uint64_t key) const;
     };
 
-    std::uint32_t made(const ObjCorner& corner, int normal);
+    std::uint32_t made(const ObjCorner& corner);
 
     const ObjContent& content_;
-    const bool with_normals_;
     Mesh& mesh_;
     std::vector<std::uint32_t> first_;  ///< by position
     std::vector<Made> made_;            ///< by vertex

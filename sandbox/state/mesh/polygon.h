@@ -6,37 +6,56 @@
 #include <span>
 #include <vector>
 
+#include "state/mesh/hollow_grid.h"
+
 namespace viewing {
+
+/// Twice the polygon's area times its mean normal (Newell), which also holds for a concave one.
+glm::dvec3 area_normal(std::span<const glm::dvec3> corners);
 
 class PolygonCutter {
 public:
-    /// Corners held against triangles at most, for all polygons together.
+    /// Looks at corners and cells that all polygons together may take, apart from 100 a corner.
     static constexpr std::uint64_t most_tests = 100'000'000;
 
-    /// Appends count − 2 triangles as indices into `corners`, wound as the polygon is. The polygon may be concave and
-    /// slightly out of plane; of more than 256 corners it is taken as convex. A convex one takes linear time, one with
-    /// r corners that turn inwards or not at all 3 · count · r tests at most. False, and nothing is appended, when with
-    /// these there could be more than most_tests. Source: Meisters 1975, ear clipping; Eberly 2002, its lists.
-    [[nodiscard]] bool cut(std::span<const glm::vec3> corners, std::vector<std::uint32_t>& triangles);
+    enum class Outcome {
+        filled,
+        crosses_itself,  ///< what cannot be cut right is covered by a fan
+        takes_too_long,  ///< nothing was appended
+    };
+
+    /// Appends count − 2 triangles as indices into `corners`, wound as the polygon is. A polygon that turns one way
+    /// throughout becomes a fan about its first corner, so a quad is cut from the first to the third; seen along its
+    /// mean normal, one that is not flat is taken as if it were. A concave one loses ear after ear: each is held
+    /// against the corners that turn inwards, found by a grid, which mostly takes a time in proportion to the corners
+    /// and at worst to their square. Source: Meisters 1975, ear clipping; Eberly 2002, its lists.
+    [[nodiscard]] Outcome cut(std::span<const glm::dvec3> corners, std::vector<std::uint32_t>& triangles);
 
     std::uint64_t tests() const { return tests_; }  ///< so far
 
 private:
     using Index = std::uint32_t;
 
-    /// How far a corner turns to the left, seen against the normal: twice the area of the triangle at it.
-    double turn_at(Index corner) const;
+    void flatten(std::span<const glm::dvec3> corners);
+    /// Twice the area of a triangle, positive where it turns to the left.
+    double turn(Index a, Index b, Index c) const;
+    double turn_at(Index corner) const { return turn(before_[corner], corner, after_[corner]); }
+    bool lies_in_triangle_at(Index corner, Index hollow);
     bool is_ear(Index corner);
-    void clip_ears(std::vector<Index>& triangles);
+    bool clip_ears(std::vector<Index>& triangles);
+    Outcome fan(Index about, std::vector<Index>& triangles);
+    void fill_grid();
     void look_again(Index corner);
 
-    std::span<const glm::vec3> corners_;
-    glm::dvec3 normal_{0.0};
+    std::vector<glm::dvec2> flat_;       ///< the corners in the polygon's plane
     std::vector<Index> before_, after_;  ///< neighbours of the corners that are left
-    std::vector<Index> hollows_;         ///< corners that do not turn left, and some that did not before
+    std::vector<Index> hollows_;  ///< corners that do not turn left, and some that did not when the grid was filled
     std::vector<char> is_hollow_, is_ear_, is_queued_;
-    std::vector<Index> ears_;  ///< those found, in turn
-    std::uint64_t tests_ = 0;
+    std::vector<Index> blocker_;  ///< of each corner, the hollow that was found in its triangle last
+    std::vector<Index> ears_;     ///< those found, in turn
+    HollowGrid grid_;
+    std::size_t hollow_count_ = 0;  ///< how many of hollows_ still are
+    std::uint64_t tests_ = 0, allowed_tests_ = most_tests;
 };
 
 }  // namespace viewing

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "unit/geometry/random.h"
 
 namespace viewing {
@@ -28,6 +30,18 @@ TEST(Normals, FitIntoFloats) {
         for (int axis = 0; axis < 3; ++axis) EXPECT_DOUBLE_EQ(made[axis][axis], 1.0) << size;
     }
     EXPECT_EQ(normal_matrix(glm::dmat3(0.0)), glm::dmat3(0.0));
+}
+
+TEST(Normals, DirectionsAreOfLengthOneWhateverTheVectorsLength) {
+    Random random(seed);
+    for (const double size : {1e-300, 1e-30, 1.0, 1e30, 1e300}) {
+        const glm::dvec3 vector = random.vec3(1), direction = direction_of(size * vector);
+        EXPECT_NEAR(glm::length(direction), 1.0, 1e-12) << size;
+        EXPECT_LT(glm::length(direction - glm::normalize(vector)), 1e-9) << size;
+    }
+    const double infinite = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+    for (const glm::dvec3& vector : {glm::dvec3(0.0), glm::dvec3(infinite, 0, 0), glm::dvec3(1, none, 0)})
+        EXPECT_EQ(direction_of(vector), glm::dvec3(0.0));
 }
 
 }  // namespace

@@ -178,25 +178,5 @@ TEST(CenterAndFit, LongestSideBecomesTwo) {
     EXPECT_TRUE(bounds_of(empty).empty());
 }
 
-TEST(MakeNormals, WeightsByAreaAndSkipsWhatHasNone) {
-    Mesh mesh;
-    // Vertex 0 has a triangle of area 1/2 facing z and one of area 3/2 facing x.
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}, {9, 9, 9}};
-    mesh.indices = {0, 1, 2, 0, 2, 3, 4, 4, 4};
-    make_normals(mesh);
-    ASSERT_EQ(mesh.normals.size(), 5U);
-    const glm::vec3 expected = glm::normalize(glm::vec3(3, 0, 1));
-    EXPECT_LT(glm::length(mesh.normals[0] - expected), 1e-6);
-    EXPECT_EQ(mesh.normals[1], glm::vec3(0, 0, 1));
-    EXPECT_EQ(mesh.normals[4], glm::vec3(0, 1, 0));
-
-    mesh.normals.assign(5, glm::vec3(1, 0, 0));
-    make_normals(mesh);
-    EXPECT_EQ(mesh.normals[1], glm::vec3(1, 0, 0)) << "a file's own normals stay";
-    mesh.normals.pop_back();
-    make_normals(mesh);
-    EXPECT_EQ(mesh.normals[1], glm::vec3(0, 0, 1)) << "a wrong number is made anew";
-}
-
 }  // namespace
 }  // namespace viewing

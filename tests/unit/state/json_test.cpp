@@ -297,14 +297,17 @@ TEST(Scene, ComesBackAsItWas) {
     const Result<SceneDescription> scene = parse_scene(R"({"title": "T", "objects": [
         {"name": "a", "shape": "teapot", "resolution": 3, "color": "#a0B0c0"},
         {"name": "b", "shape": "mesh", "file": "x.obj", "decal": true, "rotation": [10, 20, 30]},
+        {"name": "d", "shape": "mesh", "file": "x.obj", "crease_deg": 12.5, "fit": false},
         {"name": "c", "shape": "triangle", "vertices": [[0,0,0],[1,0,0],[0,1,0]], "scale": [1, -2, 1]}]})",
                                                        "s.json");
     ASSERT_TRUE(scene) << scene.error();
-    ASSERT_EQ(scene->objects.size(), 3U);
+    ASSERT_EQ(scene->objects.size(), 4U);
     EXPECT_EQ(scene->objects[0].resolution, 3);
     EXPECT_EQ(scene->objects[1].rotation, (Angles{10, 20, 30}));
     EXPECT_TRUE(scene->objects[1].decal);
-    EXPECT_EQ(scene->objects[2].scale.y, -2.0);
+    EXPECT_EQ(scene->objects[1].reading, (MeshReading{30.0, true})) << "where nothing is said";
+    EXPECT_EQ(scene->objects[2].reading, (MeshReading{12.5, false}));
+    EXPECT_EQ(scene->objects[3].scale.y, -2.0);
     const Result<SceneDescription> again = parse_scene(write_scene(*scene), "again");
     ASSERT_TRUE(again) << again.error();
     EXPECT_EQ(*again, *scene);

@@ -13,16 +13,28 @@ namespace {
 
 class Obj : public testing::ScratchFolder {
 protected:
-    Mesh load(const std::string& content) const {
-        Result<Mesh> mesh = load_obj(write("m.obj", content));
+    ObjMesh read(const std::string& content) const {
+        Result<ObjMesh> mesh = load_obj(write("m.obj", content));
         EXPECT_TRUE(mesh) << mesh.error();
-        return mesh ? *mesh : Mesh{};
+        return mesh ? *mesh : ObjMesh{};
+    }
+    Mesh load(const std::string& content) const { return read(content).mesh; }
+
+    /// What is said of a file that is read, without its name; "" for nothing.
+    std::string notes(const std::string& content) const {
+        const std::string opening = (folder_ / "m.obj").string() + ": ";
+        std::string all;
+        for (const std::string& note : read(content).notes) {
+            EXPECT_EQ(note.substr(0, opening.size()), opening);
+            all += (all.empty() ? "" : "|") + note.substr(opening.size());
+        }
+        return all;
     }
 
     /// What the message says after the file's name.
     std::string refusal(const std::string& content) const {
         const std::filesystem::path file = write("broken.obj", content);
-        const Result<Mesh> mesh = load_obj(file);
+        const Result<ObjMesh> mesh = load_obj(file);
         EXPECT_FALSE(mesh) << content;
         if (mesh) {
             return "";
@@ -104,7 +116,7 @@ TEST_F(Obj, FacesMayComeBeforeTheirVertices) {
     EXPECT_EQ(load("f 1 2 3\n" + std::string(square)).triangle_count(), 1U);
 }
 
-TEST_F(Obj, NormalsOfTheFileAreUsedWhereEveryCornerHasOne) {
+TEST_F(Obj, NormalsOfTheFileAreUsedWhereThereAreSome) {
     const std::string normals = "vn 0 3 4\nvn 1 0 0\n";
     const Mesh mesh = load(square + normals + "f 1//1 2//1 3//1\nf 1//1 3//2 4//1\n");
     ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
@@ -112,7 +124,9 @@ TEST_F(Obj, NormalsOfTheFileAreUsedWhereEveryCornerHasOne) {
     EXPECT_NEAR(mesh.normals[0].y, 0.6, 1e-6) << "scaled to length 1";
     EXPECT_NEAR(mesh.normals[0].z, 0.8, 1e-6);
     const Mesh partly = load(square + normals + "f 1//1 2//1 3//1\nf 1 3 4\n");
-    EXPECT_NEAR(partly.normals[0].z, 1.0, 1e-6) << "one corner without: all are made";
+    ASSERT_EQ(partly.positions.size(), 6U);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(partly.normals[i].z, 0.8, 1e-6) << "a face without takes nothing away";
+    for (int i = 3; i < 6; ++i) EXPECT_NEAR(partly.normals[i].z, 1.0, 1e-6) << "made";
     const Mesh zero = load(std::string(square) + "vn 0 0 0\nf 1//1 2//1 3//1\n");
     EXPECT_NEAR(zero.normals[0].z, 1.0, 1e-6) << "a normal of length 0 is none";
 }
@@ -126,7 +140,8 @@ TEST_F(Obj, ToleratesTexturesCommentsAndLineEndings) {
 
 TEST_F(Obj, AByteOrderMarkMayComeFirst) {
     EXPECT_EQ(load("\xef\xbb\xbf" + std::string(square) + "f 1 2 3 4\n").triangle_count(), 2U);
-    EXPECT_EQ(refusal("v 0 0 0\n\xef\xbb\xbfv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "face 1 names vertex 3, but there are 2")
+    EXPECT_EQ(refusal("v 0 0 0\n\xef\xbb\xbfv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+              "line 4: face 1 names vertex 3, but there are 2")
         << "nowhere else";
 }
 
@@ -140,22 +155,25 @@ TEST_F(Obj, AMessageQuotesTheWordThatIsWrongAndNoMore) {
 TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(""), "not an OBJ file, or an empty one: it has no vertices and no faces");
     EXPECT_EQ(refusal("hello\n"), "not an OBJ file, or an empty one: it has no vertices and no faces");
-    EXPECT_EQ(refusal(square), "has vertices but no faces");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 5\n"), "face 1 names vertex 5, but there are 4");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nf 1 2 -5\n"), "face 2 names vertex -5, which there is not");
-    EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "face 1 names vertex 0, which there is not");
-    EXPECT_EQ(refusal(std::string(square) + "f 1//1 2//1 3//1\n"), "face 1 names normal 1, but there are 0");
+    EXPECT_EQ(refusal(square), "has only vertices (4) and no faces: nothing to shade");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 5\n"), "line 5: face 1 names vertex 5, but there are 4");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nf 1 2 -5\n"),
+              "line 6: face 2 names vertex -5, which there is not");
+    EXPECT_EQ(refusal(std::string(square) + "f 0 1 2\n"), "line 5: face 1 names vertex 0, which there is not");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2\n"), "line 5: a face with fewer than three corners");
-    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/\n"), "line 5: not a corner of a face: 3/");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 /3\n"), "line 5: not a corner of a face: /3");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/-\n"), "line 5: not a corner of a face: 3/-");
+    EXPECT_EQ(refusal(std::string(square) + "f 1 2 3/1/1/1\n"), "line 5: not a corner of a face: 3/1/1/1");
     EXPECT_EQ(refusal(std::string(square) + "f a b c\n"), "line 5: not a corner of a face: a");
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 4294967297\n"), "line 5: not a corner of a face: 4294967297");
-    EXPECT_EQ(refusal("v 0 0 nan\n"), "line 1: not a number: nan");
-    EXPECT_EQ(refusal("v 0 0 inf\n"), "line 1: not a number: inf");
+    for (const char* word : {"nan", "-NaN(ind)", "inf", "-Infinity", "1.#QNAN"})
+        EXPECT_EQ(refusal("v 1 0 0\n# no number\nv 0 0 " + std::string(word) + "\nv 0 1 0\nf 1 2 3\n"),
+                  "line 3: vertex 2 has a coordinate that is not a finite number");
     EXPECT_EQ(refusal("v 0 0\n"), "line 1: not three numbers");
     EXPECT_EQ(refusal("v 1-2 0 0\n"), "line 1: not a number: 1-2");
     EXPECT_EQ(refusal("v 1e 0 0\n"), "line 1: not a number: 1e");
-    EXPECT_EQ(refusal("v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
-    EXPECT_EQ(refusal("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "vertex 1 has a coordinate beyond 1e12");
+    EXPECT_EQ(refusal("v 1e30 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 1: vertex 1 has a coordinate beyond 1e12");
+    EXPECT_EQ(refusal("v 1e999 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "line 1: vertex 1 has a coordinate beyond 1e12");
     EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with an area");
     EXPECT_NE(refusal(std::string("\x7f"
@@ -165,6 +183,144 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
               std::string::npos);
     EXPECT_NE(refusal(std::string((1U << 20U) + 500'000, 'x')).find("a line longer than 1 MiB"), std::string::npos);
     EXPECT_EQ(refusal(std::string(square) + "f 1 2 3\nv 1 2"), "line 6: not three numbers") << "truncated";
+}
+
+constexpr const char* ramp_faces[] = {"1 2 3 4", "1 4 6 5", "2 5 6 3", "1 5 2", "4 3 6"};
+constexpr const char* ramp_vertices = "v 0 0 0\nv 5 0 0\nv 5 0 3\nv 0 0 3\nv 0 2 0\nv 0 2 3\n";
+
+std::string ramp() {
+    std::string text = ramp_vertices;
+    for (const char* face : ramp_faces) text += "f " + std::string(face) + "\n";
+    return text;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+void expect_same(const Mesh& a, const Mesh& b, const std::string& where) {
+    EXPECT_EQ(a.positions, b.positions) << where;
+    EXPECT_EQ(a.normals, b.normals) << where;
+    EXPECT_EQ(a.indices, b.indices) << where;
+}
+
+// One mesh, written in the ways in which programs and people write it.
+TEST_F(Obj, WhatDoesNoHarmChangesNothing) {
+    const std::string plain = ramp();
+    const Mesh mesh = load(plain);
+    ASSERT_EQ(mesh.triangle_count(), 8U);
+    const std::string ways[] = {
+        replaced(plain, "\n", "\r\n"),
+        replaced(plain, "\n", "\r"),
+        replaced(plain, "\n", "\n\r"),
+        "# a comment\r" + replaced(plain, "\n", "\r"),
+        replaced(plain, " 6", " \\\n6"),
+        replaced(plain, " 6", " \\\r\n 6"),
+        replaced(plain, " 6", "\\ \n6"),
+        replaced(plain, "v 5 0 3", "v \\\n5 \\\n0 \\\n3"),
+        "# ends in \\\n" + plain,
+        "mtllib C:\\materials\\\n" + plain,
+        replaced(plain, "f 1 2 3 4", "f 1// 2/ 3/7/ 4/-1/"),
+        replaced(plain, "f 1 2 3 4", "f 1/12345678901234567890 2 3/0 4"),
+        replaced(plain, "v 5 0 3", "v 5 0 3 0.2 nan 0.9"),
+        replaced(plain, "v 5 0 3", "v 5 0 3 red"),
+        replaced(plain, "v 5 0 3", "v 5.0 0 3# a corner"),
+        replaced(plain, "v 5 0 3", "v 5." + std::string(100, '0') + " 0 300" + std::string(40, '0') + "e-42"),
+        replaced(plain, "v 0 2 3\n", "v 0 2 3\nv nan 0 0\nv 1e30 1e999 0\n"),
+        replaced(plain, "v 0 2 3\n", "v 0 2 3\nvn nan 0 0\nvn 1 1.#IND 0\nvn up\n"),
+        replaced(plain, "f 1 2 3 4", "fo 1 2 3 4"),
+        plain + "g \nusemtl\nlod 3\nbevel on\nvt nan\nvp 1 2\n",
+    };
+    for (const std::string& way : ways) {
+        SCOPED_TRACE(way);
+        EXPECT_EQ(notes(way), "");
+        expect_same(load(way), mesh, way);
+    }
+    EXPECT_EQ(refusal(replaced(plain, "f 1 2 3 4", "f 1 2 3 4/1//")), "line 7: not a corner of a face: 4/1//");
+}
+
+TEST_F(Obj, LinesThatEndAtABlockAreReadWhole) {
+    const Mesh mesh = load(ramp());
+    constexpr std::size_t block = 256U << 10U;
+    for (const char* end : {"\n", "\r\n", "\r", " \\\n "}) {
+        for (std::size_t at = block - 3; at <= block + 3; ++at) {
+            const std::string comment = "#" + std::string(at - 12, 'x') + "\nv 0 0 0";
+            const std::string rest = ramp().substr(8);
+            const std::string text = std::string(end) == " \\\n "
+                                         ? comment.substr(0, comment.size() - 2) + end + "0\n" + rest
+                                         : comment + end + rest;
+            expect_same(load(text), mesh, end);
+            EXPECT_EQ(refusal(text + "f 1 2 9\n"), "line " +
+                                                       std::to_string(13 + (std::string(end) == " \\\n " ? 1 : 0)) +
+                                                       ": face 6 names vertex 9, but there are 6");
+        }
+    }
+}
+
+TEST_F(Obj, MessagesNameTheLineThatAStatementBeginsAt) {
+    EXPECT_EQ(refusal("v 0 0 0\rv 1 0 0\r\n\nv 0 1 0\r\rf 1 2 x\r"), "line 6: not a corner of a face: x");
+    EXPECT_EQ(refusal(ramp() + "f 1 \\\n2 \\\nx\n"), "line 12: not a corner of a face: x");
+    EXPECT_EQ(refusal(ramp() + "\nf 1 2 \\\n7\nf 1 2 8\n"), "line 13: face 6 names vertex 7, but there are 6");
+    EXPECT_EQ(refusal(ramp() + "f 1 2 \\"), "line 12: a face with fewer than three corners");
+    std::string far_apart = "v 0 0 0\nv 1 0 0\n#\n#\nv 0 1 0\nv 1 1 nan\nf 1 2 3\n#\nf 1 2 3\nf 1 2 4\n";
+    EXPECT_EQ(refusal(far_apart), "line 6: vertex 4 has a coordinate that is not a finite number");
+    EXPECT_EQ(refusal(replaced(far_apart, "f 1 2 4", "f 1 2 5")), "line 10: face 3 names vertex 5, but there are 4");
+    EXPECT_EQ(refusal("f 1 2 " + replaced(std::string(3U << 20U, 'x'), "xx", "\\\n")),
+              "line 1: a line longer than 1 MiB")
+        << "also one that is put together";
+}
+
+TEST_F(Obj, ARefusalNamesWhatTheFileHas) {
+    const std::string vertices = ramp_vertices;
+    EXPECT_EQ(refusal(vertices + "l 1 2 3 4 1\nl 5 6\n"), "has only lines (2) and no faces: nothing to shade");
+    EXPECT_EQ(refusal(vertices + "p 1 2 3\np 4 5 6\n"), "has only points (2) and no faces: nothing to shade");
+    EXPECT_EQ(refusal(vertices + "p 1\nl 5 6\nsurf 0 1 0 1 1 2 3 4\n"),
+              "has only lines (1), points (1), curves and surfaces (1) and no faces: nothing to shade");
+    EXPECT_EQ(refusal(vertices + "F 1 2 3\n"),
+              "has only vertices (6) and no faces: nothing to shade; line 7: not understood: F 1 2 3");
+}
+
+TEST_F(Obj, OtherEncodingsAreNamed) {
+    const auto wide = [](const std::string& text, bool is_big_endian, int zeros) {
+        std::string made;
+        for (const char letter : text)
+            made += is_big_endian ? std::string(zeros, '\0') + letter : letter + std::string(zeros, '\0');
+        return made;
+    };
+    using namespace std::string_literals;
+    EXPECT_EQ(refusal("\xff\xfe"s + wide(ramp(), false, 1)), "line 1: UTF-16 text: save it as UTF-8");
+    EXPECT_EQ(refusal("\xfe\xff"s + wide(ramp(), true, 1)), "line 1: UTF-16 text: save it as UTF-8");
+    EXPECT_EQ(refusal(wide(ramp(), false, 1)), "line 1: UTF-16 text: save it as UTF-8");
+    EXPECT_EQ(refusal(wide(ramp(), true, 1)), "line 1: UTF-16 text: save it as UTF-8");
+    EXPECT_EQ(refusal("\xff\xfe\0\0"s + wide(ramp(), false, 3)), "line 1: UTF-32 text: save it as UTF-8");
+    EXPECT_EQ(refusal("\0\0\xfe\xff"s + wide(ramp(), true, 3)), "line 1: UTF-32 text: save it as UTF-8");
+    EXPECT_EQ(refusal("\0\0\0\0"s), "line 1: binary data");
+}
+
+TEST_F(Obj, WhatIsLeftOutOrReplacedIsSaid) {
+    const std::string plain = ramp();
+    EXPECT_EQ(notes(plain), "");
+    EXPECT_EQ(notes(replaced(plain, "f 4 3 6", "f\u00a04 3 6")), "line 11: not understood: f\u00a04 3 6");
+    EXPECT_EQ(notes("V 0 0 0\n" + plain + "s sharp\nface 1 2 3\n"), "line 1: not understood: V 0 0 0, and 2 more");
+    EXPECT_EQ(notes(plain + "l 1 2\np 3\np 4\ncurv 0 1 1 2\n"),
+              "only faces are drawn; left out: lines: 1, points: 2, curves and surfaces: 1");
+    const std::string named =
+        replaced(replaced(plain, "f 1 2 3 4", "f 1//1 2//1 3//1 4//1"), "f 1 5 2", "f 1//9 5 2//8");
+    EXPECT_EQ(notes(named),
+              "line 7: face 1 names normal 1, but there are 0; corners that got a normal made from the "
+              "faces: 6");
+    EXPECT_EQ(notes("vn 0 0 0\n" + named),
+              "line 1: normal 1 points nowhere; corners that got a normal made from the "
+              "faces: 6");
+    EXPECT_EQ(notes(plain + "f 1 2//-1 3\n"),
+              "line 12: face 6 names normal -1, which there is not; corners that got a "
+              "normal made from the faces: 1");
+    const Mesh without = load(named), mesh = load(plain);
+    expect_same(without, mesh, "normals that there are not");
+    EXPECT_EQ(notes("v 0 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\nf 1 2 3 4\nf 1 2 3\nf 4 3 2 1\n"),
+              "line 5: face 1 crosses itself and is filled by a fan, as 1 more");
 }
 
 TEST_F(Obj, WhatIsNoFileIsRefused) {
@@ -202,11 +358,11 @@ TEST_F(Obj, AMillionTrianglesLoadWithProgress) {
     const std::filesystem::path file = write("big.obj", height_field(708));
     WorkProgress progress;
     const auto start = std::chrono::steady_clock::now();
-    const Result<Mesh> mesh = load_obj(file, &progress);
+    const Result<ObjMesh> mesh = load_obj(file, {}, &progress);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     ASSERT_TRUE(mesh) << mesh.error();
-    EXPECT_EQ(mesh->triangle_count(), 2U * 708 * 708);
-    EXPECT_EQ(mesh->positions.size(), 709U * 709);
+    EXPECT_EQ(mesh->mesh.triangle_count(), 2U * 708 * 708);
+    EXPECT_EQ(mesh->mesh.positions.size(), 709U * 709);
     EXPECT_EQ(progress.fraction, 1.0F);
     RecordProperty("seconds", std::to_string(seconds.count()));
     EXPECT_LT(seconds.count(), 30.0) << "a few seconds at most in a release build";
@@ -216,7 +372,7 @@ TEST_F(Obj, CanBeCancelled) {
     const std::filesystem::path file = write("big.obj", height_field(300));
     WorkProgress progress;
     progress.cancelled = true;
-    EXPECT_EQ(load_obj(file, &progress).error(), file.string() + ": loading was cancelled");
+    EXPECT_EQ(load_obj(file, {}, &progress).error(), file.string() + ": loading was cancelled");
 }
 
 TEST_F(Obj, ProgressOnlyGrows) {
@@ -232,7 +388,7 @@ TEST_F(Obj, ProgressOnlyGrows) {
             last = now;
         }
     });
-    const Result<Mesh> mesh = load_obj(file, &progress);
+    const Result<ObjMesh> mesh = load_obj(file, {}, &progress);
     done = true;
     watcher.join();
     ASSERT_TRUE(mesh);

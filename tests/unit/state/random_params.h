@@ -70,6 +70,7 @@ private:
             made.vertices = {glm::dvec3(0, uniform(0, 1), 0), glm::dvec3(uniform(2, 3), 0, 0), glm::dvec3(0, 0, 4)};
         } else if (made.shape == ShapeKind::mesh) {
             made.file = "folder/bunny \\ 2.obj";
+            made.reading = {uniform(0, 180), coin()};
         } else if (made.shape == ShapeKind::teapot) {
             made.resolution = whole(1, 64);
         }

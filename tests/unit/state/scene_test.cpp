@@ -202,6 +202,71 @@ TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     EXPECT_EQ(load_scene(path, "", {}, {.origin = "--mesh"}).error(), "--mesh: " + path + ": no such file");
 }
 
+/// All corners of an object in the world.
+std::vector<glm::dvec3> corners_world(const Scene& scene, std::size_t object) {
+    std::vector<glm::dvec3> corners;
+    for (const glm::vec3& position : scene.objects[object].mesh->positions)
+        corners.emplace_back(scene.objects[object].world_from_model * glm::dvec4(position, 1.0));
+    return corners;
+}
+
+// A shed whose measures an exercise sheet gives, and a copy of it where maps count from.
+TEST_F(SceneFiles, AMeshThatIsNotFittedKeepsItsFilesCoordinates) {
+    write("shed.obj", "v 10 0 -6\nv 16 0 -6\nv 16 4 -2\nv 10 4 -2\nf 1 2 3 4\n");
+    write("map.obj",
+          "v 413210.25 6204800 -6\nv 413216.25 6204800 -6\nv 413216.25 6204804 -2\nv 413210.25 6204804 -2\n"
+          "f 1 2 3 4\n");
+    const Result<SceneDescription> description = parse_scene(R"({"objects": [
+        {"name": "own", "shape": "mesh", "file": "shed.obj", "fit": false},
+        {"name": "turned", "shape": "mesh", "file": "shed.obj", "fit": false, "rotation": [90, 0, 0],
+         "scale": [1, 2, 1], "position": [1, 0, 0]},
+        {"name": "fitted", "shape": "mesh", "file": "shed.obj"},
+        {"name": "map", "shape": "mesh", "file": "map.obj", "fit": false}]})",
+                                                             "s.json");
+    ASSERT_TRUE(description) << description.error();
+    const Result<Scene> scene = load_scene(*description, folder_);
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(corners_world(*scene, 0), (std::vector<glm::dvec3>{{10, 0, -6}, {16, 0, -6}, {16, 4, -2}, {10, 4, -2}}));
+    // T R S about the origin of the file: (x, y, z) becomes (1 + z, 2 y, −x).
+    const std::vector<glm::dvec3> turned = corners_world(*scene, 1);
+    EXPECT_LT(glm::length(turned[0] - glm::dvec3(-5, 0, -10)), 1e-9);
+    EXPECT_LT(glm::length(turned[2] - glm::dvec3(-1, 8, -16)), 1e-9);
+    EXPECT_LT(glm::length(corners_world(*scene, 2)[2] - glm::dvec3(1, 2.0 / 3.0, 2.0 / 3.0)), 1e-6);
+    EXPECT_EQ(corners_world(*scene, 3)[2], glm::dvec3(413216.25, 6204804, -2)) << "no digit is lost far away";
+    EXPECT_EQ(scene->bounds_world.max.y, 6204804.0);
+    EXPECT_NE(scene->objects[0].mesh, scene->objects[2].mesh);
+    EXPECT_EQ(scene->objects[0].mesh, scene->objects[1].mesh);
+}
+
+TEST_F(SceneFiles, TheCreaseAngleIsAnObjectsOwn) {
+    write("fold.obj", "v -1 0 0\nv 0 0 0\nv 0 0 1\nv -1 0 1\nv 0 1 0\nv 0 1 1\nf 1 4 3 2\nf 2 3 6 5\n");
+    SceneDescription description = one_object(ShapeKind::mesh);
+    description.objects[0].file = "fold.obj";
+    description.objects.push_back(description.objects[0]);
+    description.objects[1].name = "smooth";
+    description.objects[1].reading.crease_deg = 90.0;
+    const Result<Scene> scene = load_scene(description, folder_);
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(scene->objects[0].mesh->positions.size(), 8U);
+    EXPECT_EQ(scene->objects[1].mesh->positions.size(), 6U);
+}
+
+TEST_F(SceneFiles, WhatIsLeftOutOfAMeshIsSaidEachTime) {
+    const std::filesystem::path file = write("t.obj", std::string(triangle_obj) + "face 1 2 3\n");
+    const std::string note = file.string() + ": line 5: not understood: face 1 2 3";
+    for (int i = 0; i < 2; ++i) {
+        const Result<Scene> alone = load_scene(file.string(), "", {}, {.origin = "STATE"});
+        ASSERT_TRUE(alone) << alone.error();
+        EXPECT_EQ(alone->notes, std::vector<std::string>{"STATE: " + note}) << "also of a mesh that was kept";
+    }
+    write("room.json",
+          R"({"objects": [{"name": "b", "shape": "box"}, {"name": "t", "shape": "mesh", "file": "t.obj"}]})");
+    const Result<Scene> room = load_scene((folder_ / "room.json").string(), "");
+    ASSERT_TRUE(room) << room.error();
+    ASSERT_EQ(room->notes.size(), 1U);
+    EXPECT_EQ(room->notes[0], (folder_ / "room.json").string() + ": objects[1].file: " + note);
+}
+
 TEST_F(SceneFiles, LoadingCanBeCancelled) {
     SceneDescription scene = one_object(ShapeKind::mesh);
     scene.objects[0].file = write("t.obj", triangle_obj).string();

@@ -1,0 +1,68 @@
+// Internal to state/: the corners of a polygon that may lie in an ear, found by where they are. Read polygon.h first.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <utility>
+#include <vector>
+
+namespace viewing {
+
+/// A grid of about as many cells as it holds corners; few are in one cell.
+class HollowGrid {
+public:
+    using Index = std::uint32_t;
+    using Triangle = std::array<glm::dvec2, 3>;
+
+    void fill(const std::vector<glm::dvec2>& places, const std::vector<Index>& hollows);
+
+    std::size_t size() const { return corners_.size(); }  ///< when it was filled
+
+    /// Whether `is_found` holds for a corner that may lie in a triangle, its border included: those in all cells that
+    /// it touches. Corners that are no longer hollow are dropped for good.
+    template <typename IsHollow, typename IsFound>
+    bool any_in(const Triangle& triangle, const IsHollow& is_hollow, const IsFound& is_found);
+
+    /// How many cells were looked into since the last call.
+    std::uint64_t take_cells_seen() { return std::exchange(cells_seen_, 0); }
+
+private:
+    struct Cells {
+        std::uint32_t first, last;
+    };
+    glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
+    static std::uint32_t clamped(double cell, std::uint32_t count);
+    std::size_t cell_of(const glm::dvec2& place) const;
+    Cells rows_of(const Triangle& in_cells) const;
+    Cells columns_of(const Triangle& in_cells, std::uint32_t row) const;
+
+    std::uint32_t columns_ = 1, rows_ = 1;
+    glm::dvec2 origin_{0.0}, per_unit_{0.0};
+    std::vector<std::uint32_t> begin_, count_;  ///< of each cell, in corners_
+    std::vector<Index> corners_;
+    std::uint64_t cells_seen_ = 0;
+};
+
+template <typename IsHollow, typename IsFound>
+bool HollowGrid::any_in(const Triangle& triangle, const IsHollow& is_hollow, const IsFound& is_found) {
+    const Triangle placed = {in_cells(triangle[0]), in_cells(triangle[1]), in_cells(triangle[2])};
+    const Cells rows = rows_of(placed);
+    for (std::uint32_t row = rows.first; row <= rows.last; ++row) {
+        const Cells columns = columns_of(placed, row);
+        for (std::uint32_t column = columns.first; column <= columns.last; ++column) {
+            ++cells_seen_;
+            const std::size_t cell = std::size_t{row} * columns_ + column;
+            Index* const corners = corners_.data() + begin_[cell];
+            for (std::uint32_t i = 0; i < count_[cell];) {
+                if (!is_hollow(corners[i]))
+                    corners[i] = corners[--count_[cell]];
+                else if (is_found(corners[i++]))
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
+}  // namespace viewing
