@@ -1,6 +1,7 @@
 // grade: hand-ins judged again, as a table, a page, or for a program. Read report/grading.h for how.
 #include <algorithm>
 #include <array>
+#include <cstdio>
 
 #include "cli/commands.h"
 #include "cli/headless.h"
@@ -8,8 +9,11 @@
 #include "cli/output.h"
 #include "cli/results/grade_report.h"
 #include "cli/results/grade_tables.h"
+#include "cli/results/hand_in_files.h"
+#include "cli/time_limit.h"
 #include "cli/values.h"
 #include "platform/file.h"
+#include "platform/heap.h"
 #include "report/grading.h"
 #include "text/words.h"
 
@@ -31,7 +35,8 @@ struct Typed {
 void declare(Options& options, Typed& typed) {
     options.group("Hand-ins");
     options.positionals("FILE|DIR", typed.files,
-                        "What students handed in, or folders of it: their .json files by name");
+                        "What students handed in, or folders of it: the .json files in them and in their folders, "
+                        "by their paths; links are not followed, hidden ones are skipped");
     options.text("--course", "C", typed.course,
                  "The course that students were given their numbers by, in place of what each file says: a file that "
                  "names another is noted");
@@ -59,10 +64,9 @@ std::vector<fs::path> files_of(const std::string& argument) {
     return files_in(argument, ".json");
 }
 
-std::vector<FileArgument> inputs_of(const Typed& typed) {
+std::vector<FileArgument> inputs_of(const Typed& typed, const HandInFiles& found) {
     std::vector<FileArgument> inputs;
-    for (const std::string& argument : typed.files)
-        for (const fs::path& file : files_of(argument)) inputs.push_back({"a hand-in", file.string()});
+    for (const fs::path& file : found.files) inputs.push_back({"a hand-in", file.string()});
     for (const std::string& argument : typed.exercises)
         for (const fs::path& file : files_of(argument)) inputs.push_back({"--exercises", file.string()});
     return inputs;
@@ -75,47 +79,65 @@ StudentGrade not_read(const std::string& file, const std::string& why) {
     return grade;
 }
 
-std::vector<StudentGrade> graded(const Typed& typed, Grader& grader) {
+std::vector<StudentGrade> graded(const Typed& typed, const HandInFiles& found, Grader& grader) {
     std::vector<StudentGrade> grades;
-    for (const std::string& argument : typed.files) {
-        const std::vector<fs::path> files = files_of(argument);
-        if (files.empty())
-            grades.push_back(not_read(one_line(argument), one_line(argument) + ": a folder without a .json file"));
-        for (const fs::path& path : files) {
-            const std::string file = one_line(path.string());
-            Result<HandIn> hand_in = load_hand_in(path);
-            grades.push_back(hand_in ? grader.grade(*std::move(hand_in), file, typed.course)
-                                     : not_read(file, hand_in.error()));
-        }
+    for (const std::string& trouble : found.troubles) grades.push_back(not_read(trouble, trouble));
+    for (const fs::path& path : found.files) {
+        const std::string file = one_line(path.string());
+        Result<HandIn> hand_in = load_hand_in(path);
+        grades.push_back(hand_in ? grader.grade(*std::move(hand_in), file, typed.course)
+                                 : not_read(file, hand_in.error()));
     }
     compare_hand_ins(grades);
     return grades;
 }
 
 std::string table(Format format, bool with_tags, const std::vector<Exercise>& exercises,
-                  const std::vector<StudentGrade>& grades, const std::vector<TagCount>& tags) {
-    if (format == Format::json) return grades_as_json(exercises, grades, tags);
+                  const std::vector<StudentGrade>& grades, const std::vector<TagCount>& tags,
+                  const HandInFiles& found) {
+    if (format == Format::json) return grades_as_json(exercises, grades, tags, found);
     if (format == Format::csv) return with_tags ? tags_as_csv(tags) : grades_as_csv(exercises, grades);
-    return grades_as_text(exercises, grades) + (with_tags && !tags.empty() ? "\n" + tags_as_text(tags) : "");
+    return grades_as_text(exercises, grades) + (with_tags && !tags.empty() ? "\n" + tags_as_text(tags) : "") +
+           (found.has_folders ? "\n" + files_in_words(grades, found) + "\n" : "");
 }
 
-/// Throws Failure unless everything was read and is right.
-void end_by(const std::vector<StudentGrade>& grades) {
+bool is_cut(const StudentGrade& grade) {
+    return grade.is_cut;
+}
+
+bool is_all_right(const StudentGrade& grade) {
+    return grade.is_all_right();
+}
+
+/// "3 of 12 hand-ins are"
+std::string how_many(const std::vector<StudentGrade>& grades, bool (*are)(const StudentGrade&)) {
+    return std::to_string(std::count_if(grades.begin(), grades.end(), are)) + " of " + std::to_string(grades.size()) +
+           " hand-ins are";
+}
+
+/// Throws Failure unless everything was judged, read and is right. `skipped`: "", or how many files were, and why.
+void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped) {
+    const std::string behind = skipped.empty() ? "" : "; " + skipped;
+    if (std::any_of(grades.begin(), grades.end(), is_cut))
+        throw Failure(ExitStatus::out_of_time, TimeLimit::sentence() + "; " + how_many(grades, is_cut) +
+                                                   " not judged to the end, and marked" + behind);
     std::string broken;
     for (const StudentGrade& grade : grades)
         if (!grade.error.empty()) broken += (broken.empty() ? "" : "; ") + grade.error;
-    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
-    const auto right =
-        std::count_if(grades.begin(), grades.end(), [](const StudentGrade& grade) { return grade.is_all_right(); });
-    if (right < std::ssize(grades))
-        throw Failure(ExitStatus::different, "grade: " + std::to_string(right) + " of " +
-                                                 std::to_string(grades.size()) + " hand-ins are all right");
+    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken + behind);
+    if (!std::all_of(grades.begin(), grades.end(), is_all_right))
+        throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " all right" + behind);
+    if (!skipped.empty()) std::fprintf(stderr, "grade: %s\n", skipped.c_str());
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
     Options options(self);
     Typed typed;
     declare(options, typed);
+    constexpr unsigned grace_s = 30;
+    options.keep_what_is_done(grace_s,
+                              "Judges no further answer after so many seconds, writes what there is, marks the rest "
+                              "as not judged, and exits 8: within 30 seconds more");
     if (!options.parse(arguments)) return ExitStatus::done;
 
     if (typed.files.empty()) options.refuse("a hand-in is missing: " + std::string(self.synopsis));
@@ -124,23 +146,27 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const std::string output = typed.output.value_or("-");
     std::vector<FileArgument> outputs{{"-o", output}};
     if (typed.html) outputs.push_back({"--html", *typed.html});
-    check_outputs(options, outputs, inputs_of(typed));
+    const HandInFiles found = hand_in_files(typed.files);
+    check_outputs(options, outputs, inputs_of(typed, found));
     std::vector<Exercise> exercises = value_or_end(load_exercises(typed.exercises));
     std::vector<std::string> known;
     for (const Exercise& exercise : exercises) known.push_back(exercise.id);
     exercises = value_or_end(of_set(std::move(exercises), typed.set.value_or("")));
 
+    give_large_blocks_back();
     Headless headless(device_option(options, typed.device));
     Grader grader(std::move(exercises), headless.renderer());
     grader.also_know(std::move(known));
-    const std::vector<StudentGrade> grades = graded(typed, grader);
+    grader.stop_when(TimeLimit::has_run_out, "the time of --timeout ran out");
+    const std::vector<StudentGrade> grades = graded(typed, found, grader);
     headless.require_no_errors();
     const std::vector<TagCount> tags = count_tags(grader.exercises(), grades);
+    const std::string files = files_in_words(grades, found);
     Outputs results;
-    results.add(output, table(format, typed.tags, grader.exercises(), grades, tags));
-    if (typed.html) results.add(*typed.html, grade_report(headless, grader, grades, tags));
+    results.add(output, table(format, typed.tags, grader.exercises(), grades, tags, found));
+    if (typed.html) results.add(*typed.html, grade_report(headless, grader, grades, tags, files));
     results.write();
-    end_by(grades);
+    end_by(grades, found.skipped.empty() ? "" : files);
     return ExitStatus::done;
 }
 
@@ -156,7 +182,9 @@ constinit const Command grade_command{
     "not this student's, ? where it could not be judged. first try counts the exercises that were right at once, of "
     "those that were tried. Notes are what somebody might look at, and judge nothing: the same times of attempts or "
     "the same changes in two files, all right within seconds, another student's variant. A file that cannot be read "
-    "costs its own line alone. In csv, first_try is a number and a missing answer an empty cell. The exit status is 0 "
+    "costs its own line alone, and one with more answers than one file may cost has the last, the first and the latest "
+    "of the others judged, which its notes say. In csv, first_try is a number and a missing answer an empty cell. The "
+    "exit status is 0 "
     "when everybody has everything right, 1 when somebody has not, 2 when a file cannot be read.",
     "grade hand-ins\n"
     "grade hand-ins --set shadow --tags\n"

@@ -225,10 +225,15 @@ void Options::flag(const char* names, bool& value, const char* help) {
     parser_->add(names, "", &value, help);
 }
 
+void Options::keep_what_is_done(unsigned grace_s, const char* help) {
+    grace_s_ = grace_s;
+    timeout_help_ = help;
+}
+
 bool Options::parse(const Arguments& arguments) {
     std::optional<std::string> timeout;
     group("Running");
-    text("--timeout", "S", timeout, "Exit 8 when the command is not done after so many seconds");
+    text("--timeout", "S", timeout, timeout_help_);
     if (wanted_descriptions != nullptr) {
         *wanted_descriptions = parser_->entries;
         return false;
@@ -245,7 +250,7 @@ bool Options::parse(const Arguments& arguments) {
     parser_->check_leftovers(*this);
     for (const Parser::Option& option : parser_->options)
         if (option.is_doubled) refuse(option.names.back() + ": given more than once");
-    if (timeout) limit_.emplace(number_option(*this, "--timeout", *timeout, 0.001, 86400.0));
+    if (timeout) limit_.emplace(number_option(*this, "--timeout", *timeout, 0.001, 86400.0), grace_s_);
     return true;
 }
 

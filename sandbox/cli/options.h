@@ -41,6 +41,10 @@ public:
     void texts(const char* names, const char* value_name, std::vector<std::string>& values, const char* help);
     void flag(const char* names, bool& value, const char* help);
 
+    /// When the time of --timeout has run out the command writes what it has (TimeLimit::has_run_out), for which it has
+    /// `grace_s` more seconds. `help` is what --help says of it. Before parse().
+    void keep_what_is_done(unsigned grace_s, const char* help);
+
     /// Fills the targets, and starts the clock of --timeout, which every command has. False when --help was asked for
     /// and printed instead. Throws Failure for an unknown option (with the nearest known one), a missing value, one
     /// argument too many.
@@ -53,6 +57,8 @@ private:
     struct Parser;
     std::unique_ptr<Parser> parser_;
     std::optional<TimeLimit> limit_;  ///< as long as the command lives
+    unsigned grace_s_ = 0;
+    const char* timeout_help_ = "Exit 8 when the command is not done after so many seconds";
 };
 
 /// Text wrapped at the help's width, every line indented; words are separated by single spaces.

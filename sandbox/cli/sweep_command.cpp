@@ -84,6 +84,10 @@ void declare(Options& options, Typed& typed) {
     add_device_option(options, typed.device);
 }
 
+[[noreturn]] void refuse_expression(const std::string& expression, const std::string& why) {
+    throw Failure(ExitStatus::bad_input, "--value " + one_line(expression) + ": " + why);
+}
+
 // ---- what is wanted ------------------------------------------------------------------------------------------------
 
 Kind kind_of(const std::string& output, std::string& ending) {
@@ -137,6 +141,8 @@ Wish checked(const Options& options, const Typed& typed, bool is_flight) {
                        std::to_string(wish.variations[1].count) + " pictures; the counts must be alike");
     if (!typed.output && !typed.csv) options.refuse("-o OUT is missing (or --csv FILE)");
     if (!typed.csv && !typed.values.empty()) options.refuse("--value needs --csv FILE");
+    for (const std::string& expression : typed.values)
+        if (const Status fine = check_expression(expression); !fine) refuse_expression(expression, fine.error());
     wish.ease = static_cast<Ease>(choice_option(options, "--ease", typed.ease.value_or("linear"), ease_names));
     wish.picture.view =
         static_cast<PictureView>(choice_option(options, "--view", typed.view.value_or("camera"), picture_view_names));
@@ -255,7 +261,7 @@ std::string row(const Typed& typed, const std::vector<std::string>& settings, co
     LessonNumbers numbers(state.params, start.params, scene, &renderer);
     for (const std::string& expression : typed.values) {
         const Result<Json> value = evaluate(expression, numbers.surroundings());
-        if (!value) throw Failure(ExitStatus::bad_input, "--value " + one_line(expression) + ": " + value.error());
+        if (!value) refuse_expression(expression, value.error());
         line += "," + cell(*value);
     }
     return line + "\n";

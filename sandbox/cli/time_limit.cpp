@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <string>
 #include <string_view>
 
@@ -19,8 +20,16 @@ namespace {
 
 std::string line;  // made beforehand: a signal handler may not allocate
 double limit_s = 0.0;
+volatile std::sig_atomic_t run_out = 0;
+volatile std::sig_atomic_t grace_left_s = 0;
 
 void end_process(int) {
+    run_out = 1;
+    if (grace_left_s > 0) {
+        ::alarm(static_cast<unsigned>(grace_left_s));
+        grace_left_s = 0;
+        return;
+    }
     constexpr int status = static_cast<int>(ExitStatus::out_of_time);
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
     say_last_words(status);
@@ -38,11 +47,14 @@ void set_timer(double seconds) {
 
 }  // namespace
 
-TimeLimit::TimeLimit(double seconds) {
+TimeLimit::TimeLimit(double seconds, unsigned grace_s) {
     limit_s = seconds;
+    run_out = 0;
+    grace_left_s = static_cast<int>(grace_s);
     line = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
     struct sigaction action {};
     action.sa_handler = end_process;
+    action.sa_flags = SA_RESTART;  // in the time of grace a file is read and written on
     ::sigaction(SIGALRM, &action, nullptr);
     sigset_t alarm;
     ::sigemptyset(&alarm);
@@ -53,6 +65,10 @@ TimeLimit::TimeLimit(double seconds) {
 
 void TimeLimit::lift() {
     set_timer(0.0);
+}
+
+bool TimeLimit::has_run_out() {
+    return run_out != 0;
 }
 
 std::string TimeLimit::sentence() {

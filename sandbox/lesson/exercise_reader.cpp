@@ -15,6 +15,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_combinations = 20'000;
+constexpr std::size_t most_required = 40'000;                 // values of "require" over all combinations
+constexpr std::size_t instructions_of_require = 100'000'000;  // over all of those, some seconds
+constexpr std::size_t longest_variant = 8192;                 // bytes of a combination as JSON
 
 /// The lists that constants are picked from.
 const Json& read_picks(const Json& document, const Where& where) {
@@ -60,18 +63,28 @@ std::vector<std::string> read_combinations(const Json& document, const std::stri
         if (count > most_combinations)
             where.key("pick").refuse("has more than " + std::to_string(most_combinations) + " combinations");
     }
+    if (count * require.size() > most_required)
+        where.key("require").refuse("has " + std::to_string(require.size()) + " expressions for " +
+                                    std::to_string(count) + " combinations: at most " + std::to_string(most_required) +
+                                    " values are computed");
+    ExpressionLimits limits;
+    const std::size_t share = instructions_of_require / std::max<std::size_t>(1, count * require.size());
+    limits.instructions = std::min(limits.instructions, static_cast<int>(share));
     std::vector<std::string> kept;
     std::set<std::string> seen;
     for (std::size_t place = 0; place < count; ++place) {
         const Json constants = combination(picks, place);
+        std::string text = constants.dump();
+        if (text.size() > longest_variant)
+            where.key("pick").refuse("has a combination longer than " + std::to_string(longest_variant) + " bytes");
         const Surroundings surroundings = constants_alone(constants);
         bool passes = true;
         for (std::size_t i = 0; passes && i < require.size(); ++i) {
-            const Result<bool> fine = holds(require[i], surroundings);
+            const Result<bool> fine = holds(require[i], surroundings, limits);
             if (!fine) where.key("require").at(i).refuse(fine.error());
             passes = *fine;
         }
-        if (std::string text = constants.dump(); passes && seen.insert(text).second) kept.push_back(std::move(text));
+        if (passes && seen.insert(text).second) kept.push_back(std::move(text));
     }
     if (kept.empty()) where.key("require").refuse("lets no combination pass");
     std::vector<std::string> in_order;

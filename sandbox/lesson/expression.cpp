@@ -1,14 +1,14 @@
 #include "lesson/expression.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <lua.hpp>
 #include <memory>
-#include <set>
 
+#include "lesson/lua_words.h"
 #include "lesson/mathematics.h"
 #include "lesson/names.h"
+#include "lesson/tree.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -22,14 +22,22 @@ constexpr int deepest_value = 16;
 struct Evaluation {
     const Surroundings& surroundings;
     const std::string& source;
+    std::span<const std::string> constants;  ///< names that it may have beside the closed list
     ExpressionLimits limits;
     std::size_t used_bytes = 0;
-    int instructions_left = 0;
-    std::optional<Json> value;
+    int instructions_left = limits.instructions;
+    std::optional<Json> value = {};
+
+    bool is_out_of_time() const { return instructions_left <= 0; }
+    bool has_room_for(std::size_t bytes) const { return bytes <= limits.memory_bytes - used_bytes; }
 };
 
 constexpr int instructions_between_looks = 1000;
+constexpr std::size_t bytes_of_an_instruction = 64;  // memory that is filled in the time of one
+constexpr const char* takes_too_long = "takes too long";
+constexpr const char* needs_too_much_memory = "needs too much memory";
 
+/// What grows costs time as well, so that no chain of copies outlasts the instructions.
 void* allocate(void* data, void* old, std::size_t old_bytes, std::size_t new_bytes) {
     auto& evaluation = *static_cast<Evaluation*>(data);
     const std::size_t before = old == nullptr ? 0 : old_bytes;  // without an old one Lua tells a kind of value there
@@ -38,7 +46,10 @@ void* allocate(void* data, void* old, std::size_t old_bytes, std::size_t new_byt
         evaluation.used_bytes -= before;
         return nullptr;
     }
-    if (evaluation.used_bytes - before + new_bytes > evaluation.limits.memory_bytes) return nullptr;
+    if (new_bytes > before) {
+        if (evaluation.is_out_of_time() || !evaluation.has_room_for(new_bytes - before)) return nullptr;
+        evaluation.instructions_left -= 1 + static_cast<int>(new_bytes / bytes_of_an_instruction);
+    }
     void* const memory = std::realloc(old, new_bytes);
     if (memory != nullptr) evaluation.used_bytes = evaluation.used_bytes - before + new_bytes;
     return memory;
@@ -50,28 +61,42 @@ Evaluation& evaluation_of(lua_State* lua) {
     return *static_cast<Evaluation*>(data);
 }
 
-void look_at_time(lua_State* lua, lua_Debug*) {
-    int& left = evaluation_of(lua).instructions_left;
-    left -= instructions_between_looks;
-    if (left <= 0) luaL_error(lua, "takes too long");
-}
-
 [[noreturn]] void raise(lua_State* lua, const std::string& message) {
     lua_pushlstring(lua, message.data(), message.size());
     lua_error(lua);
     std::abort();  // lua_error does not return
 }
 
+void spend(lua_State* lua, int instructions) {
+    Evaluation& evaluation = evaluation_of(lua);
+    evaluation.instructions_left -= instructions;
+    if (evaluation.is_out_of_time()) raise(lua, takes_too_long);
+}
+
+void look_at_time(lua_State* lua, lua_Debug*) {
+    spend(lua, instructions_between_looks);
+}
+
 // ---- JSON to Lua and back ------------------------------------------------------------------------------------------
 
 void push_value(lua_State* lua, const Json& value, const std::string& path);
+
+void push_text(lua_State* lua, std::string_view text) {
+    lua_pushlstring(lua, text.data(), text.size());
+}
+
+std::string string_at(lua_State* lua, int index) {
+    std::size_t bytes = 0;
+    const char* const text = lua_tolstring(lua, index, &bytes);
+    return {text, bytes};
+}
 
 /// An object's table knows its own path, so that a member that is not there is told by name. Its upvalues: the path and
 /// the members' names, one a line.
 int refuse_member(lua_State* lua) {
     const std::string path = lua_tostring(lua, lua_upvalueindex(1));
     if (lua_type(lua, 2) != LUA_TSTRING) raise(lua, path + " has names, no numbers, for its members");
-    const std::string wanted = lua_tostring(lua, 2);
+    const std::string wanted = string_at(lua, 2);
     std::vector<std::string> names;
     std::string all = lua_tostring(lua, lua_upvalueindex(2));
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end + 1) {
@@ -96,8 +121,8 @@ void push_object(lua_State* lua, const Json& object, const std::string& path) {
         names += key + "\n";
     }
     lua_createtable(lua, 0, 1);
-    lua_pushlstring(lua, path.data(), path.size());
-    lua_pushlstring(lua, names.data(), names.size());
+    push_text(lua, path);
+    push_text(lua, names);
     lua_pushcclosure(lua, refuse_member, 2);
     lua_setfield(lua, -2, "__index");
     lua_setmetatable(lua, -2);
@@ -124,14 +149,30 @@ void push_value(lua_State* lua, const Json& value, const std::string& path) {
     else if (value.is_number())
         lua_pushnumber(lua, value.get<double>());
     else if (value.is_string())
-        lua_pushstring(lua, value.get_ref<const std::string&>().c_str());
+        push_text(lua, value.get_ref<const std::string&>());
     else if (value.is_object())
         push_object(lua, value, path);
     else
         push_list(lua, value, path);
 }
 
+/// The value leaves Lua against the limits that it was made within: a table may contain another one ten times over.
+void take(lua_State* lua, std::size_t bytes) {
+    spend(lua, 1);
+    Evaluation& evaluation = evaluation_of(lua);
+    if (!evaluation.has_room_for(bytes)) raise(lua, needs_too_much_memory);
+    evaluation.used_bytes += bytes;
+}
+
+Json text_value(lua_State* lua, int index) {
+    take(lua, lua_rawlen(lua, index));
+    std::string text = string_at(lua, index);
+    if (!is_utf8(text)) raise(lua, "its value " + excerpt(text) + " is no text in UTF-8");
+    return text;
+}
+
 Json value_at(lua_State* lua, int index, int depth) {
+    take(lua, sizeof(Json));
     switch (lua_type(lua, index)) {
         case LUA_TNIL:
             return nullptr;
@@ -140,7 +181,7 @@ Json value_at(lua_State* lua, int index, int depth) {
         case LUA_TNUMBER:
             return lua_tonumber(lua, index);
         case LUA_TSTRING:
-            return std::string(lua_tostring(lua, index));
+            return text_value(lua, index);
         case LUA_TTABLE:
             break;
         default:
@@ -184,6 +225,7 @@ Json looked_up(lua_State* lua, const std::string& name, std::span<const double> 
 
 int call_measured(lua_State* lua) {
     const std::string name = lua_tostring(lua, lua_upvalueindex(1));
+    spend(lua, evaluation_of(lua).limits.measured_call);
     std::vector<double> arguments;
     for (int i = 1, count = lua_gettop(lua); i <= count; ++i) arguments.push_back(luaL_checknumber(lua, i));
     push_value(lua, looked_up(lua, name, arguments), name + "()");
@@ -192,7 +234,9 @@ int call_measured(lua_State* lua) {
 
 /// A name that is no mathematics: asked for when the expression comes to it.
 int find_name(lua_State* lua) {
-    const std::string word = lua_type(lua, 2) == LUA_TSTRING ? lua_tostring(lua, 2) : "";
+    constexpr int instructions_of_search = 10;
+    spend(lua, instructions_of_search);
+    const std::string word = lua_type(lua, 2) == LUA_TSTRING ? string_at(lua, 2) : "";
     const Json& constants = evaluation_of(lua).surroundings.constants;
     if (const auto constant = constants.find(word); constant != constants.end()) {
         push_value(lua, *constant, word);
@@ -203,7 +247,7 @@ int find_name(lua_State* lua) {
     if (word == "answer") {
         push_value(lua, evaluation_of(lua).surroundings.answer, word);
     } else if (name->kind == NameKind::measured) {
-        lua_pushlstring(lua, word.data(), word.size());
+        push_text(lua, word);
         lua_pushcclosure(lua, call_measured, 1);
     } else {
         push_value(lua, looked_up(lua, word, {}), word);
@@ -215,11 +259,30 @@ int refuse_assignment(lua_State* lua) {
     return luaL_error(lua, "an expression changes nothing: no =");
 }
 
-/// Everything inside one protected call, so that no memory for the next table is an error like others.
-int run(lua_State* lua) {
-    Evaluation& evaluation = evaluation_of(lua);
+/// Leaves the expression as a function on Lua's stack.
+void load(lua_State* lua) {
+    const Evaluation& evaluation = evaluation_of(lua);
+    spend(lua, static_cast<int>(evaluation.source.size()));
     const std::string source = "return " + evaluation.source;
     if (luaL_loadbufferx(lua, source.data(), source.size(), chunk_name, "t") != LUA_OK) lua_error(lua);
+    if (!evaluation.limits.closed_list) return;
+    for (const std::string& word : words_of_source(evaluation.source)) {
+        if (is_word_of_values(word) || expression_name(word)) continue;
+        if (is_word_of_lua(word))
+            raise(lua, word + " is no name here: of Lua's own words a value has and, or, not, true, false and nil");
+        const std::span<const std::string> constants = evaluation.constants;
+        if (std::find(constants.begin(), constants.end(), word) == constants.end()) raise(lua, unknown_name(word));
+    }
+}
+
+int load_only(lua_State* lua) {
+    load(lua);
+    return 0;
+}
+
+/// Everything inside one protected call, so that no memory for the next table is an error like others.
+int run(lua_State* lua) {
+    load(lua);
     lua_createtable(lua, 0, 40);
     add_mathematics(lua);
     lua_createtable(lua, 0, 2);
@@ -231,7 +294,7 @@ int run(lua_State* lua) {
     lua_setupvalue(lua, -2, 1);  // the expression's _ENV
     lua_sethook(lua, look_at_time, LUA_MASKCOUNT, instructions_between_looks);
     lua_call(lua, 0, 1);
-    evaluation.value = value_at(lua, -1, 0);
+    evaluation_of(lua).value = value_at(lua, -1, 0);
     return 0;
 }
 
@@ -240,56 +303,6 @@ std::string without_place(std::string message) {
     const std::size_t place = message.find(":1: ");
     if (place != std::string::npos && place <= 1) message.erase(0, place + 4);
     return one_line(message);
-}
-
-// ---- before anything runs ------------------------------------------------------------------------------------------
-
-bool starts_word(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-bool continues_word(char c) {
-    return starts_word(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The words of an expression outside of its texts that are neither members (after a point) nor parts of numbers.
-std::vector<std::string> words_of(const std::string& source) {
-    std::vector<std::string> words;
-    char before = ' ';
-    for (std::size_t i = 0; i < source.size(); ++i) {
-        const char c = source[i];
-        if (c == '"' || c == '\'') {
-            for (++i; i < source.size() && source[i] != c; ++i)
-                if (source[i] == '\\') ++i;
-            if (i >= source.size()) break;  // without an end
-        } else if (continues_word(c)) {
-            const std::size_t begin = i;
-            while (i + 1 < source.size() && continues_word(source[i + 1])) ++i;
-            if (starts_word(c) && before != '.') words.push_back(source.substr(begin, i + 1 - begin));
-        }
-        if (std::isspace(static_cast<unsigned char>(c)) == 0) before = source[i];
-    }
-    return words;
-}
-
-const std::set<std::string, std::less<>>& words_of_lua() {
-    static const std::set<std::string, std::less<>> words = {"and", "false", "nil", "not", "or", "true"};
-    return words;
-}
-
-Status check_words(const std::string& source, std::span<const std::string> constants) {
-    for (const std::string& word : words_of(source)) {
-        if (words_of_lua().contains(word) || expression_name(word)) continue;
-        if (std::find(constants.begin(), constants.end(), word) != constants.end()) continue;
-        return Error{unknown_name(word)};
-    }
-    return std::monostate{};
-}
-
-int load_only(lua_State* lua) {
-    const std::string source = "return " + evaluation_of(lua).source;
-    if (luaL_loadbufferx(lua, source.data(), source.size(), chunk_name, "t") != LUA_OK) lua_error(lua);
-    return 0;
 }
 
 struct Close {
@@ -304,13 +317,13 @@ Status check_length(const std::string& expression) {
 }
 
 Status protectedly(Evaluation& evaluation, lua_CFunction function) {
-    evaluation.instructions_left = evaluation.limits.instructions;
+    const auto no_memory = [&] { return Error{evaluation.is_out_of_time() ? takes_too_long : needs_too_much_memory}; };
     const std::unique_ptr<lua_State, Close> lua(lua_newstate(allocate, &evaluation));
-    if (!lua) return Error{"needs too much memory"};
+    if (!lua) return no_memory();
     lua_pushcfunction(lua.get(), function);
     const int status = lua_pcall(lua.get(), 0, 0, 0);
     if (status == LUA_OK) return std::monostate{};
-    if (status == LUA_ERRMEM) return Error{"needs too much memory"};
+    if (status == LUA_ERRMEM) return no_memory();
     const char* const message = lua_tostring(lua.get(), -1);
     return Error{without_place(message ? message : "cannot be evaluated")};
 }
@@ -318,24 +331,19 @@ Status protectedly(Evaluation& evaluation, lua_CFunction function) {
 }  // namespace
 
 bool is_constant_name(const std::string& word) {
-    static const std::set<std::string, std::less<>> reserved = {
-        "and", "break", "do",  "else", "elseif", "end",    "false",  "for",  "function", "goto",  "if",
-        "in",  "local", "nil", "not",  "or",     "repeat", "return", "then", "true",     "until", "while"};
     const ExpressionName* const name = expression_name(word);
-    return !word.empty() && starts_word(word.front()) && std::all_of(word.begin(), word.end(), continues_word) &&
-           !reserved.contains(word) && !(name && name->kind == NameKind::mathematics);
+    return has_form_of_name(word) && !is_word_of_lua(word) && !(name && name->kind == NameKind::mathematics);
 }
 
 Status check_expression(const std::string& expression, std::span<const std::string> constants) {
     if (Status fine = check_length(expression); !fine) return fine;
     const Surroundings nothing;
-    Evaluation evaluation{nothing, expression, {}, 0, 0, {}};
-    if (Status read = protectedly(evaluation, load_only); !read) return read;
-    return check_words(expression, constants);
+    Evaluation evaluation{nothing, expression, constants, {}};
+    return protectedly(evaluation, load_only);
 }
 
 bool is_measured(const std::string& expression) {
-    const std::vector<std::string> words = words_of(expression);
+    const std::vector<std::string> words = words_of_source(expression);
     return std::any_of(words.begin(), words.end(), [](const std::string& word) {
         const ExpressionName* const name = expression_name(word);
         return name && name->kind == NameKind::measured;
@@ -344,13 +352,14 @@ bool is_measured(const std::string& expression) {
 
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {
     if (const Status fine = check_length(expression); !fine) return Error{fine.error()};
-    Evaluation evaluation{surroundings, expression, limits, 0, 0, {}};
-    if (Status done = protectedly(evaluation, run); !done) return Error{done.error()};
+    const std::vector<std::string> constants = keys_of(surroundings.constants);
+    Evaluation evaluation{surroundings, expression, constants, limits};
+    if (const Status done = protectedly(evaluation, run); !done) return Error{done.error()};
     return *std::move(evaluation.value);
 }
 
-Result<bool> holds(const std::string& expression, const Surroundings& surroundings) {
-    const Result<Json> value = evaluate(expression, surroundings);
+Result<bool> holds(const std::string& expression, const Surroundings& surroundings, const ExpressionLimits& limits) {
+    const Result<Json> value = evaluate(expression, surroundings, limits);
     if (!value) return Error{value.error()};
     if (!value->is_boolean()) return Error{"must be true or false, is " + describe(*value)};
     return value->get<bool>();

@@ -1,5 +1,6 @@
 // The expressions of lesson files: one value, computed by Lua from names of a closed list alone. No files, no libraries
-// but the mathematics here, and an end to time and memory: a file from somebody else can do no harm.
+// but the mathematics here, no functions and loops of its own, and an end to time and memory: a file from somebody else
+// can do no harm.
 // Read names.h for what there is to be named, lesson.h for where expressions stand.
 #pragma once
 
@@ -22,21 +23,26 @@ struct Surroundings {
     Json constants;  ///< an object of names that stand for values, before all others; or null
 };
 
-/// What an expression may cost.
+/// What an expression may cost, its value's way out of Lua included.
 struct ExpressionLimits {
-    int instructions = 1'000'000;
+    int instructions = 1'000'000;  ///< its bytes, memory that is filled and entries of the value count as some, too
     std::size_t memory_bytes = 8U << 20U;
+    int measured_call = 20'000;  ///< instructions that each call of a measured name counts as
+    bool closed_list = true;     ///< false: statements, functions and any words; only the other limits end it
 };
 
-/// The value: a number, a text, true or false, null, or a list of those; vectors are lists, matrices lists of rows. The
-/// error is one sentence without the expression: no such name, a wrong argument, too long, too much memory.
+/// The value: a number, a text in UTF-8, true or false, null, or a list of those; vectors are lists, matrices lists of
+/// rows. What check_expression refuses has none. The error is one sentence without the expression: no such name, a
+/// wrong argument, too long, too much memory.
 Result<Json> evaluate(const std::string& expression, const Surroundings& surroundings,
                       const ExpressionLimits& limits = {});
 
 /// The same for what must be true or false.
-Result<bool> holds(const std::string& expression, const Surroundings& surroundings);
+Result<bool> holds(const std::string& expression, const Surroundings& surroundings,
+                   const ExpressionLimits& limits = {});
 
-/// Whether it can be evaluated at all: its syntax, and that it names only what there is. No value is computed.
+/// Whether it can be evaluated at all: its syntax, and that its words (by Lua's own tokens, whatever stands in comments
+/// and texts) are names that there are. No value is computed.
 Status check_expression(const std::string& expression, std::span<const std::string> constants = {});
 
 /// Whether it names something that is measured, which may take a second.

@@ -12,6 +12,8 @@
 namespace viewing {
 namespace {
 
+constexpr std::size_t most_computed = 4096;             // expressions and {…} of a variant
+constexpr std::size_t most_computed_bytes = 4U << 20U;  // of their values in all, as JSON
 constexpr std::array text_keys{"question", "say", "why", "label", "title", "note", "hints", "items"};
 
 /// Whole numbers as such: a vertex is number 3, not 3.0.
@@ -36,12 +38,18 @@ std::string in_words(const Json& value) {
     return "(" + list + ")";
 }
 
+/// A value that a sentence can name: neither nothing nor NaN.
+bool has_words(const Json& value) {
+    if (value.is_array()) return std::all_of(value.begin(), value.end(), has_words);
+    return !value.is_null() && !(value.is_number() && std::isnan(value.get<double>()));
+}
+
 /// Puts values in: strings that begin with "=" and places in texts and keys.
 class Filling {
 public:
     explicit Filling(const Surroundings& surroundings) : surroundings_(surroundings) {}
 
-    Json filled(const Json& value, const Where& where, bool is_text = false) const {
+    Json filled(const Json& value, const Where& where, bool is_text = false) {
         if (value.is_string()) {
             const std::string& text = value.get_ref<const std::string&>();
             if (text.starts_with('=')) return with_whole_numbers(computed(text.substr(1), where));
@@ -62,13 +70,20 @@ public:
     }
 
 private:
-    Json computed(const std::string& expression, const Where& where) const {
+    Json computed(const std::string& expression, const Where& where) {
+        if (++computed_ > most_computed)
+            where.refuse("is one more than the " + std::to_string(most_computed) +
+                         " expressions and {…} that a variant may have");
         Result<Json> value = evaluate(expression, surroundings_);
         if (!value) where.refuse(value.error());
+        computed_bytes_ += value->dump().size();
+        if (computed_bytes_ > most_computed_bytes)
+            where.refuse("has a value too many: those of a variant may have " +
+                         std::to_string(most_computed_bytes >> 20U) + " MiB as JSON");
         return *std::move(value);
     }
 
-    std::string with_places(const std::string& text, const Where& where) const {
+    std::string with_places(const std::string& text, const Where& where) {
         std::string result;
         std::size_t at = 0;
         for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', at)) {
@@ -76,7 +91,7 @@ private:
             if (close == std::string::npos) where.refuse("has a { without its }");
             result += text.substr(at, open - at);
             const Json value = computed(text.substr(open + 1, close - open - 1), where);
-            if (value.is_null()) where.refuse(excerpt(text.substr(open, close + 1 - open)) + " has no value");
+            if (!has_words(value)) where.refuse(excerpt(text.substr(open, close + 1 - open)) + " has no value");
             result += in_words(value);
             at = close + 1;
         }
@@ -84,6 +99,7 @@ private:
     }
 
     const Surroundings& surroundings_;
+    std::size_t computed_ = 0, computed_bytes_ = 0;
 };
 
 /// Without those that say the same as the right one.
@@ -120,7 +136,7 @@ LessonStep read_variant(const Exercise& exercise, std::size_t variant, const Num
     Result<Surroundings> numbers = numbers_at(read_start(beginning, folder, presets, root));
     if (!numbers) throw Refusal(root.prefix + numbers.error());
     numbers->constants = constants;
-    const Filling filling(*numbers);
+    Filling filling(*numbers);
     for (const auto& [key, value] : step.items()) {
         if (key == "state") continue;
         const bool is_text = std::find(text_keys.begin(), text_keys.end(), key) != text_keys.end();

@@ -9,6 +9,10 @@ namespace viewing {
 /// memory is asked for; where it cannot be, nothing changes.
 void reserve_heap();
 
+/// From now on blocks of 1 MB and more are the system's and go back to it when they are freed. For a process that makes
+/// pictures by the thousand, whose heap they would leave in pieces too small for the next one.
+void give_large_blocks_back();
+
 /// What is still untouched of the reserve becomes pages of 2 MB where the system has them on request, one after the
 /// other as long as none takes longer than `longest`: then a picture's start to its end takes a tenth less. Processors
 /// clear one in 40 to 300 µs; a virtual machine whose host must find the memory first takes 5 ms for each, more than it

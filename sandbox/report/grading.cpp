@@ -22,9 +22,8 @@ int sum(const std::vector<ItemGrade>& items, const Of& of) {
 }
 
 /// Told apart by their lengths too: names in a file may hold any character.
-std::string key_of(std::size_t exercise, std::size_t variant, const Attempt& attempt) {
-    std::string key =
-        std::to_string(exercise) + " " + std::to_string(variant) + (attempt.is_goal ? " goal" : " answer");
+std::string key_of(const Attempt& attempt) {
+    std::string key = attempt.is_goal ? " goal" : " answer";
     if (attempt.answer)
         for (const double number : *attempt.answer) key += " " + shortest_number(number);
     for (const std::string& setting : attempt.settings) key += "\n" + std::to_string(setting.size()) + " " + setting;
@@ -102,7 +101,11 @@ Result<Verdict> judge_attempt(const LessonStep& step, const Attempt& attempt, Re
 }
 
 std::string ItemGrade::last_tag() const {
-    return verdicts.empty() || verdicts.back().right ? "" : verdicts.back().tag;
+    return verdicts.empty() || !verdicts.back() || verdicts.back()->right ? "" : verdicts.back()->tag;
+}
+std::size_t ItemGrade::judged() const {
+    return static_cast<std::size_t>(
+        std::count_if(verdicts.begin(), verdicts.end(), [](const auto& verdict) { return verdict.has_value(); }));
 }
 
 int StudentGrade::points() const {
@@ -125,6 +128,18 @@ bool StudentGrade::is_all_right() const {
                                         [](const ItemGrade& item) { return item.standing == Standing::right; });
 }
 
+std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers) {
+    std::vector<std::size_t> order;
+    if (answers.empty()) return order;
+    const std::size_t last = answers.size() - 1;
+    order.push_back(last);
+    if (last > 0) order.push_back(0);
+    for (const bool called_right : {true, false})
+        for (std::size_t at = last; at-- > 1;)
+            if ((answers[at]->told == "right") == called_right) order.push_back(at);
+    return order;
+}
+
 Grader::Grader(std::vector<Exercise> exercises, Renderer& renderer)
     : exercises_(std::move(exercises)), renderer_(renderer) {}
 
@@ -135,14 +150,22 @@ const Result<LessonStep>& Grader::step(std::size_t exercise, std::size_t variant
     return steps_.emplace(key, variant_step(exercises_[exercise], variant, numbers_at_start(&renderer_))).first->second;
 }
 
-const Result<Verdict>& Grader::verdict(std::size_t exercise, std::size_t variant, const Attempt& attempt) {
-    const std::string key = key_of(exercise, variant, attempt);
+const Result<Verdict>& Grader::verdict(const std::string& key, const LessonStep& step, const Attempt& attempt) {
+    constexpr std::size_t most_kept = 4096;
     const auto known = verdicts_.find(key);
     if (known != verdicts_.end()) return known->second;
-    return verdicts_.emplace(key, judge_attempt(*step(exercise, variant), attempt, renderer_)).first->second;
+    if (verdicts_.size() >= most_kept) verdicts_.clear();
+    return verdicts_.emplace(key, judge_attempt(step, attempt, renderer_)).first->second;
 }
 
-ItemGrade Grader::grade_item(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
+void Grader::stop_when(std::function<bool()> is_over, std::string why) {
+    is_over_ = std::move(is_over);
+    why_over_ = std::move(why);
+}
+
+/// All that is known of an exercise without its answers' verdicts. Where it has none to wait for, its standing is
+/// final: nothing else has a trouble, or a place for each verdict.
+ItemGrade Grader::before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course) {
     const Exercise& asked = exercises_[exercise];
     ItemGrade grade;
     grade.exercise = asked.id;
@@ -156,29 +179,102 @@ ItemGrade Grader::grade_item(std::size_t exercise, const HandIn& hand_in, const 
         grade.standing = Standing::other_variant;
         return grade;
     }
-    const auto give_up = [&](const std::string& why) {
-        grade.standing = Standing::not_judged;
-        grade.trouble = why;
-    };
-    if (const Result<LessonStep>& made = step(exercise, grade.variant); !made) {
-        give_up(made.error());
-        return grade;
-    }
-    for (const Attempt& attempt : item->attempts) {
-        if (attempt.hint > 0) continue;
-        const Result<Verdict>& judged = verdict(exercise, grade.variant, attempt);
-        if (!judged) {
-            give_up(judged.error());
-            return grade;
-        }
-        grade.verdicts.push_back(*judged);
-        grade.points = std::max(grade.points, judged->right ? asked.points : std::min(judged->points, asked.points));
-    }
-    const bool is_right =
-        std::any_of(grade.verdicts.begin(), grade.verdicts.end(), [](const Verdict& verdict) { return verdict.right; });
-    grade.at_first_try = grade.verdicts.front().right;
-    grade.standing = is_right ? Standing::right : grade.points > 0 ? Standing::partly : Standing::wrong;
+    grade.standing = Standing::not_judged;
+    if (is_over())
+        grade.trouble = why_over_;
+    else if (const Result<LessonStep>& made = step(exercise, grade.variant); !made)
+        grade.trouble = made.error();
+    else
+        grade.verdicts.resize(static_cast<std::size_t>(grade.tries));
     return grade;
+}
+
+/// The answers of an exercise that wait for their verdicts.
+struct Grader::Turns {
+    ItemGrade& item;
+    const LessonStep& step;
+    std::string key;  ///< of the exercise and its variant
+    int cost;         ///< of one
+    std::vector<const Attempt*> answers;
+    std::vector<std::size_t> order;
+    std::size_t done = 0;
+
+    bool are_over() const { return done == order.size() || !item.trouble.empty(); }
+    const Attempt& next() const { return *answers[order[done]]; }
+    std::string next_key() const { return key + key_of(next()); }
+};
+
+std::vector<Grader::Turns> Grader::turns_of(StudentGrade& grade) {
+    std::vector<Turns> all;
+    for (std::size_t exercise = 0; exercise < grade.items.size(); ++exercise) {
+        ItemGrade& item = grade.items[exercise];
+        if (item.verdicts.empty()) continue;
+        const LessonStep& asked = *step(exercise, item.variant);
+        Turns turns{item,
+                    asked,
+                    std::to_string(exercise) + " " + std::to_string(item.variant),
+                    is_measured(asked.ask) ? cost_of_measured : 1,
+                    {},
+                    {}};
+        for (const Attempt& attempt : grade.hand_in.find(item.exercise)->attempts)
+            if (attempt.hint == 0) turns.answers.push_back(&attempt);
+        turns.order = order_of_judging(turns.answers);
+        all.push_back(std::move(turns));
+    }
+    return all;
+}
+
+void Grader::judge_next(Turns& turns) {
+    const Result<Verdict>& judged = verdict(turns.next_key(), turns.step, turns.next());
+    if (judged)
+        turns.item.verdicts[turns.order[turns.done]] = *judged;
+    else
+        turns.item.trouble = judged.error();
+    ++turns.done;
+}
+
+/// One answer of each exercise after the other, so that none spends what the others need.
+void Grader::judge_by_turns(StudentGrade& grade) {
+    std::vector<Turns> all = turns_of(grade);
+    std::set<std::string> paid;
+    int left = budget_of_file;
+    bool goes_on = true;
+    for (std::size_t round = 0; goes_on; ++round) {
+        goes_on = false;
+        for (Turns& turns : all) {
+            if (turns.are_over()) continue;
+            constexpr std::size_t always = 2;
+            const bool is_new = paid.insert(turns.next_key()).second;
+            if (is_new && round >= always && turns.cost > left) {
+                turns.order.resize(turns.done);
+                continue;
+            }
+            if (is_over()) {
+                grade.is_cut = true;
+                return;
+            }
+            if (is_new) left -= turns.cost;
+            judge_next(turns);
+            goes_on = true;
+        }
+    }
+}
+
+void Grader::sum_up(ItemGrade& item, bool is_cut) const {
+    bool is_right = false;
+    for (const std::optional<Verdict>& verdict : item.verdicts) {
+        if (!verdict) continue;
+        is_right = is_right || verdict->right;
+        item.points = std::max(item.points, verdict->right ? item.of : std::min(verdict->points, item.of));
+    }
+    if (item.verdicts.empty() || !item.trouble.empty()) return;
+    item.at_first_try = item.verdicts.front() && item.verdicts.front()->right;
+    if (is_right)
+        item.standing = Standing::right;
+    else if (is_cut && item.judged() < item.verdicts.size())
+        item.trouble = why_over_;
+    else
+        item.standing = item.points > 0 ? Standing::partly : Standing::wrong;
 }
 
 StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::optional<std::string>& course) {
@@ -189,7 +285,17 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
     if (grade.hand_in.course != of_course)
         grade.notes.push_back("made for the course \"" + excerpt(grade.hand_in.course) + "\"");
     for (std::size_t exercise = 0; exercise < exercises_.size(); ++exercise)
-        grade.items.push_back(grade_item(exercise, grade.hand_in, of_course));
+        grade.items.push_back(before_judging(exercise, grade.hand_in, of_course));
+    judge_by_turns(grade);
+    for (ItemGrade& item : grade.items) {
+        sum_up(item, grade.is_cut);
+        grade.is_cut = grade.is_cut || (!item.trouble.empty() && item.trouble == why_over_);
+        if (item.trouble.empty() && item.judged() < item.verdicts.size())
+            grade.notes.push_back(item.exercise + ": " + std::to_string(item.judged()) + " of " +
+                                  std::to_string(item.verdicts.size()) +
+                                  " answers judged, the last, the first, then the latest that the file calls right: "
+                                  "more than one file may cost");
+    }
     for (const HandInItem& item : grade.hand_in.items)
         if (std::none_of(exercises_.begin(), exercises_.end(),
                          [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&
@@ -237,9 +343,10 @@ std::vector<TagCount> count_tags(const std::vector<Exercise>& exercises, const s
         std::set<std::string> shown, last, possible;  // possible: told apart by an exercise that was tried
         for (std::size_t i = 0; i < grade.items.size(); ++i) {
             const ItemGrade& item = grade.items[i];
-            if (item.verdicts.empty()) continue;
+            if (item.judged() == 0) continue;
             for (const auto& [tag, text] : exercises[i].tags) possible.insert(tag);
-            for (const Verdict& verdict : item.verdicts) shown.insert(verdict.tag);
+            for (const std::optional<Verdict>& verdict : item.verdicts)
+                if (verdict) shown.insert(verdict->tag);
             last.insert(item.last_tag());
             possible.insert(shown.begin(), shown.end());
         }

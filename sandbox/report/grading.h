@@ -1,7 +1,8 @@
-// Hand-ins judged again, from nothing but the student's number, the answers and the changes. Read lesson/hand_in.h for
-// the file.
+// Hand-ins judged again, from nothing but the student's number, the answers and the changes, each within a budget of
+// its own so that none holds up a class. Read lesson/hand_in.h for the file.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -35,11 +36,13 @@ struct ItemGrade {
     int points = 0, of = 0;
     int tries = 0, hints = 0;
     bool at_first_try = false;
-    std::vector<Verdict> verdicts;  ///< of every answer, in order
+    /// Of every answer, in order; none of one beyond the budget, or that the time did not suffice for.
+    std::vector<std::optional<Verdict>> verdicts;
     std::string trouble;
 
     /// Of the last answer that was told apart; "" where none was.
     std::string last_tag() const;
+    std::size_t judged() const;  ///< how many answers have a verdict
 };
 
 struct StudentGrade {
@@ -48,6 +51,7 @@ struct StudentGrade {
     HandIn hand_in;
     std::vector<ItemGrade> items;    ///< of all exercises that are asked for, in their order
     std::vector<std::string> notes;  ///< what somebody might look at; never a judgement
+    bool is_cut = false;             ///< the time ran out before all was judged that should be
 
     int points() const;
     int of() const;
@@ -64,11 +68,23 @@ struct TagCount {
     int students_of = 0;  ///< who tried an exercise that knows it
 };
 
+/// In which order so many answers of one exercise are judged while the budget lasts: the last one, the first one, those
+/// that the file calls right from the latest on, then the others from the latest on. `answers`: the attempts without
+/// the hints; the places are theirs.
+std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& answers);
+
+/// What one file may cost: 1 for each different answer, more for one that pictures are measured for. The last and the
+/// first answer of each exercise are judged beyond it.
+inline constexpr int budget_of_file = 2048, cost_of_measured = 64;
+
 class Grader {
 public:
     Grader(std::vector<Exercise> exercises, Renderer& renderer);
     /// Ids that may stand in a file though they are not asked for.
     void also_know(std::vector<std::string> ids) { also_known_ = std::move(ids); }
+
+    /// No answer is judged any more once `is_over`; `why` is then what an exercise says that has not been judged.
+    void stop_when(std::function<bool()> is_over, std::string why);
 
     const std::vector<Exercise>& exercises() const { return exercises_; }
     /// `course`: in place of what the file says.
@@ -77,11 +93,19 @@ public:
     const Result<LessonStep>& step(std::size_t exercise, std::size_t variant);
 
 private:
-    ItemGrade grade_item(std::size_t exercise, const HandIn& hand_in, const std::string& course);
-    const Result<Verdict>& verdict(std::size_t exercise, std::size_t variant, const Attempt& attempt);
+    struct Turns;
+    ItemGrade before_judging(std::size_t exercise, const HandIn& hand_in, const std::string& course);
+    std::vector<Turns> turns_of(StudentGrade& grade);
+    void judge_by_turns(StudentGrade& grade);
+    void judge_next(Turns& turns);
+    void sum_up(ItemGrade& item, bool is_cut) const;
+    const Result<Verdict>& verdict(const std::string& key, const LessonStep& step, const Attempt& attempt);
+    bool is_over() const { return is_over_ && is_over_(); }
 
     std::vector<Exercise> exercises_;
     std::vector<std::string> also_known_;
+    std::function<bool()> is_over_;
+    std::string why_over_;
     Renderer& renderer_;
     std::map<std::pair<std::size_t, std::size_t>, Result<LessonStep>> steps_;
     std::map<std::string, Result<Verdict>> verdicts_;  ///< by exercise, variant and answer

@@ -14,6 +14,7 @@
 #include "report/pixel_as_json.h"
 #include "report/visibility_report.h"
 #include "state/file/reader.h"
+#include "text/numbers.h"
 
 namespace viewing {
 namespace {
@@ -53,10 +54,6 @@ const Json& LessonNumbers::matrices() {
 }
 
 Result<Json> LessonNumbers::measured(const std::string& name, std::span<const double> arguments) {
-    if (name == "depth_step") {
-        if (arguments.size() != 1 || !(arguments[0] > 0.0)) return wants_arguments("depth_step(z) with z > 0");
-        return Json(depth_step(now_, arguments[0]));
-    }
     if (name == "order") {
         if (!arguments.empty()) return wants_arguments("order()");
         return order_as_json(now_, scene_, size_px);
@@ -94,9 +91,16 @@ Result<Json> LessonNumbers::look_up(const std::string& name, std::span<const dou
     for (const char* const of_matrices :
          {"V", "C", "P", "PV", "S", "R", "shadow_sign", "facts", "followed", "problems"})
         if (name == of_matrices) return matrices()[name];
+    if (name == "depth_step") {
+        if (arguments.size() != 1 || !(arguments[0] > 0.0)) return wants_arguments("depth_step(z) with z > 0");
+        return Json(depth_step(now_, arguments[0]));
+    }
     std::string key = name;
-    for (const double argument : arguments) key += " " + std::to_string(argument);
+    for (const double argument : arguments) key += " " + shortest_number(argument);
     if (const auto known = kept_.find(key); known != kept_.end()) return known->second;
+    if (kept_.size() == most_measured)
+        return Error{name + " would be one more than the " + std::to_string(most_measured) +
+                     " different values that are measured of a state"};
     Result<Json> value = measured(name, arguments);
     if (value) kept_[key] = *value;
     return value;

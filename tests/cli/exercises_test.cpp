@@ -1,5 +1,6 @@
 // Exercises by the command line: the list, a student's sheet, their own tests, and an exercise as a picture.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <set>
@@ -196,6 +197,31 @@ TEST_F(ExercisesCommand, ABrokenFileIsOneSentence) {
     write("a.json", exercise_with("10"));
     write("b.json", exercise_with("11"));
     refused({"exercises", "a.json", "b.json"}, {"b.json: a.json has the id \"N01-far\" too"});
+}
+
+TEST_F(ExercisesCommand, WhatAnExpressionComesToIsSaidWithFileAndField) {
+    const std::string own = exercise_with("10");
+    const std::size_t at = own.find("\"=n\"");
+    const auto told = [&](const std::string& expression) {
+        write("mine.json", std::string(own).replace(at, 4, "\"=" + expression + "\""));
+        return expect(2, {"exercises", "mine.json", "--student", "1"}, {.limits = {{RLIMIT_CPU, 10}}}).err;
+    };
+    const std::string field = "mine.json: variant 0: state.set.projection.near: ";
+    EXPECT_TRUE(has(told("\\\"\\\\xff\\\""), field + "its value \\xff is no text in UTF-8"));
+    EXPECT_TRUE(has(told("(--'\\n(function() return 1 end)() --'\\n)"), field + "function is no name here"));
+}
+
+TEST_F(ExercisesCommand, AVariantMeasuresNoMoreThanSixtyFourDifferentValues) {
+    const auto sheet = [&](int status, int values) {
+        std::string places;
+        for (int i = 0; i < values; ++i) places += "{pixel(" + std::to_string(i) + ", 0).stencil}";
+        std::string own = exercise_with("10");
+        const std::string question = "z-near is {n}.";
+        write("mine.json", own.replace(own.find(question), question.size(), places + "{pixel(0, 0).stencil}"));
+        return expect(status, {"exercises", "mine.json", "--student", "1"});
+    };
+    EXPECT_TRUE(has(sheet(0, 64).out, std::string(65, '0')));
+    EXPECT_TRUE(has(sheet(2, 65).err, "pixel would be one more than the 64 different values")) << sheet(2, 65).err;
 }
 
 TEST_F(ExercisesCommand, WhatIsDeployedKeepsTheSheets) {

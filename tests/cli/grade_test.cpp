@@ -218,5 +218,62 @@ TEST_F(GradeCommand, ThePageHasEverythingInIt) {
     }
 }
 
+TEST_F(GradeCommand, FoldersAreSearchedThroughNoLinksAndWhatIsSkippedIsCounted) {
+    const std::string right = hand_in("32201234", right_items("32201234"));
+    for (const char* const name : {"hand-ins/b", "hand-ins/b/deep", "hand-ins/.git", "elsewhere"})
+        fs::create_directory(folder() / name);
+    for (const char* const name : {"hand-ins/c.json", "hand-ins/B.JSON", "hand-ins/b/deep/a.Json", "hand-ins/.c.json",
+                                   "hand-ins/.git/x.json", "elsewhere/e.json"})
+        write(name, right);
+    for (const char* const name : {"hand-ins/notes.txt", "hand-ins/b/json", "hand-ins/b/a.json~"}) write(name, "{");
+    fs::create_symlink(folder() / "elsewhere/e.json", folder() / "hand-ins/link.json");
+    fs::create_symlink("..", folder() / "hand-ins/b/round");
+    const std::string counted = "3 files judged, 7 skipped: 3 not JSON, 2 links, 2 hidden";
+    const Ended as_text = grade(0, {"hand-ins"});
+    EXPECT_TRUE(has(as_text.out, "\n\n" + counted + "\n")) << as_text.told();
+    const nlohmann::json all = grade(0, {"hand-ins", "--format", "json"}).json();
+    std::vector<std::string> files;
+    for (const nlohmann::json& student : all["students"]) files.push_back(student["file"]);
+    EXPECT_EQ(files, (std::vector<std::string>{"hand-ins/B.JSON", "hand-ins/b/deep/a.Json", "hand-ins/c.json"}));
+    EXPECT_EQ(all["files"]["judged"], 3);
+    EXPECT_EQ(all["files"]["skipped"].size(), 7U);
+    EXPECT_EQ(all["files"]["skipped"][0], nlohmann::json({{"file", "hand-ins/.c.json"}, {"why", "hidden"}}));
+    const Ended as_csv = run({"grade", "hand-ins", "--format", "csv", "--exercises", "exercises"});
+    EXPECT_EQ(as_csv.err, "grade: " + counted + "\n");
+    EXPECT_FALSE(has(as_csv.out, "skipped"));
+    EXPECT_TRUE(has(grade(0, {"hand-ins/link.json"}).out, " 7/7 ")) << "a link that is named is followed";
+    write("hand-ins/broken.json", "{");
+    EXPECT_TRUE(has(grade(2, {"hand-ins", "--html", "page.html"}).err, "; 3 files judged, 1 not read, 7 skipped: "));
+    EXPECT_TRUE(has(read("page.html"), "3 files judged, 1 not read, 7 skipped: 3 not JSON"));
+    refused({"grade", "elsewhere", "-o", "elsewhere/e.json"}, {"cannot be the same file"});
+}
+
+TEST_F(GradeCommand, AFolderWithoutHandInsIsOneLine) {
+    write("hand-ins/a.txt", "");
+    EXPECT_TRUE(has(grade(2, {"hand-ins"}).err, "hand-ins: a folder without a .json file; 0 files judged"));
+}
+
+TEST_F(GradeCommand, OutOfTimeWritesWhatIsJudgedAndSaysWhatIsNot) {
+    write("hand-ins/1.json", hand_in("1", right_items("1")));
+    write("hand-ins/2.json", hand_in("2", ""));
+    const Ended ended =
+        grade(8, {"hand-ins", "--timeout", "0.001", "--format", "json", "-o", "grades.json", "--html", "page.html"});
+    EXPECT_TRUE(has(ended.err, "the 0.001 s of --timeout; 1 of 2 hand-ins are not judged to the end")) << ended.told();
+    const nlohmann::json all = nlohmann::json::parse(read("grades.json"));
+    ASSERT_EQ(all["students"].size(), 2U);
+    EXPECT_EQ(all["students"][0]["items"][0]["standing"], "not_judged");
+    EXPECT_EQ(all["students"][0]["items"][0]["trouble"], "the time of --timeout ran out");
+    EXPECT_EQ(all["students"][1]["items"][0]["standing"], "missing");
+    EXPECT_EQ(all["files"]["out_of_time"], 1);
+    EXPECT_TRUE(has(read("page.html"), "not judged: the time of --timeout ran out"));
+    EXPECT_TRUE(has(read("page.html"), "</html>"));
+    const std::string csv = grade(8, {"hand-ins", "--timeout", "0.001", "--format", "csv"}).out;
+    EXPECT_TRUE(has(csv, ",?,?,?,0,7,0,0,\"N01-far, M02-shadow, G03-near not judged: the time of --timeout ran out\""))
+        << csv;
+    const std::string table = grade(8, {"hand-ins", "--timeout", "0.001"}).out;
+    EXPECT_TRUE(has(table, "1 file judged, 1 not judged to the end\n")) << table;
+    EXPECT_TRUE(has(grade(1, {"hand-ins", "--timeout", "60"}).err, "1 of 2 hand-ins are all right"));
+}
+
 }  // namespace
 }  // namespace cli_tests

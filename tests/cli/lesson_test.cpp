@@ -1,5 +1,6 @@
 // Lessons by the command line: their list, their own tests, a step as a picture, paper.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "cli/program.h"
 
@@ -46,6 +47,16 @@ TEST_F(LessonCommand, ABrokenFileIsOneSentence) {
     expect(2, {"lesson", "--present"});
     expect(2, {"lesson", "--answers", "lens"});
     expect(2, {"lesson", "--check", "--list"});
+}
+
+TEST_F(LessonCommand, AnExpressionOfSomebodyElseEndsHoweverItIsHidden) {
+    const std::string bomb =
+        "(function() local t={1,1,1,1,1,1,1,1,1,1} for i=1,13 do t={t,t,t,t,t,t,t,t,t,t} end return t end)()";
+    for (const std::string& hidden : {bomb, "(--'\\n" + bomb + " --'\\n) == 1"}) {
+        write("mine.json", lesson_with(hidden));
+        const Ended ended = expect(2, {"lesson", "--check", "mine.json"}, {.limits = {{RLIMIT_CPU, 10}}});
+        EXPECT_TRUE(has(ended.err, "mine.json: step one: claims[0]: function is no name here")) << ended.told();
+    }
 }
 
 TEST_F(LessonCommand, AStepIsAPictureBeforeAndAfterItsAnswer) {

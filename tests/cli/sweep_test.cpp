@@ -108,7 +108,12 @@ TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
     refused(small({"--vary", "camera.yaw=0:1:2"}), {"-o"});
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--fps", "5"}), {"--fps", "film"});
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.png", "--value", "1"}), {"--value", "--csv"});
-    refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", "nonsense"}), {"nonsense"});
+    refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", "nonsense"}),
+            {"--value nonsense", "no name"});
+    // No driver could start in so little memory: it is refused before.
+    for (const char* const expression : {"(function() return 1 end)()", "(--'\n(function() return 1 end)() --'\n)"})
+        refused(small({"--vary", "camera.yaw=0:1:2", "--csv", "-", "--value", expression}),
+                {"--value", "function is no name here"}, {.limits = {{RLIMIT_AS, 120UL << 20U}}});
     refused(small({"--vary", "camera.yaw=0:1:2", "--vary", "camera.pitch=0:1:3", "--together", "-o", "a.png"}),
             {"2 and 3", "alike"});
     refused({"sweep", "--size", "63x36", "--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}, {"even"});

@@ -61,7 +61,8 @@ std::vector<const StudentGrade*> read_ones(const std::vector<StudentGrade>& grad
     return read;
 }
 
-std::string title(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades) {
+std::string title(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
+                  const std::string& files) {
     std::set<std::string> courses;
     const std::vector<const StudentGrade*> read = read_ones(grades);
     for (const StudentGrade* const grade : read) courses.insert(grade->hand_in.course);
@@ -73,7 +74,7 @@ std::string title(const std::vector<Exercise>& exercises, const std::vector<Stud
     std::string text = "<h1>Exercises" + (of_courses.empty() ? "" : ": " + of_courses) + "</h1>\n<p>" +
                        counted(read.size(), "student", "students") + ", " +
                        counted(exercises.size(), "exercise", "exercises") + ", " + std::to_string(points) +
-                       " points</p>\n";
+                       " points</p>\n<p>" + escaped(files) + "</p>\n";
     for (const StudentGrade& grade : grades)
         if (!grade.error.empty()) text += "<p>Not read: " + foreign(grade.error) + "</p>\n";
     return text;
@@ -270,16 +271,17 @@ std::string told_cell(const Verdict& verdict) {
 
 // ---- students ------------------------------------------------------------------------------------------------------
 
-/// The question that was answered; none for another variant, or one that cannot be made.
+/// The question that was answered; none for another variant, or where no answer was judged.
 const LessonStep* step_of(Grader& grader, const ItemGrade& item, std::size_t exercise) {
-    if (item.standing == Standing::other_variant || item.standing == Standing::missing) return nullptr;
+    if (item.judged() == 0) return nullptr;
     const Result<LessonStep>& step = grader.step(exercise, item.variant);
     return step ? &*step : nullptr;
 }
 
 /// What is said where no verdict is.
 std::string why_not_judged(const ItemGrade& item) {
-    return item.standing == Standing::other_variant ? "not this student's variant" : foreign(item.trouble);
+    if (item.standing == Standing::other_variant) return "not this student's variant";
+    return item.trouble.empty() ? "not judged" : "not judged: " + foreign(item.trouble);
 }
 
 std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t exercise) {
@@ -297,7 +299,8 @@ std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t
             continue;
         }
         rows += answer_cell(attempt, step ? &step->ask : nullptr) + "</td><td>";
-        rows += answers < item.verdicts.size() ? told_cell(item.verdicts[answers]) : why_not_judged(item);
+        const bool is_judged = answers < item.verdicts.size() && item.verdicts[answers];
+        rows += is_judged ? told_cell(*item.verdicts[answers]) : why_not_judged(item);
         rows += "</td></tr>\n";
         ++answers;
     }
@@ -339,17 +342,17 @@ using WrongMatrices = std::map<WrongMatrix, Givers>;
 void collect(Grader& grader, const StudentGrade& grade, std::size_t exercise, WrongMatrices& found) {
     const ItemGrade& item = grade.items[exercise];
     const HandInItem* const handed_in = grade.hand_in.find(item.exercise);
-    if (!handed_in || item.verdicts.empty()) return;
+    if (!handed_in) return;
     const LessonStep* const step = step_of(grader, item, exercise);
     if (!step || step->ask.shows_as.empty() || step->ask.rows * step->ask.columns != 16) return;
     std::size_t answers = 0;
     for (const Attempt& attempt : handed_in->attempts) {
         if (attempt.hint > 0 || answers == item.verdicts.size()) continue;
-        const Verdict& verdict = item.verdicts[answers++];
+        const std::optional<Verdict>& verdict = item.verdicts[answers++];
         const std::optional<Answer> answer = answer_in(attempt, step->ask);
-        if (verdict.right || !answer) continue;
+        if (!verdict || verdict->right || !answer) continue;
         Givers& givers = found[{exercise, item.variant, answer->numbers}];
-        givers.verdict = verdict;
+        givers.verdict = *verdict;
         givers.students.insert(grade.hand_in.student);
     }
 }
@@ -403,12 +406,12 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
 }  // namespace
 
 std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
-                         const std::vector<TagCount>& tags) {
+                         const std::vector<TagCount>& tags, const std::string& files) {
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Exercises, graded</title>\n"
         "<style>" +
         std::string(style) + "</style>\n";
-    page += title(grader.exercises(), grades);
+    page += title(grader.exercises(), grades, files);
     page += heading("Points") + points_chart(grades);
     page += heading("Misconceptions") + misconceptions(tags);
     page += heading("Exercises") + exercises_table(grader.exercises(), grades);

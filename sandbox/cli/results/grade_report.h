@@ -11,6 +11,6 @@ namespace viewing {
 
 /// `grader` is the one that made the grades. Texts are in English. Throws Failure where GL does not draw.
 std::string grade_report(Headless& headless, Grader& grader, const std::vector<StudentGrade>& grades,
-                         const std::vector<TagCount>& tags);
+                         const std::vector<TagCount>& tags, const std::string& files);
 
 }  // namespace viewing

@@ -1,6 +1,7 @@
 #include "cli/results/grade_tables.h"
 
 #include <algorithm>
+#include <map>
 
 #include "cli/results/csv.h"
 #include "state/file/document.h"
@@ -40,8 +41,15 @@ const char* name_of(Standing standing) {
 std::vector<std::string> remarks(const StudentGrade& grade) {
     std::vector<std::string> all;
     for (const std::string& note : grade.notes) all.push_back(printable(note));
-    for (const ItemGrade& item : grade.items)
-        if (!item.trouble.empty()) all.push_back(item.exercise + " not judged: " + printable(item.trouble));
+    std::vector<std::pair<std::string, std::string>> names_by_trouble;  // in the order of the exercises
+    for (const ItemGrade& item : grade.items) {
+        if (item.trouble.empty()) continue;
+        if (names_by_trouble.empty() || names_by_trouble.back().first != item.trouble)
+            names_by_trouble.emplace_back(item.trouble, item.exercise);
+        else
+            names_by_trouble.back().second += ", " + item.exercise;
+    }
+    for (const auto& [trouble, names] : names_by_trouble) all.push_back(names + " not judged: " + printable(trouble));
     return all;
 }
 
@@ -49,6 +57,17 @@ std::string remarks_in_one(const StudentGrade& grade) {
     std::string text;
     for (const std::string& remark : remarks(grade)) text += (text.empty() ? "" : "; ") + remark;
     return text;
+}
+
+struct FileCounts {
+    int judged = 0, cut = 0, not_read = 0;
+};
+
+FileCounts counts_of(const std::vector<StudentGrade>& grades) {
+    FileCounts counts;
+    for (const StudentGrade& grade : grades)
+        ++(!grade.error.empty() ? counts.not_read : grade.is_cut ? counts.cut : counts.judged);
+    return counts;
 }
 
 // ---- for a terminal ------------------------------------------------------------------------------------------------
@@ -132,9 +151,9 @@ Json item_as_json(const ItemGrade& item) {
                  {"tags", Json::array()},
                  {"told", Json::array()},
                  {"trouble", printable(item.trouble)}};
-    for (const Verdict& verdict : item.verdicts) {
-        json["tags"].push_back(verdict.tag);
-        json["told"].push_back(verdict.say.in_english());
+    for (const std::optional<Verdict>& verdict : item.verdicts) {
+        json["tags"].push_back(verdict ? Json(verdict->tag) : Json());
+        json["told"].push_back(verdict ? verdict->say.in_english() : "not judged");
     }
     return json;
 }
@@ -193,8 +212,18 @@ std::string tags_as_csv(const std::vector<TagCount>& tags) {
 }
 
 std::string grades_as_json(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
-                           const std::vector<TagCount>& tags) {
-    Json json = {{"exercises", Json::array()}, {"students", Json::array()}, {"tags", Json::array()}};
+                           const std::vector<TagCount>& tags, const HandInFiles& files) {
+    const FileCounts counts = counts_of(grades);
+    Json json = {{"exercises", Json::array()},
+                 {"students", Json::array()},
+                 {"tags", Json::array()},
+                 {"files",
+                  {{"judged", counts.judged},
+                   {"not_read", counts.not_read},
+                   {"out_of_time", counts.cut},
+                   {"skipped", Json::array()}}}};
+    for (const auto& [file, why] : files.skipped)
+        json["files"]["skipped"].push_back({{"file", one_line(file.string())}, {"why", name_of(why)}});
     for (const Exercise& exercise : exercises)
         json["exercises"].push_back({{"id", exercise.id}, {"points", exercise.points}});
     for (const StudentGrade& grade : grades) json["students"].push_back(student_as_json(grade));
@@ -205,6 +234,21 @@ std::string grades_as_json(const std::vector<Exercise>& exercises, const std::ve
                                 {"at_last", tag.at_last},
                                 {"students_of", tag.students_of}});
     return print_document(json) + "\n";
+}
+
+std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files) {
+    const FileCounts counts = counts_of(grades);
+    std::string text = std::to_string(counts.judged) + (counts.judged == 1 ? " file judged" : " files judged");
+    if (counts.cut > 0) text += ", " + std::to_string(counts.cut) + " not judged to the end";
+    if (counts.not_read > 0) text += ", " + std::to_string(counts.not_read) + " not read";
+    if (files.skipped.empty()) return text;
+    std::map<WhySkipped, int> by_reason;
+    for (const auto& [file, why] : files.skipped) ++by_reason[why];
+    std::string reasons;
+    for (const auto& [why, count] : by_reason)
+        reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " +
+                   (why == WhySkipped::link && count > 1 ? "links" : name_of(why));
+    return text + ", " + std::to_string(files.skipped.size()) + " skipped: " + reasons;
 }
 
 double share(int students, int of) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/results/hand_in_files.h"
 #include "report/grading.h"
 
 namespace viewing {
@@ -20,7 +21,10 @@ std::string tags_as_csv(const std::vector<TagCount>& tags);
 
 /// Everything, ended by a newline.
 std::string grades_as_json(const std::vector<Exercise>& exercises, const std::vector<StudentGrade>& grades,
-                           const std::vector<TagCount>& tags);
+                           const std::vector<TagCount>& tags, const HandInFiles& files);
+
+/// "12 files judged, 1 not read, 3 skipped: 2 not JSON, 1 a link": what there is of these, without a full stop.
+std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files);
 
 /// Of 0 … 1; 0 where nobody was.
 double share(int students, int of);

@@ -44,6 +44,10 @@ void reserve_heap() {
     reserve_end = end_of_heap();
 }
 
+void give_large_blocks_back() {
+    mallopt(M_MMAP_THRESHOLD, 1 << 20);
+}
+
 void take_large_pages(std::chrono::microseconds longest) {
     using Clock = std::chrono::steady_clock;
     std::uintptr_t at = (reserve_begin + large_page_bytes - 1) / large_page_bytes * large_page_bytes;
