@@ -1,6 +1,8 @@
 // The context that all widgets share: one frame's beginning, highlights, the recorder that tests click by, groups.
 // Read widgets.h first.
+#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "widgets/inner.h"
 
@@ -28,6 +30,7 @@ void NewFrame(Context& context) {
     Editing& editing = context.editing;
     const int frame = ImGui::GetFrameCount();
     if (editing.typing_frame < frame - 1) editing.typing = 0;  // its panel was folded away
+    editing.ends = std::exchange(editing.ends_next, false);
     editing.type_now = editing.type_next;
     editing.type_next = 0;
     editing.tab = 0;
@@ -72,6 +75,15 @@ void GoOnWhileHeld() {
 bool MayBeTakenBack(const Context& context) {
     const double jumped_at_s = context.editing.jumped_at_s;
     return jumped_at_s >= 0.0 && ImGui::GetTime() - jumped_at_s <= ImGui::GetIO().MouseDoubleClickTime;
+}
+
+void EndTyping(Context& context) {
+    context.editing.ends_next = true;
+}
+
+bool IsTyping(const Context& context) {
+    return context.editing.typing != 0 || std::any_of(context.text_fields.begin(), context.text_fields.end(),
+                                                      [](const auto& field) { return field.second.entry.has_value(); });
 }
 
 Group::Group(const char* name) {

@@ -83,7 +83,7 @@ std::optional<double> TypeInBox(const NumberStyle& style, ImVec2 size) {
     constexpr int patience_frames = 10;
     const bool lost = editing.focused ? !active : ++editing.frames_waited > patience_frames;
     if (active) editing.focused = true;
-    if (!entered && !lost && editing.tab == 0) return std::nullopt;
+    if (!entered && !lost && editing.tab == 0 && !editing.ends) return std::nullopt;
 
     editing.typing = 0;
     if (editing.tab < 0) editing.type_next = editing.last_number;

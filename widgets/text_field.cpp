@@ -1,6 +1,7 @@
 // A field for text. ImGui takes its steps of undo up again when it is the same field that becomes active once more,
 // whatever has been written into the text meanwhile, and Ctrl+Z then ends the program (an assertion of 1.86): so a
-// field that was left is another one for ImGui when it comes back.
+// field that was left is another one for ImGui when it comes back. What is typed is in the text at once, so there is
+// nothing to be lost on the way out; a text that counts only when it is whole is an EntryField's.
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -18,11 +19,28 @@ bool TextField(const char* label, std::string& text, const char* hint, ImGuiInpu
     ImGui::PushID(use.times);
     const bool is_entered = ImGui::InputTextWithHint(label, hint, &text, flags);
     if (ImGui::IsItemActive()) {
-        use = {use.times, frame, true};
+        use.active_frame = frame;
+        use.is_used = true;
         AskForRedraw(inner::caret_blink_s);
     }
     ImGui::PopID();
     return is_entered;
+}
+
+bool EntryField(const char* label, std::string& value) {
+    Context& context = CurrentContext();
+    std::optional<std::string>& entry = context.text_fields[ImGui::GetID(label)].entry;
+    std::string text = entry.value_or(value);
+    TextField(label, text);
+    const bool is_being_typed = ImGui::IsItemActive() && !context.editing.ends;
+    if (is_being_typed) {
+        if (text != value || entry) entry = std::move(text);
+        return false;
+    }
+    entry.reset();
+    if (text == value) return false;
+    value = std::move(text);
+    return true;
 }
 
 }  // namespace widgets

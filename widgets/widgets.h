@@ -78,6 +78,7 @@ struct Editing {
     int frames_waited = 0;    ///< how many it has waited for the keyboard
     char text[64] = {};
     char text_before[64] = {};
+    bool ends = false, ends_next = false;  ///< see EndTyping
 
     double drag_value = 0.0;     ///< where a drag has led, before rounding
     float drag_distance = 0.0F;  ///< pixels since the press
@@ -98,6 +99,7 @@ struct Editing {
 struct TextFieldUse {
     int times = 0, active_frame = 0;
     bool is_used = false;
+    std::optional<std::string> entry;  ///< of an EntryField: what is typed and does not count yet
 };
 
 /// Everything the widgets share in one program. Owned by the caller; there is no hidden state beside it.
@@ -140,6 +142,12 @@ void GoOnWhileHeld();
 /// Whether a click has just moved a slider's knob that a second one would put back, to begin to type: what it did is
 /// not done yet.
 bool MayBeTakenBack(const Context& context);
+
+/// From the next frame's beginning what is typed counts, as if its field were left: before a key, a file or another
+/// window takes the field away. A number's box is left by it, a text's goes on.
+void EndTyping(Context& context);
+/// Whether something is typed that does not count yet.
+bool IsTyping(const Context& context);
 
 /// Colours and metrics of ImGui itself, set from the palette (call when theme or scale changes).
 void ApplyStyle(const Context& context);
@@ -265,6 +273,9 @@ bool Button(const char* label, bool enabled = true, const char* why_disabled = "
 /// ImGui's field for text as wide as the next item, for a text that others write into as well; what it answers is
 /// ImGui's. `hint` stands in an empty one.
 bool TextField(const char* label, std::string& text, const char* hint = "", ImGuiInputTextFlags flags = 0);
+/// A field for a text that counts when it is whole: `value` changes in the frame in which the field is left with
+/// another text, by Enter, Tab, a click elsewhere or EndTyping. Escape puts back what was there.
+bool EntryField(const char* label, std::string& value);
 bool SmallButton(const char* label, bool enabled = true, const char* why_disabled = "");
 float SmallButtonWidth(const char* label);  ///< in one line, pixels
 bool OffersButton(const char* label);       ///< whether one of either kind is drawn at all

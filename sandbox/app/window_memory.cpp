@@ -17,7 +17,7 @@ WindowMemory::WindowMemory(std::filesystem::path file, bool is_fresh) : file_(st
         return;
     }
     if (Result<Remembered> read = read_remembered(file_))
-        remembered_ = *read;
+        known_ = remembered_ = *read;
     else
         trouble_ = say("{error}; the window starts as the first time", "error"_a = read.error());
 }
@@ -29,18 +29,35 @@ void WindowMemory::dress(Params& params) const {
     params.ui.scale = remembered_.scale.value_or(params.ui.scale);
 }
 
-Status WindowMemory::remember(const Remembered& now) {
-    const std::optional<Status> ended = writing_.take();
-    is_written_ &= now == remembered_;
-    remembered_ = now;
-    if (!is_written_ && !writing_.is_running()) {
-        is_written_ = true;
-        writing_.start([file = file_, now](WorkProgress&) { return write_remembered(file, now); });
-    }
-    return ended.value_or(std::monostate{});
+Status WindowMemory::take_written() {
+    std::optional<Result<Remembered>> written = writing_.take();
+    if (!written) return std::monostate{};
+    if (!*written) return Error{written->error()};
+    // What other windows have done is seen here too; their looks and their student are theirs.
+    const Remembered now = merged(**written, sent_, remembered_);
+    has_news_ |= now.lessons != remembered_.lessons || now.recent != remembered_.recent;
+    remembered_.lessons = now.lessons;
+    remembered_.recent = now.recent;
+    known_ = sent_;
+    known_.lessons = (*written)->lessons;
+    known_.recent = (*written)->recent;
+    return std::monostate{};
 }
 
-Status WindowMemory::follow(const Requests& requests, const Workbench& workbench, bool keeps_answers) {
+Status WindowMemory::remember(const Remembered& now) {
+    is_written_ &= now == remembered_;
+    remembered_ = now;
+    Status ended = take_written();
+    if (!is_written_ && !writing_.is_running()) {
+        is_written_ = true;
+        sent_ = remembered_;
+        writing_.start(
+            [file = file_, known = known_, now = sent_](WorkProgress&) { return merge_remembered(file, known, now); });
+    }
+    return ended;
+}
+
+Status WindowMemory::follow(const Requests& requests, Workbench& workbench, bool keeps_answers) {
     Remembered now = remembered_;
     if (requests.chosen_theme) now.theme = requests.chosen_theme;
     if (requests.chosen_language) now.language = requests.chosen_language;
@@ -48,7 +65,17 @@ Status WindowMemory::follow(const Requests& requests, const Workbench& workbench
     now.lessons = workbench.progress;
     now.recent = workbench.recent;
     if (keeps_answers) now.student = workbench.exercises.student();
-    return remember(now);
+    Status status = remember(now);
+    if (std::exchange(has_news_, false)) {
+        workbench.progress = remembered_.lessons;
+        workbench.recent = remembered_.recent;
+    }
+    return status;
+}
+
+void WindowMemory::read_again(Workbench& workbench) {
+    is_written_ = false;  // what is written is merged with what is there
+    workbench.exercises.read_again();
 }
 
 void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
@@ -62,9 +89,11 @@ void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
 
 Status WindowMemory::finish() {
     writing_.wait(-1.0);
-    Status last = writing_.take().value_or(std::monostate{});
-    if (!std::exchange(is_written_, true)) last = write_remembered(file_, remembered_);
-    return last;
+    Status last = take_written();
+    is_written_ = true;
+    if (remembered_ == known_) return last;  // else it has changed since, or could not be written
+    const Result<Remembered> written = merge_remembered(file_, known_, remembered_);
+    return written ? last : Error{written.error()};
 }
 
 }  // namespace viewing

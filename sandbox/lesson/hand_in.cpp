@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lesson/tree.h"
+#include "platform/shared_file.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -124,6 +125,51 @@ Json attempt_as_json(const Attempt& attempt) {
     return object;
 }
 
+template <typename T>
+const T& changed_or_kept(const T& kept, const T& known, const T& now) {
+    return now == known ? kept : now;
+}
+
+/// What was checked here is no draft any more; what was typed elsewhere meanwhile is.
+template <typename T>
+const T& typed_last(const T& kept, const T& known, const T& now) {
+    return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);
+}
+
+/// As often in `all` as `wanted`, at most.
+void thin_out(std::vector<Attempt>& all, const Attempt& attempt, std::ptrdiff_t wanted) {
+    for (auto more = std::count(all.begin(), all.end(), attempt) - wanted; more > 0; --more)
+        all.erase(std::find(all.begin(), all.end(), attempt));
+}
+
+/// What the window has dropped is dropped: an attempt that it replaced by its next one.
+std::vector<Attempt> merged_attempts(std::vector<Attempt> kept, const std::vector<Attempt>& known,
+                                     const std::vector<Attempt>& now) {
+    if (now == known) return kept;
+    const auto count = [](const std::vector<Attempt>& attempts, const Attempt& attempt) {
+        return std::count(attempts.begin(), attempts.end(), attempt);
+    };
+    for (const Attempt& attempt : known)
+        if (const auto left = count(now, attempt); left < count(known, attempt)) thin_out(kept, attempt, left);
+    for (const Attempt& attempt : now)
+        if (count(kept, attempt) < count(now, attempt)) kept.push_back(attempt);
+    std::stable_sort(kept.begin(), kept.end(), [](const Attempt& a, const Attempt& b) { return a.at < b.at; });
+    if (kept.size() > most_attempts) kept.erase(kept.begin(), kept.end() - most_attempts);
+    return kept;
+}
+
+/// An exercise as two windows have it. Answers to other numbers than the window's are given up where it goes on.
+HandInItem merged_item(HandInItem kept, const HandInItem& known, const HandInItem& now) {
+    if (kept.variant != now.variant) return changed_or_kept(kept, known, now);
+    kept.attempts = merged_attempts(std::move(kept.attempts), known.attempts, now.attempts);
+    // Where both went on, the longer way is kept.
+    if (kept.replay == known.replay || (now.replay != known.replay && now.replay.size() >= kept.replay.size()))
+        kept.replay = now.replay;
+    kept.draft = typed_last(kept.draft, known.draft, now.draft);
+    kept.draft_settings = typed_last(kept.draft_settings, known.draft_settings, now.draft_settings);
+    return kept;
+}
+
 }  // namespace
 
 HandInItem* HandIn::find(const std::string& exercise) {
@@ -194,26 +240,25 @@ bool are_same_settings(const std::vector<std::string>& a, const std::vector<std:
     return settings_as_json(a) == settings_as_json(b);
 }
 
-HandIn merged(HandIn kept, const HandIn& other) {
-    for (const HandInItem& item : other.items) {
-        HandInItem* const mine = kept.find(item.exercise);
-        if (!mine) {
-            kept.items.push_back(item);
-            continue;
-        }
-        if (mine->variant != item.variant) continue;
-        for (const Attempt& attempt : item.attempts)
-            if (std::find(mine->attempts.begin(), mine->attempts.end(), attempt) == mine->attempts.end())
-                mine->attempts.push_back(attempt);
-        std::stable_sort(mine->attempts.begin(), mine->attempts.end(),
-                         [](const Attempt& a, const Attempt& b) { return a.at < b.at; });
-        if (mine->attempts.size() > most_attempts)
-            mine->attempts.erase(mine->attempts.begin(), mine->attempts.end() - most_attempts);
-        if (item.replay.size() > mine->replay.size()) mine->replay = item.replay;
-        if (!mine->draft) mine->draft = item.draft;
-        if (mine->draft_settings.empty()) mine->draft_settings = item.draft_settings;
+HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now) {
+    HandIn merged = kept;
+    for (const auto text : {&HandIn::program, &HandIn::course, &HandIn::student, &HandIn::name})
+        merged.*text = changed_or_kept(kept.*text, known.*text, now.*text);
+    for (const HandInItem& item : now.items) {
+        const HandInItem* const before = known.find(item.exercise);
+        if (HandInItem* const there = merged.find(item.exercise))
+            *there = merged_item(std::move(*there), before ? *before : HandInItem{}, item);
+        else
+            merged.items.push_back(item);
     }
-    return kept;
+    return merged;
+}
+
+Result<HandIn> merge_hand_in(const std::filesystem::path& file, const HandIn& known, const HandIn& now) {
+    if (now.items.empty() && !is_there(file)) return now;
+    return merge_into_file<HandIn>(
+        file, load_hand_in, [&](const HandIn& kept) { return kept == HandIn{} ? now : merged(kept, known, now); },
+        [&](const HandIn& merged) { return write_file(file, hand_in_as_text(merged)); });
 }
 
 void thin(std::vector<ReplayStep>& replay) {

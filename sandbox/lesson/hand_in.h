@@ -64,8 +64,15 @@ std::vector<double> answer_numbers(const Answer& answer);
 /// Whatever the way in which their numbers are written.
 bool are_same_settings(const std::vector<std::string>& a, const std::vector<std::string>& b);
 
-/// The attempts of two files of one student, each once and in the order of their times; else `kept` wins.
-HandIn merged(HandIn kept, const HandIn& other);
+/// What a file of one student is to hold that others write as well. `kept`: what it holds. `known`: what this window
+/// knew of it when it read or wrote it last, HandIn{} where it never did. `now`: what the window has. Attempts are
+/// united, each once, in the order of their times; what is typed, the way to a goal and the name are the window's where
+/// it has changed them since, else the file's. Merging the same once more changes nothing.
+HandIn merged(const HandIn& kept, const HandIn& known, const HandIn& now);
+
+/// Writes that, under a lock; the result is what the file holds then, `now` where nothing was answered yet and there is
+/// no file. One that cannot be read gets another name (set_aside). The error is one sentence.
+Result<HandIn> merge_hand_in(const std::filesystem::path& file, const HandIn& known, const HandIn& now);
 
 /// Every second one left out until there are not more than most_replay_steps; the last one stays.
 void thin(std::vector<ReplayStep>& replay);

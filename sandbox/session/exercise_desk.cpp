@@ -56,8 +56,8 @@ void ExerciseDesk::keep_in(std::filesystem::path folder, std::string program) {
     program_ = std::move(program);
 }
 
-std::filesystem::path ExerciseDesk::file() const {
-    return folder_.empty() ? folder_ : folder_ / answers_file_name(student_);
+std::filesystem::path ExerciseDesk::file(const Student& owner) const {
+    return folder_.empty() ? folder_ : folder_ / answers_file_name(owner);
 }
 
 void ExerciseDesk::open() {
@@ -69,84 +69,120 @@ void ExerciseDesk::open() {
         else if (trouble_)
             trouble_ = Error{exercise.error()};
     }
-    sit_down(student_);
+    begin_sheet();
 }
 
 void ExerciseDesk::choose_variants() {
     for (Entry& entry : entries_) {
-        entry.variant = variant_of(student_.course, student_.number, entry.exercise.id, entry.exercise.variants.size());
+        entry.variant = variant_of(owner_.course, owner_.number, entry.exercise.id, entry.exercise.variants.size());
         entry.step.reset();
     }
     followed_.clear();
 }
 
-void ExerciseDesk::sit_down(const Student& student) {
+void ExerciseDesk::sit_down(const Student& student, bool practises) {
+    const bool is_the_same = student.course == student_.course && student.number == student_.number &&
+                             practises == (is_practice() && has_own_sheet());
+    if (is_the_same && is_read_ && !reading_.is_running()) {  // another name alone
+        student_.name = owner_.name = hand_in_.name = student.name;
+        has_changed_ |= !hand_in_.items.empty();
+        return;
+    }
     if (Status done = finish(); !done) trouble_ = std::move(done);
-    reading_.drop();
-    is_another_ = is_unreadable_ = false;
     student_ = student;
-    hand_in_ = {};
+    owner_ = has_own_sheet() && !practises ? student : Student{"", "", student.name};
+    begin_sheet();
+}
+
+void ExerciseDesk::begin_sheet() {
+    reading_.drop();
+    is_another_ = false;
+    hand_in_ = {program_, owner_.course, owner_.number, owner_.name, {}};
+    known_ = hand_in_;
+    practice_ = {};
     choose_variants();
-    std::error_code unknown;
-    if (const std::filesystem::path kept = file(); is_read_ && !kept.empty() && std::filesystem::exists(kept, unknown))
-        reading_.start([kept](WorkProgress&) { return load_hand_in(kept); });
+    if (!is_read_ || folder_.empty()) return;
+    const std::filesystem::path kept = file(owner_), practice = is_practice() ? "" : file({});
+    if (is_there(kept) || is_there(practice))
+        reading_.start([kept, practice](WorkProgress&) -> Result<Opened> {
+            Result<HandIn> read = is_there(kept) ? load_hand_in(kept) : HandIn{};
+            if (!read) return Error{read.error()};
+            Opened opened{{}, *std::move(read), {}};
+            if (Result<HandIn> practised = load_hand_in(practice)) opened.practice = *std::move(practised);
+            return opened;
+        });
 }
 
 void ExerciseDesk::open_hand_in(const std::filesystem::path& opened) {
     if (Status done = finish(); !done) trouble_ = std::move(done);
     is_another_ = true;
-    reading_.start([opened, folder = folder_](WorkProgress&) -> Result<HandIn> {
+    reading_.start([opened, folder = folder_](WorkProgress&) -> Result<Opened> {
         Result<HandIn> read = load_hand_in(opened);
-        if (!read || folder.empty()) return read;
+        if (!read) return Error{read.error()};
+        if (folder.empty()) return Opened{*std::move(read), {}, {}};
         const std::filesystem::path kept = folder / answers_file_name({read->course, read->student, read->name});
-        std::error_code unknown;
-        if (!std::filesystem::exists(kept, unknown)) return read;
-        Result<HandIn> known = load_hand_in(kept);
-        return known ? merged(*std::move(known), *read) : read;
+        Result<HandIn> known = is_there(kept) ? load_hand_in(kept) : HandIn{};
+        // What is kept here is the newer one.
+        return known ? Opened{merged(*read, {}, *known), *known, {}} : Opened{*std::move(read), {}, {}};
     });
 }
 
 void ExerciseDesk::take_hand_in(HandIn hand_in) {
     open();
     reading_.drop();
-    student_ = {hand_in.course, hand_in.student, hand_in.name};
+    student_ = owner_ = {hand_in.course, hand_in.student, hand_in.name};
     hand_in_ = std::move(hand_in);
+    known_ = practice_ = {};
     choose_variants();
 }
 
+void ExerciseDesk::take_from_disk(HandIn on_disk, const HandIn& known) {
+    if (on_disk == HandIn{}) return;
+    hand_in_ = merged(on_disk, known, hand_in_);
+    known_ = std::move(on_disk);
+    student_.name = owner_.name = hand_in_.name;
+}
+
 Status ExerciseDesk::take_what_was_read() {
-    std::optional<Result<HandIn>> read = reading_.take();
+    std::optional<Result<Opened>> read = reading_.take();
     if (!read) return std::monostate{};
     const bool is_another = std::exchange(is_another_, false);
-    if (*read && is_another) {
-        take_hand_in(**std::move(read));
+    if (!*read) return Error{read->error()};
+    if (is_another) {
+        take_hand_in(std::move((*read)->hand_in));
+        known_ = std::move((*read)->on_disk);
         has_changed_ = true;
-    } else if (*read) {
-        hand_in_ = **std::move(read);
     } else {
-        is_unreadable_ = !is_another;
-        return Error{read->error()};
+        practice_ = std::move((*read)->practice);
+        take_from_disk(std::move((*read)->on_disk), {});  // a name that was typed counts
     }
+    return std::monostate{};
+}
+
+Status ExerciseDesk::take_what_was_written() {
+    std::optional<Result<HandIn>> written = writing_.take();
+    if (!written) return std::monostate{};
+    is_unwritten_ = !*written;
+    if (is_unwritten_) return Error{written->error()};
+    take_from_disk(**std::move(written), sent_);
     return std::monostate{};
 }
 
 void ExerciseDesk::write_what_changed() {
     if (!has_changed_ || writing_.is_running() || folder_.empty()) return;
     has_changed_ = false;
-    const bool is_unreadable = std::exchange(is_unreadable_, false);
-    writing_.start([kept = file(), text = hand_in_as_text(hand_in_), is_unreadable](WorkProgress&) -> Status {
-        std::error_code failed;
-        // What could not be read is not written over: a person may still mend it.
-        if (is_unreadable) std::filesystem::rename(kept, kept.string() + ".unreadable", failed);
-        std::filesystem::create_directories(kept.parent_path(), failed);
-        if (failed) return Error{kept.parent_path().string() + ": " + failed.message()};
-        return write_file(kept, text);
-    });
+    sent_ = hand_in_;
+    writing_.start(
+        [kept = file(owner_), known = known_, now = sent_](WorkProgress&) { return merge_hand_in(kept, known, now); });
+}
+
+void ExerciseDesk::read_again() {
+    has_changed_ |= is_read_;  // what is written is merged with what is there
 }
 
 Status ExerciseDesk::update(double now_s) {
     Status status = take_what_was_read();
-    if (const auto written = writing_.take(); written && !*written) status = Error{written->error()};
+    if (Status written = take_what_was_written(); !written) status = std::move(written);
     if (update_due_in_s(now_s) == 0.0) {
         written_s_ = now_s;
         write_what_changed();
@@ -164,8 +200,10 @@ Status ExerciseDesk::finish() {
     Status last = std::monostate{};
     for (int turn = 0; turn < 2; ++turn) {  // what is being written, then what has changed since
         writing_.wait(-1.0);
-        if (const auto written = writing_.take(); written && !*written) last = Error{written->error()};
-        if (turn == 0) write_what_changed();
+        if (Status written = take_what_was_written(); !written) last = std::move(written);
+        if (turn > 0) break;
+        has_changed_ |= is_unwritten_;
+        write_what_changed();
     }
     return last;
 }
@@ -192,7 +230,7 @@ std::optional<LessonRun> ExerciseDesk::sheet_at(const std::string& exercise,
 }
 
 LessonRun ExerciseDesk::sheet(const std::vector<std::size_t>& places) const {
-    Lesson lesson = empty_sheet(student_.course, student_.number);
+    Lesson lesson = empty_sheet(owner_.course, owner_.number);
     std::vector<const HandInItem*> known;
     for (const std::size_t place : places) {
         const Entry& entry = entries_[place];
@@ -243,6 +281,34 @@ bool ExerciseDesk::is_tried(const std::string& exercise) const {
                                [](const Attempt& attempt) { return attempt.hint == 0; });
 }
 
+HandIn ExerciseDesk::practice_with_own_numbers() const {
+    HandIn own = hand_in_;
+    own.items.clear();
+    for (const Entry& entry : entries_) {
+        const HandInItem* const item = practice_.find(entry.exercise.id);
+        if (item && item->variant == entry.variant && !item->attempts.empty()) own.items.push_back(*item);
+    }
+    return own;
+}
+
+ExerciseDesk::Practised ExerciseDesk::practised() const {
+    Practised practised;
+    for (const HandInItem& item : practice_.items) practised.all += item.attempts.empty() ? 0 : 1;
+    for (const HandInItem& item : practice_with_own_numbers().items) {
+        const HandInItem* const own = own_item(item.exercise);
+        const auto is_here = [own](const Attempt& attempt) {
+            return own && std::find(own->attempts.begin(), own->attempts.end(), attempt) != own->attempts.end();
+        };
+        if (!std::all_of(item.attempts.begin(), item.attempts.end(), is_here)) ++practised.with_own_numbers;
+    }
+    return practised;
+}
+
+void ExerciseDesk::take_over_practice() {
+    hand_in_ = merged(practice_with_own_numbers(), {}, hand_in_);
+    has_changed_ = true;
+}
+
 int ExerciseDesk::points() const {
     int points = 0;
     for (const Entry& entry : entries_) points += is_right(entry.exercise.id) ? entry.exercise.points : 0;
@@ -257,9 +323,9 @@ int ExerciseDesk::points_of() const {
 
 HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant) {
     hand_in_.program = program_;
-    hand_in_.course = student_.course;
-    hand_in_.student = student_.number;
-    hand_in_.name = student_.name;
+    hand_in_.course = owner_.course;
+    hand_in_.student = owner_.number;
+    hand_in_.name = owner_.name;
     HandInItem* item = hand_in_.find(exercise);
     if (item && item->variant != variant) *item = {exercise, variant, {}, {}, {}, {}};  // it was another's
     if (item) return *item;
@@ -268,7 +334,7 @@ HandInItem& ExerciseDesk::item(const std::string& exercise, std::size_t variant)
 
 bool ExerciseDesk::is_of_student(const LessonRun& run) const {
     const std::optional<Sheet>& sheet = run.lesson().sheet;
-    return sheet && sheet->course == student_.course && sheet->student == student_.number;
+    return sheet && sheet->course == owner_.course && sheet->student == owner_.number;
 }
 
 void ExerciseDesk::add(HandInItem& item, Attempt attempt) {
@@ -306,6 +372,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
         followed_ = asked.exercise;
         followed_since_s_ = now_s;
         last_.reset();
+        last_typed_.reset();
     }
     const HandInItem* const known = hand_in_.find(asked.exercise);
     int hints = 0;
@@ -320,6 +387,7 @@ void ExerciseDesk::follow(const LessonRun& run, const Params& params, bool is_at
     if (run.is_revealed()) return;
     if (step.ask.kind != AskKind::goal) {
         const std::vector<double> typed = answer_numbers(run.answer());
+        if (typed == std::exchange(last_typed_, typed)) return;  // another window may have typed since
         const bool is_blank = std::all_of(typed.begin(), typed.end(), [](double number) { return number == 0.0; });
         if (typed.empty() || (is_blank && (!known || !known->draft))) return;
         if (known && (known->draft ? *known->draft : latest_answer(*known)) == typed) return;

@@ -31,9 +31,22 @@ public:
     bool is_open() const { return is_read_; }
     const Status& trouble() const { return trouble_; }
 
+    /// What was typed of them, complete or not.
     const Student& student() const { return student_; }
-    /// Another one's sheet; what was answered at it before comes back.
-    void sit_down(const Student& student);
+    /// Another one's sheet; what was answered at it before comes back. Without a number or a course, and where a
+    /// student `practises`, it is the sheet of practice: with numbers that are nobody's, and never handed in.
+    void sit_down(const Student& student, bool practises = false);
+    bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
+    /// Number and course are there: whoever practises has a sheet to go back to.
+    bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
+    /// How many exercises of practice were tried, and how many of them ask for the numbers of this student as well and
+    /// have attempts that this sheet does not have. Where numbers differ an answer is no answer here.
+    struct Practised {
+        int all = 0, with_own_numbers = 0;
+    };
+    Practised practised() const;
+    /// Adds the attempts and answers of these to the sheet; practice keeps them too.
+    void take_over_practice();
     /// Goes on with answers that were saved, as update() tells; with those that are kept here for the same student.
     void open_hand_in(const std::filesystem::path& file);
     /// A hand-in that was opened from a file: its student's sheet with its attempts.
@@ -46,6 +59,8 @@ public:
     double update_due_in_s(double now_s) const;
     /// All that waits is written, now.
     Status finish();
+    /// Another window may have written the same student's answers: the next update() takes them over.
+    void read_again();
 
     const std::vector<Entry>& entries() const { return entries_; }
     /// The place of the variant that is to be made next: by whoever knows its numbers. None: all are there.
@@ -69,31 +84,45 @@ public:
     void follow(const LessonRun& run, const Params& params, bool is_at_rest, double now_s);
 
 private:
+    /// What is had of a file, and what is on the disk.
+    struct Opened {
+        HandIn hand_in, on_disk, practice;
+    };
+    void begin_sheet();
     Status take_what_was_read();
+    Status take_what_was_written();
+    void take_from_disk(HandIn on_disk, const HandIn& known);
     void write_what_changed();
     bool is_of_student(const LessonRun& run) const;  ///< a sheet that still leads may be another's
     void add(HandInItem& item, Attempt attempt);
     HandInItem& item(const std::string& exercise, std::size_t variant);
     const HandInItem* own_item(const std::string& exercise) const;  ///< null where its variant is another's
+    /// What this student practised with numbers that are theirs too.
+    HandIn practice_with_own_numbers() const;
     void choose_variants();
-    std::filesystem::path file() const;
+    std::filesystem::path file(const Student& owner) const;
 
     bool is_read_ = false, has_changed_ = false;
     Status trouble_ = std::monostate{};
     std::filesystem::path folder_;
     std::string program_;
-    Student student_;
+    Student student_;  ///< as typed
+    Student owner_;    ///< whose numbers and file: of practice no number and no course
+    HandIn practice_;  ///< beside another sheet, as it was when that was opened
     std::vector<Entry> entries_;
     HandIn hand_in_;
-    BackgroundTask<HandIn> reading_;
-    bool is_unreadable_ = false;  ///< the file that is kept is set aside before another is written
-    bool is_another_ = false;     ///< what is being read says itself whose it is
-    BackgroundTask<std::monostate> writing_;
+    HandIn known_;  ///< what the file held when it was read or written last: other windows write it too
+    HandIn sent_;   ///< what is being written
+    BackgroundTask<Opened> reading_;
+    bool is_another_ = false;    ///< what is being read says itself whose it is
+    bool is_unwritten_ = false;  ///< the latest writing failed: finish() tries once more
+    BackgroundTask<HandIn> writing_;
     double written_s_ = -1.0;
 
     std::string followed_;  ///< the exercise that is being done
     double followed_since_s_ = 0.0;
-    std::optional<Params> last_;  ///< its latest state that was noted
+    std::optional<Params> last_;                     ///< its latest state that was noted
+    std::optional<std::vector<double>> last_typed_;  ///< its latest answer here, noted or not
 };
 
 /// The file's name in which a student's answers to a course are kept: letters, digits, - and _, others as %XX, and a

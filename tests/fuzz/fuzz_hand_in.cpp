@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string written = hand_in_as_text(*hand_in);
     const Result<HandIn> back = parse_hand_in(written, "written");
     fuzz::check(back && hand_in_as_text(*back) == written);
-    const HandIn both = merged(*hand_in, *back);
+    const HandIn both = merged(*hand_in, {}, *back);
     fuzz::check(both.items.size() == hand_in->items.size());
     return 0;
 }

@@ -100,6 +100,20 @@ Result<Window> make_window(bool checks_gl) {
     return window;
 }
 
+/// What is typed in a window that is closed counts: one more frame, which nobody sees.
+void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory, bool keeps_answers) {
+    if (!widgets::IsTyping(studio.workbench.widgets)) return;
+    widgets::EndTyping(studio.workbench.widgets);
+    glm::ivec2 size_px(0);
+    glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
+    float device_scale = 1.0F;
+    glfwGetWindowContentScale(window, &device_scale, nullptr);
+    for (int i = 0; i < 2; ++i) {  // the field is left; what follows from it is noted
+        const Requests requests = studio.frame({glm::max(size_px, glm::ivec2(1)), device_scale, true, {}});
+        studio.session.report(memory.follow(requests, studio.workbench, keeps_answers));
+    }
+}
+
 void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& events, WindowMemory& memory,
               LectureNotes& notes, bool keeps_answers) {
     FullScreen full_screen;
@@ -130,6 +144,8 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
             window_width > 0 ? static_cast<float>(size_px.x) / static_cast<float>(window_width) : 1.0F;
         const InputFrame& frame = events.queue.next_frame(glfwGetTime());
         feed_imgui(frame, pixels_per_unit);
+        if (frame.focus == true) memory.read_again(studio.workbench);
+        if (frame.focus == false) widgets::EndTyping(studio.workbench.widgets);
         ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
         const Requests requests = studio.frame({size_px, device_scale, true, frame.input});
         if (requests.snapshot) {
@@ -149,6 +165,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         report(notes.follow(studio.workbench.guide, studio.session, studio.workbench.presenter.presented_s()));
         notes.draw(studio.session.params.ui.theme, device_scale);
     }
+    keep_what_is_typed(window, studio, memory, keeps_answers);
     Remembered last = memory.remembered();
     last.window = full_screen.place(window, last.window);
     Status flight_is_written = std::monostate{};

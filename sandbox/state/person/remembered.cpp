@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "platform/file.h"
+#include "platform/shared_file.h"
 #include "platform/text_file.h"
 #include "state/fields.h"
 #include "state/file/document.h"
@@ -51,6 +54,7 @@ LessonsProgress lessons_in(const Json& object, const Where& where) {
         if (!value.contains("done")) continue;
         require_array(value["done"], inside.key("done"), most_steps, "a list of steps");
         for (const Json& step : value["done"]) progress.done.push_back(number(step, inside.key("done")));
+        std::sort(progress.done.begin(), progress.done.end());
     }
     return lessons;
 }
@@ -109,7 +113,53 @@ Remembered remembered_in(const Json& document, const Where& where) {
     return remembered;
 }
 
+LessonsProgress merged_lessons(LessonsProgress kept, const LessonsProgress& known, const LessonsProgress& now) {
+    for (const auto& [id, progress] : now) {
+        const auto before = known.find(id);
+        LessonProgress& merged = kept[id];
+        if (before == known.end() || before->second.step != progress.step) merged.step = progress.step;
+        std::vector<std::size_t> both;
+        std::set_union(merged.done.begin(), merged.done.end(), progress.done.begin(), progress.done.end(),
+                       std::back_inserter(both));
+        merged.done = std::move(both);
+    }
+    return kept;
+}
+
+/// What was opened since `known` is at the front of `now`: all before the rest, which is as it was.
+std::vector<std::string> merged_recent(const std::vector<std::string>& kept, const std::vector<std::string>& known,
+                                       std::vector<std::string> now) {
+    const auto is_as_it_was = [&](auto rest) {
+        std::vector<std::string> left;
+        for (const std::string& file : known)
+            if (std::find(now.begin(), rest, file) == rest) left.push_back(file);
+        return std::distance(rest, now.end()) <= std::ssize(left) && std::equal(rest, now.end(), left.begin());
+    };
+    auto rest = now.begin();
+    while (!is_as_it_was(rest)) ++rest;
+    now.erase(rest, now.end());
+    for (const std::string& file : kept)
+        if (std::find(now.begin(), now.end(), file) == now.end()) now.push_back(file);
+    now.resize(std::min(now.size(), most_recent));
+    return now;
+}
+
 }  // namespace
+
+Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now) {
+    Remembered merged = kept;
+    const auto take_what_changed = [&](auto member) {
+        if (now.*member != known.*member) merged.*member = now.*member;
+    };
+    take_what_changed(&Remembered::theme);
+    take_what_changed(&Remembered::scale);
+    take_what_changed(&Remembered::window);
+    take_what_changed(&Remembered::language);
+    take_what_changed(&Remembered::student);
+    merged.lessons = merged_lessons(kept.lessons, known.lessons, now.lessons);
+    merged.recent = merged_recent(kept.recent, known.recent, now.recent);
+    return merged;
+}
 
 fs::path remembered_file() {
     const auto folder_in = [](const char* variable) {
@@ -153,6 +203,13 @@ Status write_remembered(const fs::path& file, const Remembered& remembered) {
     fs::create_directories(file.parent_path(), failed);
     if (failed) return Error{file.parent_path().string() + ": " + failed.message()};
     return write_file(file, text);
+}
+
+Result<Remembered> merge_remembered(const fs::path& file, const Remembered& known, const Remembered& now) {
+    if (file.empty()) return now;
+    return merge_into_file<Remembered>(
+        file, read_remembered, [&](const Remembered& kept) { return merged(kept, known, now); },
+        [&](const Remembered& merged) { return write_remembered(file, merged); });
 }
 
 bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens) {

@@ -38,8 +38,18 @@ std::filesystem::path remembered_file();
 /// Nothing remembered where there is no such file. The error is one sentence that names it.
 Result<Remembered> read_remembered(const std::filesystem::path& file);
 
-/// Makes the folder where it is missing.
+/// Makes the folder where it is missing. For a file that other windows write as well: merge_remembered().
 Status write_remembered(const std::filesystem::path& file, const Remembered& remembered);
+
+/// What the file is to hold that other windows write as well. `kept`: what it holds; `known`: what this window had when
+/// it read or wrote it last; `now`: what it has. Each of theme, scale, language, place, student and a lesson's step is
+/// the window's where it has changed it since, else the file's. Steps that are done are united; files that the window
+/// has opened since go before the others. Merging the same once more changes nothing.
+Remembered merged(const Remembered& kept, const Remembered& known, const Remembered& now);
+
+/// Writes that, under a lock; the result is what the file holds then. One that cannot be read gets another name
+/// (set_aside); nothing is written where `file` is empty. The error is one sentence.
+Result<Remembered> merge_remembered(const std::filesystem::path& file, const Remembered& known, const Remembered& now);
 
 /// Whether enough of a window's upper edge lies on one of the screens to be taken hold of.
 bool is_reachable(const WindowPlace& window, std::span<const WindowPlace> screens);

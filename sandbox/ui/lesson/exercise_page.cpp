@@ -33,24 +33,41 @@ std::string key_of(const ExerciseDesk::Entry& entry) {
     return "exercise/" + entry.exercise.id + "/" + std::to_string(entry.variant);
 }
 
-/// A field with its name in front of it; true when what is typed is to count.
+/// A field with its name in front of it; true when another text counts from now on.
 bool text_field(const char* label, std::string& text, float width, const char* tip) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr(label));
     ImGui::SameLine();
     ImGui::SetNextItemWidth(px(width));
-    widgets::TextField(("##" + std::string(label)).c_str(), text);
+    const bool is_new = widgets::EntryField(("##" + std::string(label)).c_str(), text);
     widgets::Record(label);
-    const bool is_done = ImGui::IsItemDeactivatedAfterEdit();
     widgets::Tooltip(label, tip);
-    return is_done;
+    return is_new;
+}
+
+std::string what_practice_is(const ExerciseDesk& desk) {
+    const bool has_number = !desk.student().number.empty(), has_course = !desk.student().course.empty();
+    const char* const why = has_number && has_course ? marked("Practice: these numbers are not your own.")
+                            : has_number             ? marked("Practice: the course is missing.")
+                            : has_course             ? marked("Practice: the student number is missing.")
+                                                     : marked("Practice: student number and course are missing.");
+    return std::string(tr(why)) + " " + tr("Answers are kept on this computer and are not handed in.");
+}
+
+/// What was practised, and what becomes of it on one's own sheet.
+std::string told_of_practice(const ExerciseDesk::Practised& practised) {
+    const std::string all =
+        say_count(practised.all, "One exercise was practised.", "{count} exercises were practised.");
+    if (practised.with_own_numbers == 0) return all + " " + tr("The answers are kept under Practice.");
+    return all + " " +
+           say_count(practised.with_own_numbers, "One of them has your numbers: its answers can be taken over.",
+                     "{count} of them have your numbers: their answers can be taken over.");
 }
 
 }  // namespace
 
 void ExercisePage::open(ExerciseDesk& desk) {
     desk.open();
-    typed_ = desk.student();
     is_open_ = true;
 }
 
@@ -75,17 +92,46 @@ std::vector<CardPicture> ExercisePage::wanted_pictures(const ExerciseDesk& desk)
 }
 
 void ExercisePage::draw_student(ExerciseDesk& desk, Guide& guide) {
-    bool is_done = text_field(marked("Student number"), typed_.number, 110.0F,
-                              marked("Says together with the course which numbers the questions have."));
+    Student typed = desk.student();
+    bool is_new = text_field(marked("Student number"), typed.number, 110.0F,
+                             marked("Says together with the course which numbers the questions have."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |=
-        text_field(marked("Course"), typed_.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
+    is_new |=
+        text_field(marked("Course"), typed.course, 130.0F, marked("As the lecturer writes it, letter by letter."));
     ImGui::SameLine(0.0F, px(18.0F));
-    is_done |= text_field(marked("Name"), typed_.name, 130.0F,
-                          marked("Stands in what is handed in, and changes nothing else."));
-    if (!is_done || typed_ == desk.student()) return;
-    if (guide.is_sheet()) guide.close();  // it is another one's
-    desk.sit_down(typed_);
+    is_new |= text_field(marked("Name"), typed.name, 130.0F,
+                         marked("Stands in what is handed in, and changes nothing else."));
+    if (!is_new) return;
+    const bool is_another = typed.number != desk.student().number || typed.course != desk.student().course;
+    if (is_another && guide.is_sheet()) guide.close();
+    desk.sit_down(typed, !is_another && desk.is_practice() && desk.has_own_sheet());
+}
+
+void ExercisePage::draw_whose(ExerciseDesk& desk, Guide& guide) {
+    const ExerciseDesk::Practised practised = desk.practised();
+    const bool offers_practice = !desk.is_practice() && practised.all > 0;
+    if (desk.is_practice())
+        widgets::Note(what_practice_is(desk).c_str());
+    else
+        widgets::Note(
+            "Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
+            "in is one file.");
+    widgets::Record("whose");
+    if (offers_practice) widgets::Note(told_of_practice(practised).c_str());
+    if (offers_practice) widgets::Record("practised");
+    if (offers_practice && practised.with_own_numbers > 0) {
+        if (widgets::SmallButton("Take over")) {
+            if (guide.is_sheet()) guide.close();  // it shows the answers as they were
+            desk.take_over_practice();
+        }
+        widgets::Tooltip("Take over", "Adds these answers, with all their attempts, to what you hand in.");
+        ImGui::SameLine();
+    }
+    const bool goes_back = desk.is_practice() && desk.has_own_sheet();
+    if (!offers_practice && !goes_back) return;
+    if (!widgets::SmallButton(goes_back ? marked("My own sheet") : marked("Practice"))) return;
+    if (guide.is_sheet()) guide.close();
+    desk.sit_down(desk.student(), !goes_back);
 }
 
 ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures) {
@@ -93,21 +139,20 @@ ExercisePage::Wishes ExercisePage::draw(ExerciseDesk& desk, Guide& guide, Sessio
     if (!is_open_) return wishes;
     const Page page("exercise page");
     const widgets::Group group("exercises");
-    if (!ImGui::IsAnyItemActive()) typed_ = desk.student();
     page_heading(say("Exercises: {points} of {of} points", "points"_a = desk.points(), "of"_a = desk.points_of()),
                  "title");
     if (button_at_right("Close")) close();
     draw_student(desk, guide);
-    widgets::Note(
-        "Each student has numbers of their own. Every answer is kept on this computer at once; what is handed "
-        "in is one file.");
+    draw_whose(desk, guide);
     static const std::array<const char*, sets.size()> labels = [] {
         std::array<const char*, sets.size()> names{};
         for (std::size_t i = 0; i < sets.size(); ++i) names[i] = sets[i].label;
         return names;
     }();
     widgets::Segments("##set", set_, labels, 0);
-    wishes.save = widgets::Button("Save answers…", !desk.hand_in().items.empty(), marked("nothing is answered yet"));
+    wishes.save =
+        widgets::Button("Save answers…", !desk.is_practice() && !desk.hand_in().items.empty(),
+                        desk.is_practice() ? marked("practice is not handed in") : marked("nothing is answered yet"));
     widgets::Tooltip("Save answers", "The one file to hand in.");
     ImGui::SameLine();
     wishes.open_answers = widgets::Button("Open answers…");

@@ -28,16 +28,15 @@ public:
     /// Over everything. Begins what is chosen.
     Wishes draw(ExerciseDesk& desk, Guide& guide, Session& session, const Pictures& pictures);
     std::vector<CardPicture> wanted_pictures(const ExerciseDesk& desk) const;
-    /// What stands in the fields.
-    const Student& typed() const { return typed_; }
 
 private:
     std::vector<std::size_t> shown(const ExerciseDesk& desk) const;
-    void draw_student(ExerciseDesk& desk, Guide& guide);
+    static void draw_student(ExerciseDesk& desk, Guide& guide);
+    /// Whether it is practice, what that means, and the ways between practice and one's own sheet.
+    static void draw_whose(ExerciseDesk& desk, Guide& guide);
 
     bool is_open_ = false;
     int set_ = 0;         ///< 0: all
-    Student typed_;       ///< in the fields, not yet anybody's
     std::string chosen_;  ///< the exercise that is begun when all are made
 };
 

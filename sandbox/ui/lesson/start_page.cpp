@@ -1,6 +1,7 @@
 #include "ui/lesson/start_page.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "text/catalogue.h"
 #include "text/words.h"
@@ -67,14 +68,18 @@ bool StartPage::draw(Guide& guide, Session& session, const LessonsProgress& prog
     std::vector<Card> cards;
     for (const LessonFile& file : lessons()) {
         const auto known = progress.find(file.id);
-        const std::size_t done = known == progress.end() ? 0 : known->second.done.size();
+        // Steps that the lesson no longer has do not count.
+        const auto done = known == progress.end()
+                              ? 0
+                              : std::count_if(known->second.done.begin(), known->second.done.end(),
+                                              [&](std::size_t step) { return std::cmp_less(step, file.steps); });
         const std::string steps = done > 0 ? say("{done} of {count} steps", "done"_a = done, "count"_a = file.steps)
                                            : say_count(file.steps, "one step", "{count} steps");
         const std::string slides = slides_text(file.slides);
         cards.push_back({key_of(file.id, 0), std::to_string(cards.size() + 1) + " · " + file.title.shown(),
                          say("{steps} · {minutes} min · slides {slides}", "steps"_a = steps, "minutes"_a = file.minutes,
                              "slides"_a = slides),
-                         done > 0 && static_cast<int>(done) == file.steps, false});
+                         done > 0 && done == file.steps, false});
     }
     if (cards.empty()) widgets::Note("There are no lessons: the folder assets/lessons was not found.");
     const int clicked = draw_cards(

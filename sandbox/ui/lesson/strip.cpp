@@ -93,7 +93,9 @@ std::string title_of(const LessonRun& run) {
     if (!run.lesson().sheet) return run.lesson().title.shown();
     const Sheet::Item& item = run.lesson().sheet->items[run.index()];
     const std::string number = item.exercise.substr(0, item.exercise.find('-'));
-    return number + " · " + item.title.shown() + " · " + say_count(item.points, "one point", "{count} points");
+    const bool is_practice = run.lesson().sheet->student.empty() && run.lesson().sheet->course.empty();
+    return (is_practice ? std::string(tr("Practice: not handed in")) + " · " : "") + number + " · " +
+           item.title.shown() + " · " + say_count(item.points, "one point", "{count} points");
 }
 
 std::string place_of(const LessonRun& run) {

@@ -32,7 +32,6 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
             stage = {};
             views.movable.reset();
         }
-        if (!run) led_.clear();
         return;
     }
     stage = {};
@@ -41,15 +40,14 @@ void Workbench::follow_lesson(Session& session, const FrameInput& input) {
     const Lesson& lesson = run->lesson();
     if (!lesson.sheet) {
         LessonProgress& known = progress[lesson.id];
-        if (led_ != lesson.id)
-            for (const std::size_t step : known.done)
-                if (step < lesson.steps.size()) run->set_done(step);
+        for (const std::size_t step : known.done)  // another window may have added some
+            if (step < lesson.steps.size()) run->set_done(step);
         known.step = run->index();
-        known.done.clear();
-        for (std::size_t step = 0; step < lesson.steps.size(); ++step)
-            if (run->is_done(step)) known.done.push_back(step);
+        for (std::size_t step = 0; step < lesson.steps.size(); ++step) {
+            const auto at = std::lower_bound(known.done.begin(), known.done.end(), step);
+            if (run->is_done(step) && (at == known.done.end() || *at != step)) known.done.insert(at, step);
+        }
     }
-    led_ = lesson.id;
     const LessonStep& step = run->step();
     stage.has_lesson = true;
     stage.asks = !run->is_revealed();

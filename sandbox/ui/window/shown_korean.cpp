@@ -35,8 +35,9 @@ void Workbench::want_korean(const Session& session) {
     }
     if (exercise_page.is_open()) {
         for (const ExerciseDesk::Entry& entry : exercises.entries()) korean.want(entry.exercise.title.shown());
-        const Student& typed = exercise_page.typed();
-        for (const std::string& text : {typed.number, typed.course, typed.name}) korean.want(text);
+        const Student& student = exercises.student();
+        for (const std::string& text : {student.number, student.course, student.name}) korean.want(text);
+        for (const auto& field : widgets.text_fields) korean.want(field.second.entry.value_or(""));
     }
     if (korean_scene_version_ != session.scene_version()) {
         korean_scene_version_ = session.scene_version();

@@ -88,6 +88,24 @@ double Workbench::message_ends_in_s(const Message& message) {
     return message.is_error || message.text.empty() ? -1.0 : std::max(lasts_s - message.shown_s, 0.0);
 }
 
+FrameInput Workbench::after_typing(const FrameInput& input) {
+    FrameInput taken = input;
+    const bool has_waited = !waiting_.pressed.empty() || !waiting_.dropped_files.empty();
+    taken.pressed.insert(taken.pressed.begin(), waiting_.pressed.begin(), waiting_.pressed.end());
+    taken.dropped_files.insert(taken.dropped_files.begin(), waiting_.dropped_files.begin(),
+                               waiting_.dropped_files.end());
+    waiting_ = {};
+    const bool leads_away = std::any_of(taken.pressed.begin(), taken.pressed.end(), [this](const KeyPress& press) {
+        const bool turns_page = press.key == Key::page_down || press.key == Key::page_up;
+        return turns_page ? guide.is_shown() : press.key >= Key::f1 && press.key <= Key::f12;
+    });
+    if (has_waited || !widgets::IsTyping(widgets) || !(leads_away || !taken.dropped_files.empty())) return taken;
+    widgets::EndTyping(widgets);
+    waiting_.pressed.swap(taken.pressed);
+    waiting_.dropped_files.swap(taken.dropped_files);
+    return taken;
+}
+
 void Workbench::set_stage() {
     std::vector<std::string>& covered = widgets.targets.covered;
     covered = stage.cover;
@@ -127,14 +145,13 @@ void Workbench::handle_shortcut(const KeyPress& press, Session& session, Request
 void Workbench::handle_keys(Session& session, const FrameInput& input, double aspect, Requests& requests) {
     // WantTextInput alone still says yes in the frame after the typing has ended.
     const bool typing = ImGui::GetIO().WantTextInput && ImGui::IsAnyItemActive();
-    const bool is_answering = typing && guide.is_shown();
     const bool in_dialog = help_open_ || file_dialog_.is_open() || session.asks_to_read() != nullptr;
     const bool in_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     for (const KeyPress& press : input.pressed) {
         if (arrangement.embedded) break;  // keys are the embedding page's
         const Key key = press.key;
         const bool turns_page = key == Key::page_down || key == Key::page_up;
-        if (!in_dialog && (!is_answering || turns_page) && take_lesson_key(press, session)) continue;
+        if (!in_dialog && (!typing || turns_page) && take_lesson_key(press, session)) continue;
         if (key == Key::f1) help_open_ = !help_open_;
         if (key == Key::f2) fold(session.params, "panel", !is_folded(session.params, "panel"));
         if (key == Key::f3) fold(session.params, "matrices", !is_folded(session.params, "matrices"));
@@ -290,7 +307,8 @@ void Workbench::draw_message(Session& session, const Layout& layout) {
 
 Requests Workbench::draw(Session& session, const Derived& derived, const Derived& before, const FramePlan& plan,
                          const std::vector<Problem>& problems, const Pictures& pictures, const StatusLine& status,
-                         const FrameInput& input) {
+                         const FrameInput& all_input) {
+    const FrameInput input = after_typing(all_input);
     follow_flights(session, input.dt_s);
     follow_lesson(session, input);
     remember_opened(session);

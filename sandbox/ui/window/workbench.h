@@ -89,6 +89,8 @@ public:
 
 private:
     void set_stage();
+    /// What is typed counts before a key or a file leads away from it: these wait for a frame then.
+    FrameInput after_typing(const FrameInput& input);
     /// What a room sees has the switches alone that the step names, and `kinds` beside them.
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
     void follow_lesson(Session& session, const FrameInput& input);
@@ -131,6 +133,7 @@ private:
     /// Texts of others, which are Korean in any language: names of files and objects, lessons, what is typed.
     void want_korean(const Session& session);
 
+    FrameInput waiting_;  ///< keys and files, until what is typed counts
     FileDialog file_dialog_;
     TypedMatrix typed_matrix_;
     std::string wanted_exercise_;  ///< to be gone to when it is made
@@ -147,7 +150,6 @@ private:
 
     std::string opening_;  ///< a file that is being read
     bool leads_ = false;   ///< what is on the stage is the lesson's
-    std::string led_;      ///< the lesson whose progress was taken over
 };
 
 }  // namespace viewing

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "lesson/allowed.h"
 #include "state/file/json.h"
@@ -144,6 +146,125 @@ std::string hand_in_trouble(const std::string& part, const std::string& other) {
     EXPECT_EQ(read.error().find("a.json: "), 0U) << read.error();
     EXPECT_LT(read.error().size(), 500U);
     return read.error();
+}
+
+// ---- one file, several windows -------------------------------------------------------------------------------------
+
+/// A window as it writes: what it knew, and what it has.
+struct WritingWindow {
+    HandIn known, now;
+    void write(HandIn& file) {
+        file = merged(file, known, now);
+        known = now = file;
+    }
+};
+
+Attempt attempt_of(const std::string& at, double number) {
+    Attempt attempt;
+    attempt.at = at;
+    attempt.answer = {number};
+    return attempt;
+}
+
+/// Whatever two windows do and in whatever order they write: every attempt is there once, in the order of their times;
+/// of drafts, the one of the window that changed one and wrote it last.
+TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
+    constexpr unsigned seed = 11;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto up_to = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most)); };
+    for (int round = 0; round < 200; ++round) {
+        HandIn file;
+        std::array<WritingWindow, 2> windows;
+        std::array<std::optional<double>, 2> typed;  // and not written
+        std::optional<double> draft;
+        std::vector<Attempt> made;
+        for (int act = 0; act < 40; ++act) {
+            const auto at = static_cast<std::size_t>(up_to(2));
+            WritingWindow& window = windows[at];
+            if (window.now.items.empty()) window.now.items.push_back({"E01", 2, {}, {}, {}, {}});
+            HandInItem& item = window.now.items.front();
+            const int kind = up_to(3);
+            if (kind == 0) {
+                made.push_back(attempt_of(std::to_string(act / 5 + 10), act));
+                item.attempts.push_back(made.back());
+            } else if (kind == 1) {
+                item.draft = std::vector{*(typed[at] = 100.0 + act)};
+            } else {
+                if (typed[at]) draft = *std::exchange(typed[at], std::nullopt);
+                window.write(file);
+            }
+        }
+        for (const std::size_t at : {0U, 1U, 0U}) {
+            if (typed[at]) draft = *std::exchange(typed[at], std::nullopt);
+            windows[at].write(file);
+        }
+        EXPECT_EQ(windows[0].now, windows[1].now);
+        EXPECT_EQ(merged(file, {}, file), file) << "once more changes nothing";
+        ASSERT_TRUE(file.items.empty() || file.items.size() == 1) << round;
+        if (file.items.empty()) continue;
+        const std::vector<Attempt>& attempts = file.items.front().attempts;
+        EXPECT_EQ(attempts.size(), made.size()) << round;
+        for (const Attempt& attempt : made) EXPECT_EQ(std::count(attempts.begin(), attempts.end(), attempt), 1);
+        EXPECT_TRUE(std::is_sorted(attempts.begin(), attempts.end(),
+                                   [](const Attempt& a, const Attempt& b) { return a.at < b.at; }));
+        EXPECT_EQ(file.items.front().draft, draft ? std::optional(std::vector{*draft}) : std::nullopt) << round;
+    }
+}
+
+TEST(MergedHandIn, AnAttemptThatItsWindowReplacedIsGone) {
+    HandIn known;
+    known.items = {{"E18", 0, {attempt_of("1", 1), attempt_of("2", 2)}, {}, {}, {}}};
+    HandIn now = known, kept = known;
+    now.items.front().attempts.back() = attempt_of("3", 2);
+    kept.items.front().attempts.push_back(attempt_of("4", 4));
+    const std::vector<Attempt> wanted{attempt_of("1", 1), attempt_of("3", 2), attempt_of("4", 4)};
+    EXPECT_EQ(merged(kept, known, now).items.front().attempts, wanted);
+}
+
+TEST(MergedHandIn, WhatIsTypedElsewhereOutlivesACheckHere) {
+    HandIn known;
+    known.items = {{"E01", 0, {}, {}, std::vector{1.0}, {"a=1"}}};
+    HandIn checked = known, kept = known;
+    checked.items.front().draft.reset();
+    checked.items.front().draft_settings.clear();
+    EXPECT_FALSE(merged(kept, known, checked).items.front().draft) << "it was checked";
+    kept.items.front().draft = {2.0};
+    kept.items.front().draft_settings = {"a=2"};
+    EXPECT_EQ(merged(kept, known, checked).items.front().draft, std::optional(std::vector{2.0}));
+    EXPECT_EQ(merged(kept, known, checked).items.front().draft_settings, std::vector<std::string>{"a=2"});
+}
+
+TEST(MergedHandIn, OfTwoWaysToAGoalTheLongerIsKeptAndOneThatIsThinnedGoesOn) {
+    const auto with_replay = [](int steps, double first_s) {
+        HandIn hand_in;
+        hand_in.items = {{"E18", 0, {}, {}, {}, {}}};
+        for (int i = 0; i < steps; ++i) hand_in.items.front().replay.push_back({first_s + i, {}});
+        return hand_in;
+    };
+    const HandIn before = with_replay(200, 0.0), thinned = with_replay(101, 1.0), longer = with_replay(150, 2.0);
+    EXPECT_EQ(merged(before, before, thinned), thinned) << "nobody else went on";
+    EXPECT_EQ(merged(longer, before, thinned), longer);
+    EXPECT_EQ(merged(thinned, before, longer), longer);
+}
+
+TEST(MergedHandIn, AnswersToOtherNumbersAreNotMixed) {
+    HandIn kept, now;
+    kept.items = {{"E01", 1, {attempt_of("1", 1)}, {}, {}, {}}};
+    now.items = {{"E01", 2, {attempt_of("2", 2)}, {}, {}, {}}};
+    EXPECT_EQ(merged(kept, {}, now).items, now.items) << "the window goes on with its own";
+    EXPECT_EQ(merged(kept, now, now).items, kept.items) << "it has not touched them";
+}
+
+TEST(MergedHandIn, NoMoreAttemptsThanAreReadAgain) {
+    HandIn kept, now;
+    kept.items = now.items = {{"E01", 0, {}, {}, {}, {}}};
+    for (std::size_t i = 0; i < most_attempts; ++i) {
+        kept.items.front().attempts.push_back(attempt_of("1", static_cast<double>(i)));
+        now.items.front().attempts.push_back(attempt_of("2", static_cast<double>(i)));
+    }
+    const HandIn both = merged(kept, {}, now);
+    EXPECT_EQ(both.items.front().attempts, now.items.front().attempts) << "the latest";
 }
 
 TEST(HandIn, UnknownFieldsAreRefused) {

@@ -12,6 +12,7 @@
 
 #include "lesson/judge.h"
 #include "lesson/variants.h"
+#include "platform/shared_file.h"
 #include "platform/text_file.h"
 #include "session/guide.h"
 #include "state/file/json.h"
@@ -150,7 +151,8 @@ protected:
     std::vector<fs::path> files() const {
         std::vector<fs::path> found;
         for (const auto& entry : fs::recursive_directory_iterator(folder_))
-            if (entry.is_regular_file()) found.push_back(entry.path());
+            if (entry.is_regular_file() && entry.path().filename() != FolderLock::file_name)
+                found.push_back(entry.path());
         return found;
     }
 
@@ -655,6 +657,171 @@ TEST_F(ExerciseDeskTest, AForgedFileCanDoNoHarm) {
     EXPECT_FALSE(run.reached()) << "the goal does not allow it";
     finish(*desk);
     EXPECT_EQ(desk->points(), 0);
+}
+
+// ---- two windows at the same answers -------------------------------------------------------------------------------
+
+TEST_F(ExerciseDeskTest, TwoWindowsCostEachOtherNothing) {
+    const auto one = desk_of(anna), other = desk_of(anna);
+    check(*one, number_id, {{7.0}, {}}, right());
+    finish(*one);
+    check(*other, order_id, {{}, {0, 2}}, right());
+    finish(*other);
+    check(*one, matrix_id, {std::vector<double>(16, 1.0), {}}, wrong("M33"));
+    finish(*one);
+    EXPECT_EQ(written(anna).items.size(), 3U);
+    EXPECT_TRUE(one->is_right(order_id)) << "it came with the writing";
+    EXPECT_FALSE(other->is_tried(matrix_id));
+    other->read_again();  // the window is given the focus
+    finish(*other);
+    EXPECT_TRUE(other->is_tried(matrix_id));
+    EXPECT_EQ(other->hand_in(), one->hand_in());
+    EXPECT_EQ(one->points(), other->points());
+    EXPECT_EQ(told_, "");
+}
+
+TEST_F(ExerciseDeskTest, TheSameExerciseInTwoWindowsKeepsAllAttemptsAndTheLatestDraft) {
+    const auto one = desk_of(anna), other = desk_of(anna);
+    LessonRun old = run_at(*one, number_id);
+    old.answer() = {{1.0}, {}};
+    one->follow(old, old.step().start.params, true, now_s());
+    finish(*one);
+    check(*other, number_id, {{2.0}, {}}, wrong());
+    type(*other, number_id, {3.0});
+    finish(*other);
+    one->follow(old, old.step().start.params, true, now_s());  // what was typed before still stands there
+    one->read_again();
+    finish(*one);
+    one->follow(old, old.step().start.params, true, now_s());
+    finish(*one);
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{3.0})) << "it was typed later";
+    check(*one, number_id, {{7.0}, {}}, right());
+    finish(*one);
+    EXPECT_EQ(written(anna).find(number_id)->attempts.size(), 2U);
+}
+
+TEST_F(ExerciseDeskTest, AStudentWhoSatDownBeforeTheExercisesWereReadHasTheirSheet) {
+    {
+        const auto desk = desk_of(anna);
+        check(*desk, number_id, {{7.0}, {}}, right());
+        finish(*desk);
+    }
+    ExerciseDesk desk;  // as a window begins
+    desk.keep_in(answers_, "p");
+    desk.sit_down(anna);
+    desk.open();
+    settle(desk);
+    EXPECT_TRUE(desk.is_right(number_id));
+    for (const ExerciseDesk::Entry& entry : desk.entries())
+        EXPECT_EQ(entry.variant,
+                  variant_of(anna.course, anna.number, entry.exercise.id, entry.exercise.variants.size()));
+}
+
+TEST_F(ExerciseDeskTest, AnotherNameAloneIsTheSameSheet) {
+    const auto desk = desk_of(anna), other = desk_of(anna);
+    check(*desk, number_id, {{7.0}, {}}, right());
+    finish(*desk);
+    desk->sit_down({anna.course, anna.number, "Anna"});
+    EXPECT_TRUE(desk->is_ready()) << "nothing is made anew";
+    finish(*desk);
+    EXPECT_EQ(written(anna).name, "Anna");
+    check(*other, order_id, {{}, {0, 2}}, right());
+    finish(*other);
+    EXPECT_EQ(written(anna).name, "Anna") << "the other window has not changed it";
+    EXPECT_EQ(other->student().name, "Anna");
+    desk->sit_down({anna.course, anna.number, ""});
+    finish(*desk);
+    EXPECT_EQ(written(anna).name, "");
+    EXPECT_EQ(desk->student().name, "");
+}
+
+TEST_F(ExerciseDeskTest, AWriteThatFailsIsMadeGoodByTheNext) {
+    const auto desk = desk_of(anna);
+    write("file", "x");
+    fs::create_directories(folder_ / "deep");
+    fs::create_symlink(folder_ / "file" / "nowhere", answers_);
+    type(*desk, number_id, {1.0});
+    finish(*desk);
+    EXPECT_NE(told_, "");
+    fs::remove(answers_);
+    finish(*desk);
+    EXPECT_EQ(written(anna).find(number_id)->draft, std::optional(std::vector{1.0}));
+}
+
+// ---- practice ------------------------------------------------------------------------------------------------------
+
+TEST_F(ExerciseDeskTest, WithoutNumberOrCourseItIsPracticeInOnePlace) {
+    for (const Student& nobody : {Student{}, {"viewing-2026", "", ""}, {"", "32201234", ""}, {"", "", "Kim"}}) {
+        const auto desk = desk_of(nobody);
+        EXPECT_TRUE(desk->is_practice());
+        EXPECT_FALSE(desk->has_own_sheet());
+        EXPECT_EQ(desk->student().number, nobody.number) << "what is typed so far stays in its field";
+        EXPECT_EQ(desk->student().course, nobody.course);
+        check(*desk, number_id, {{static_cast<double>(files().size())}, {}}, wrong());
+        finish(*desk);
+    }
+    EXPECT_EQ(files().size(), 1U) << "answers are in as many places as there were beginnings of a number";
+    EXPECT_EQ(written({}).student, "");
+    const auto desk = desk_of(anna);
+    EXPECT_FALSE(desk->is_practice());
+    EXPECT_TRUE(desk->has_own_sheet());
+}
+
+TEST_F(ExerciseDeskTest, PracticeIsTakenOverWhereItsNumbersAreTheStudents) {
+    // A student with the numbers of practice in one exercise and other ones in another.
+    Student student{"viewing-2026", "", ""};
+    {
+        const auto practice = desk_of({});
+        const auto variant_at = [](const ExerciseDesk& desk, const char* id) {
+            return desk.entries()[place(desk, id)].variant;
+        };
+        ExerciseDesk own;
+        own.open();
+        for (int i = 0; i < 10000; ++i) {
+            student.number = std::to_string(i);
+            own.sit_down(student);
+            if (variant_at(own, number_id) == variant_at(*practice, number_id) &&
+                variant_at(own, matrix_id) != variant_at(*practice, matrix_id))
+                break;
+        }
+        check(*practice, number_id, {{6.0}, {}}, wrong("M02"));
+        check(*practice, number_id, {{7.0}, {}}, right());
+        check(*practice, matrix_id, {std::vector<double>(16, 1.0), {}}, right());
+        type(*practice, order_id, {});
+        finish(*practice);
+    }
+    const auto desk = desk_of(student);
+    EXPECT_FALSE(desk->is_right(number_id)) << "not without being asked";
+    EXPECT_EQ(desk->practised().all, 2);
+    EXPECT_EQ(desk->practised().with_own_numbers, 1);
+    type(*desk, number_id, {5.0});
+    desk->take_over_practice();
+    EXPECT_TRUE(desk->is_right(number_id));
+    EXPECT_FALSE(desk->is_tried(matrix_id)) << "an answer to other numbers";
+    EXPECT_EQ(desk->practised().with_own_numbers, 0) << "it is here already";
+    EXPECT_EQ(desk->practised().all, 2);
+    finish(*desk);
+    EXPECT_EQ(written(student).find(number_id)->attempts.size(), 2U) << "the wrong one as well";
+    EXPECT_EQ(written(student).find(number_id)->draft, std::optional(std::vector{5.0}));
+    EXPECT_EQ(written(student).student, student.number);
+    EXPECT_FALSE(written(student).find(matrix_id));
+    EXPECT_EQ(written({}).items.size(), 2U) << "practice keeps its own";
+
+    desk->sit_down(student, true);
+    settle(*desk);
+    EXPECT_TRUE(desk->is_practice());
+    EXPECT_TRUE(desk->has_own_sheet()) << "there is a way back";
+    EXPECT_EQ(desk->student(), student);
+    EXPECT_TRUE(desk->is_right(matrix_id)) << "what was practised is there again";
+    check(*desk, order_id, {{}, {0, 2}}, right());
+    desk->sit_down(student);
+    settle(*desk);
+    EXPECT_FALSE(desk->is_practice());
+    EXPECT_TRUE(desk->is_right(number_id));
+    EXPECT_FALSE(desk->is_right(order_id));
+    finish(*desk);
+    EXPECT_EQ(written({}).items.size(), 3U);
+    EXPECT_EQ(told_, "");
 }
 
 // ---- a sheet that leads --------------------------------------------------------------------------------------------

@@ -52,6 +52,58 @@ TEST_F(RememberedTest, SaysInOneSentenceWhatIsBroken) {
     EXPECT_EQ(error_of(R"({"theme": "dark", "later": "version"})"), "") << "of a later version is taken what is known";
 }
 
+/// What a window changes is the window's, what it leaves alone is the file's.
+TEST(MergedRemembered, EachWindowChangesWhatItTouches) {
+    const WindowPlace here{{1, 2}, {800, 600}}, there{{3, 4}, {900, 700}};
+    const Remembered known{Theme::dark, 1.0, here, {{"lens", {1, {0}}}}, {}, Language::en, {"c", "1", "Kim"}};
+    Remembered kept = known, now = known;
+    EXPECT_EQ(merged(kept, known, now), known);
+    kept.theme = Theme::light;
+    kept.window = there;
+    now.scale = 2.0;
+    now.language = Language::ko;
+    kept.student = {"c", "2", "Lee"};
+    kept.lessons = {{"lens", {4, {0, 3}}}, {"rays", {2, {1}}}};
+    now.lessons = {{"lens", {1, {0, 2}}}, {"planes", {5, {}}}};
+    const Remembered both{Theme::light,
+                          2.0,
+                          there,
+                          {{"lens", {4, {0, 2, 3}}}, {"planes", {5, {}}}, {"rays", {2, {1}}}},
+                          {},
+                          Language::ko,
+                          {"c", "2", "Lee"}};
+    EXPECT_EQ(merged(kept, known, now), both);
+    EXPECT_EQ(merged(both, known, now), both) << "once more changes nothing";
+    now.student = {"c", "3", "Park"};
+    now.lessons["lens"].step = 6;
+    EXPECT_EQ(merged(kept, known, now).student.number, "3") << "the one that was changed last";
+    EXPECT_EQ(merged(kept, known, now).lessons.at("lens").step, 6U);
+    EXPECT_EQ(merged({}, known, now).theme, std::nullopt) << "another window has forgotten everything";
+}
+
+TEST(MergedRemembered, FilesStandInTheOrderInWhichTheyWereOpened) {
+    const auto recent = [](std::vector<std::string> kept, std::vector<std::string> known,
+                           std::vector<std::string> now) {
+        const auto of = [](std::vector<std::string> files) {
+            Remembered remembered;
+            remembered.recent = std::move(files);
+            return remembered;
+        };
+        return merged(of(std::move(kept)), of(std::move(known)), of(std::move(now))).recent;
+    };
+    using Files = std::vector<std::string>;
+    EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"a", "b"}));
+    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"a", "b"}), (Files{"x", "a", "b"})) << "opened elsewhere";
+    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"n", "a", "b"}), (Files{"n", "x", "a", "b"})) << "in both";
+    EXPECT_EQ(recent({"x", "a", "b"}, {"a", "b"}, {"b", "a"}), (Files{"b", "x", "a"})) << "opened once more";
+    EXPECT_EQ(recent({"a", "b"}, {"a", "b"}, {"a"}), (Files{"a", "b"})) << "a window that keeps fewer";
+    EXPECT_EQ(recent({}, {}, {"a", "b"}), (Files{"a", "b"}));
+    Files many;
+    for (int i = 0; i < 25; ++i) many.push_back(std::to_string(i));
+    EXPECT_EQ(recent(many, {}, {"new"}).front(), "new");
+    EXPECT_LE(recent(many, {}, {"new"}).size(), 20U) << "more is not read again";
+}
+
 TEST_F(RememberedTest, WhatCannotBeWrittenIsASentence) {
     const fs::path in_the_way = write("file", "in the way");
     const Status written = write_remembered(in_the_way / "window.json", {Theme::light, {}, {}});

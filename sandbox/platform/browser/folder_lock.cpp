@@ -1,0 +1,15 @@
+// One thread, and a file system of the page's own: other tabs are excluded by the page (navigator.locks).
+#include <system_error>
+
+#include "platform/shared_file.h"
+
+namespace viewing {
+
+FolderLock::FolderLock(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    std::filesystem::create_directories(folder, ignored);
+}
+
+FolderLock::~FolderLock() = default;
+
+}  // namespace viewing
