@@ -139,6 +139,7 @@ bool takes(const char* text) {
 void refuse_what_is_not_there() {
     const OutsideFile* const asked = page->studio.session.asks_to_read();
     if (!asked || is_there(asked->file)) return;
+    page->studio.session.take_outcome();  // of the reading, which has ended in the question
     page->studio.session.answer(false);
     page->studio.session.message.is_error = true;  // it stays
 }

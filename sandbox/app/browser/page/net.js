@@ -127,7 +127,7 @@ const net = (() => {
   const isOfProgram = (error) =>
     error instanceof WebAssembly.RuntimeError || (WebAssembly.Exception && error instanceof WebAssembly.Exception);
   const isOurs = (place) =>
-    [location.href.split('#')[0], ...[...document.scripts].map((script) => script.src)].some((file) => file && place.includes(file));
+    [...document.scripts].some((script) => place.includes(script.src || location.href.split('#')[0]));
 
   const failed = (error) => {
     const text = isOfProgram(error) && !(error instanceof Error) ? 'exception' : String(error?.message ?? error);

@@ -69,7 +69,7 @@ const page = (() => {
   const wake = () => {
     clearTimeout(timer);
     timer = 0;
-    if (!frame_asked) frame_asked = requestAnimationFrame(draw);
+    if (!frame_asked && !net.hasEnded()) frame_asked = requestAnimationFrame(draw);
   };
 
   /// As after an event.
@@ -124,6 +124,7 @@ const page = (() => {
   /// When nothing has been drawn for a while: for screen readers, and the address.
   const rest = () => {
     rest_timer = 0;
+    if (net.hasEnded()) return;
     document.documentElement.lang = ask('page_language');
     show('told', ask('page_told'));
     show('matrices', ask('page_matrices_text'));
