@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <lua.hpp>
 #include <memory>
 
+#include "lesson/lua.h"
 #include "lesson/lua_words.h"
 #include "lesson/mathematics.h"
 #include "lesson/names.h"

@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <lua.hpp>
 #include <vector>
 
 #include "geometry/plane.h"
+#include "lesson/lua.h"
 #include "state/compare.h"
 #include "state/fields.h"
 #include "text/numbers.h"
