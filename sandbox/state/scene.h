@@ -70,8 +70,8 @@ struct ObjMesh {
 };
 
 /// A Wavefront OBJ file, centred in double precision and with `fit` scaled so that its longest side is 2; without it
-/// the mesh is centred too, but its origin says where. Polygons are cut into triangles: one that is not concave into a fan
-/// about its first corner. Corners keep the file's normals; others get one made from the faces: smooth within a
+/// the mesh is centred too, but its origin says where. Polygons are cut into triangles: one that is not concave into a
+/// fan about its first corner. Corners keep the file's normals; others get one made from the faces: smooth within a
 /// smoothing group, flat after "s off", and without any "s" smooth up to the crease angle. At most 50 million triangles
 /// and 4 GiB. Materials are ignored.
 Result<ObjMesh> load_obj(const std::filesystem::path& file, const MeshReading& reading = {},

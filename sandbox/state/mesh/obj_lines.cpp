@@ -71,6 +71,10 @@ private:
     void meet(Met& met, std::uint64_t line, const std::string& what) {
         if (met.count++ == 0) met.first = at_line(line) + what;
     }
+    void meet_strange(std::string_view line) {
+        const bool hides = line.find("\xc2\xa0") != std::string_view::npos;
+        meet(strange_, statement_line_, "not understood: " + excerpt(line) + (hides ? " (with a no-break space)" : ""));
+    }
     static std::string at_line(std::uint64_t line) { return "line " + std::to_string(line) + ": "; }
 
     std::istream& source_;
@@ -164,7 +168,7 @@ void ObjLines::take_statement(std::string_view line) {
     const std::string_view word = next_word(rest);
     if (word.empty()) return;
     const std::optional<Statement> statement = statement_of(word);
-    if (!statement) return meet(strange_, statement_line_, "not understood: " + excerpt(line));
+    if (!statement) return meet_strange(line);
     switch (*statement) {
         case Statement::position:
             return take_position(rest);
@@ -238,8 +242,7 @@ void ObjLines::take_smoothing(std::string_view rest, std::string_view line) {
     }
     constexpr std::size_t most_digits = 9;
     const std::string_view digits = take_digits(word);
-    if (digits.empty() || digits.size() > most_digits || !word.empty())
-        return meet(strange_, statement_line_, "not understood: " + excerpt(line));
+    if (digits.empty() || digits.size() > most_digits || !word.empty()) return meet_strange(line);
     smoothing_ = 0;
     for (const char digit : digits) smoothing_ = 10 * smoothing_ + (digit - '0');
 }

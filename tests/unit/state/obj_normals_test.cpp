@@ -9,7 +9,7 @@
 
 #include "state/mesh/obj.h"
 
-namespace viewing {
+namespace viewing::obj_normals {
 namespace {
 
 constexpr unsigned seed = 20240608;
@@ -194,4 +194,4 @@ TEST(ObjNormals, ManyFacesAtOneEdgeTakeATimeInProportion) {
 }
 
 }  // namespace
-}  // namespace viewing
+}  // namespace viewing::obj_normals

@@ -10,7 +10,7 @@
 #include "state/mesh/obj.h"
 #include "state/mesh/polygon.h"
 
-namespace viewing {
+namespace viewing::obj_shape {
 namespace {
 
 constexpr unsigned seed = 20240607;
@@ -269,4 +269,4 @@ TEST(ObjShape, AHundredThousandCornersTakeAMillionLooksOrSo) {
 }
 
 }  // namespace
-}  // namespace viewing
+}  // namespace viewing::obj_shape

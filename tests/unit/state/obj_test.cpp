@@ -302,7 +302,8 @@ TEST_F(Obj, OtherEncodingsAreNamed) {
 TEST_F(Obj, WhatIsLeftOutOrReplacedIsSaid) {
     const std::string plain = ramp();
     EXPECT_EQ(notes(plain), "");
-    EXPECT_EQ(notes(replaced(plain, "f 4 3 6", "f\u00a04 3 6")), "line 11: not understood: f\u00a04 3 6");
+    EXPECT_EQ(notes(replaced(plain, "f 4 3 6", "f\u00a04 3 6")),
+              "line 11: not understood: f\u00a04 3 6 (with a no-break space)");
     EXPECT_EQ(notes("V 0 0 0\n" + plain + "s sharp\nface 1 2 3\n"), "line 1: not understood: V 0 0 0, and 2 more");
     EXPECT_EQ(notes(plain + "l 1 2\np 3\np 4\ncurv 0 1 1 2\n"),
               "only faces are drawn; left out: lines: 1, points: 2, curves and surfaces: 1");
