@@ -30,17 +30,21 @@ void WindowMemory::dress(Params& params) const {
 }
 
 Status WindowMemory::take_written() {
-    std::optional<Result<Remembered>> written = writing_.take();
-    if (!written) return std::monostate{};
-    if (!*written) return Error{written->error()};
-    // What other windows have done is seen here too; their looks and their student are theirs.
-    const Remembered now = merged(**written, sent_, remembered_);
+    const std::optional<Result<Remembered>> ended = writing_.take();
+    if (!ended) return std::monostate{};
+    if (!*ended) return Error{ended->error()};
+    // What other windows have done is seen here too. Their looks, their student and where they are in a lesson that is
+    // open here are theirs: two windows that took these over from each other would never rest.
+    Remembered written = **ended;
+    for (auto& [id, progress] : written.lessons)
+        if (const auto own = sent_.lessons.find(id); own != sent_.lessons.end()) progress.step = own->second.step;
+    const Remembered now = merged(written, sent_, remembered_);
     has_news_ |= now.lessons != remembered_.lessons || now.recent != remembered_.recent;
     remembered_.lessons = now.lessons;
     remembered_.recent = now.recent;
     known_ = sent_;
-    known_.lessons = (*written)->lessons;
-    known_.recent = (*written)->recent;
+    known_.lessons = std::move(written.lessons);
+    known_.recent = std::move(written.recent);
     return std::monostate{};
 }
 
@@ -90,10 +94,15 @@ void WindowMemory::restore(Workbench& workbench, bool keeps_answers) const {
 Status WindowMemory::finish() {
     writing_.wait(-1.0);
     Status last = take_written();
-    is_written_ = true;
-    if (remembered_ == known_) return last;  // else it has changed since, or could not be written
+    if (is_written_ && remembered_ == known_) return last;  // else it has changed since, or could not be written
     const Result<Remembered> written = merge_remembered(file_, known_, remembered_);
-    return written ? last : Error{written.error()};
+    is_written_ = false;  // where the window goes on, follow() takes over what others have added
+    if (!written) return Error{written.error()};
+    Remembered known = remembered_;
+    known.lessons = std::move(known_.lessons);
+    known.recent = std::move(known_.recent);
+    known_ = std::move(known);
+    return last;
 }
 
 }  // namespace viewing

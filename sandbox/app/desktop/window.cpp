@@ -145,7 +145,6 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         const InputFrame& frame = events.queue.next_frame(glfwGetTime());
         feed_imgui(frame, pixels_per_unit);
         if (frame.focus == true) memory.read_again(studio.workbench);
-        if (frame.focus == false) widgets::EndTyping(studio.workbench.widgets);
         ImGui::GetIO().DisplayFramebufferScale = {1.0F, 1.0F};
         const Requests requests = studio.frame({size_px, device_scale, true, frame.input});
         if (requests.snapshot) {

@@ -83,6 +83,7 @@ struct FrameInput {
     std::array<bool, static_cast<std::size_t>(Key::count)> down{};
     std::vector<KeyPress> pressed;
     std::vector<std::filesystem::path> dropped_files;
+    bool loses_focus = false;  ///< the window does
     double dt_s = 1.0 / 60.0;  ///< since the last frame, however long the window slept
 
     bool is_down(Key key) const { return down[static_cast<std::size_t>(key)]; }

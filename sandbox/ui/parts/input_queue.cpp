@@ -37,6 +37,7 @@ const InputFrame& InputQueue::next_frame(double now_s) {
     frame_.wheel = {};
     frame_.characters.clear();
     frame_.focus.reset();
+    frame_.input.loses_focus = false;
     frame_.input.pressed.clear();
     frame_.input.dropped_files.clear();
     keyboard_waits_ = std::max(keyboard_waits_ - 1, 0);
@@ -124,6 +125,7 @@ void InputQueue::apply(const CharacterTyped& event) {
 void InputQueue::apply(const FocusChanged& event) {
     taken_.alone = true;
     frame_.focus = event.focused;
+    frame_.input.loses_focus = !event.focused;
     if (event.focused) return;
     frame_.keys.fill(false);  // releases are not reported to a window without focus
     frame_.input.down.fill(false);

@@ -121,7 +121,10 @@ void Workbench::remember_opened(const Session& session) {
         opening_.clear();
     }
     const auto* const scene = std::get_if<std::string>(&session.params.scene);
-    if (scene && scene->starts_with('/') && scene->ends_with(".obj") && !session.loading_fraction()) remember(*scene);
+    const bool is_mesh = scene && scene->starts_with('/') && scene->ends_with(".obj");
+    if (session.loading_fraction()) return;
+    if (is_mesh && *scene != opened_mesh_) remember(*scene);
+    opened_mesh_ = is_mesh ? *scene : "";
 }
 
 void Workbench::draw_lesson_button(Session& session) {

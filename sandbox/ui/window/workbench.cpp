@@ -90,6 +90,7 @@ double Workbench::message_ends_in_s(const Message& message) {
 
 FrameInput Workbench::after_typing(const FrameInput& input) {
     FrameInput taken = input;
+    if (input.loses_focus) widgets::EndTyping(widgets);
     const bool has_waited = !waiting_.pressed.empty() || !waiting_.dropped_files.empty();
     taken.pressed.insert(taken.pressed.begin(), waiting_.pressed.begin(), waiting_.pressed.end());
     taken.dropped_files.insert(taken.dropped_files.begin(), waiting_.dropped_files.begin(),

@@ -89,7 +89,8 @@ public:
 
 private:
     void set_stage();
-    /// What is typed counts before a key or a file leads away from it: these wait for a frame then.
+    /// What is typed counts before a key or a file leads away from it: these wait for a frame then. It counts too when
+    /// the window loses the focus.
     FrameInput after_typing(const FrameInput& input);
     /// What a room sees has the switches alone that the step names, and `kinds` beside them.
     std::optional<std::vector<std::string>> offered(const Params& params, std::vector<std::string> kinds) const;
@@ -148,8 +149,9 @@ private:
     MatrixChoice matrix_choice_;
     void remember_opened(const Session& session);
 
-    std::string opening_;  ///< a file that is being read
-    bool leads_ = false;   ///< what is on the stage is the lesson's
+    std::string opening_;      ///< a file that is being read
+    std::string opened_mesh_;  ///< the scene, where it is a file of its own
+    bool leads_ = false;       ///< what is on the stage is the lesson's
 };
 
 }  // namespace viewing
