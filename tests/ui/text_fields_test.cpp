@@ -113,7 +113,14 @@ std::vector<WayOut> all_ways_out() {
                  desk.input.dropped_files = {"/nowhere/dropped.json"};
                  desk.ui.frames(5);
              }},
-            {"the window loses the focus, or is closed", [](FieldDesk& desk) {
+            {"the window loses the focus",
+             [](FieldDesk& desk) {
+                 desk.input.loses_focus = true;
+                 desk.ui.frame();
+                 desk.input.loses_focus = false;
+                 desk.ui.frame();
+             }},
+            {"the window is closed", [](FieldDesk& desk) {
                  widgets::EndTyping(desk.workbench.widgets);
                  desk.ui.frames(2);
              }}};
