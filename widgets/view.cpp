@@ -2,13 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/halo.h"
 #include "widgets/inner.h"
 
 namespace widgets {
 
 namespace {
-
-const ImVec2 around[8] = {{1, 0}, {1, -1}, {-1, 0}, {-1, -1}, {0, -1}, {0, 1}, {1, 1}, {-1, 1}};
 
 float HaloRadius() {
     return std::max(1.0F, inner::Px(1.25F) * CurrentContext().palette.stroke);
@@ -23,7 +22,7 @@ ImU32 HaloColor() {
 void HaloText(ImDrawList* draw, ImVec2 position, ImU32 color, const char* text, ImFont* font) {
     const inner::Face face = inner::FaceOf(font);
     const float r = HaloRadius();
-    for (const ImVec2& side : around) {
+    for (const ImVec2& side : halo_sides) {
         face.Draw(draw, ImVec2(position.x + side.x * r, position.y + side.y * r), HaloColor(), text);
     }
     face.Draw(draw, position, color, text);
@@ -48,7 +47,7 @@ bool LabelPlacer::Place(ImVec2 point, const char* text, ImU32 color, std::span<c
     const float margin = HaloRadius(), marker = inner::Px(4);
 
     for (const float distance : {inner::Px(7), inner::Px(18), inner::Px(34)}) {
-        for (const ImVec2& side : around) {
+        for (const ImVec2& side : halo_sides) {
             const float reach = side.x != 0.0F && side.y != 0.0F ? distance * 0.7F : distance;
             const ImVec2 at(std::round(point.x + side.x * (reach + size.x * 0.5F) - size.x * 0.5F),
                             std::round(point.y + side.y * (reach + size.y * 0.5F) - size.y * 0.5F));
@@ -61,7 +60,7 @@ bool LabelPlacer::Place(ImVec2 point, const char* text, ImU32 color, std::span<c
                 HaloText(draw_, at, color, text);
                 return true;
             }
-            for (const ImVec2& halo : around) {
+            for (const ImVec2& halo : halo_sides) {
                 layout.DrawIn(draw_, ImVec2(at.x + halo.x * margin, at.y + halo.y * margin), HaloColor());
             }
             layout.Draw(draw_, at);

@@ -24,6 +24,8 @@ struct Letter {
     ImVec2 min, max;  ///< of its ink
     ImVec4 clip;
     bool is_shaved;  ///< ImGui itself has left a part of it out
+    float baseline;
+    ImU32 color;
 };
 
 inline std::string utf8(ImWchar c) {
@@ -36,11 +38,8 @@ inline std::string utf8(ImWchar c) {
 /// The characters of some fonts in a frame.
 class Page {
 public:
-    explicit Page(std::initializer_list<const ImFont*> fonts) {
-        for (const ImFont* font : fonts)
-            for (const ImFontGlyph& glyph : font->Glyphs)
-                if (glyph.Visible) glyphs_[{glyph.U0, glyph.V0}] = {&glyph, font};
-    }
+    explicit Page(std::initializer_list<const ImFont*> fonts) { add(fonts); }
+    explicit Page(const ImVector<ImFont*>& fonts) { add(fonts); }
 
     /// In the order in which they are drawn.
     std::vector<Letter> letters(const ImDrawList& list) const {
@@ -58,6 +57,13 @@ public:
     }
 
 private:
+    template <typename Fonts>
+    void add(const Fonts& fonts) {
+        for (const ImFont* font : fonts)
+            for (const ImFontGlyph& glyph : font->Glyphs)
+                if (glyph.Visible) glyphs_[{glyph.U0, glyph.V0}] = {&glyph, font};
+    }
+
     std::optional<Letter> letter_at(const ImDrawList& list, const ImDrawCmd& command, ImDrawIdx first) const {
         const ImDrawVert& corner = list.VtxBuffer[static_cast<int>(command.VtxOffset) + first];
         const ImDrawVert& opposite = list.VtxBuffer[static_cast<int>(command.VtxOffset) + first + 2];
@@ -77,7 +83,9 @@ private:
                       corner.pos,
                       opposite.pos,
                       command.ClipRect,
-                      is_shaved};
+                      is_shaved,
+                      pen.y + scale * std::round(font->Ascent),
+                      corner.col};
     }
 
     std::map<std::pair<float, float>, std::pair<const ImFontGlyph*, const ImFont*>> glyphs_;

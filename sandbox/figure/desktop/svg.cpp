@@ -14,10 +14,19 @@
 namespace viewing {
 namespace {
 
+std::string rounded(float value, double parts) {
+    const double nearest = std::round(static_cast<double>(value) * parts) / parts;
+    return shortest_number(nearest == 0.0 ? 0.0 : nearest);
+}
+
 /// A hundredth of a pixel is enough.
 std::string px(float value) {
-    const double rounded = std::round(static_cast<double>(value) * 100.0) / 100.0;
-    return shortest_number(rounded == 0.0 ? 0.0 : rounded);
+    return rounded(value, 100.0);
+}
+
+/// Of a length that is a whole picture's: it is off by a hundredth of a pixel at most.
+std::string factor(float value) {
+    return rounded(value, 1e6);
 }
 
 std::string attribute(const char* name, const std::string& value) {
@@ -131,12 +140,12 @@ private:
         // The whole picture is placed so that the wanted part of it lies in the box.
         const glm::vec2 scale = (inset.box.max - inset.box.min) / (inset.from.max - inset.from.min);
         const glm::vec2 origin = inset.box.min - inset.from.min * scale;
-        std::string element =
-            "<image" +
-            attribute("transform",
-                      "matrix(" + px(scale.x) + " 0 0 " + px(scale.y) + " " + px(origin.x) + " " + px(origin.y) + ")") +
-            attribute("width", std::to_string(inset.image->width)) +
-            attribute("height", std::to_string(inset.image->height)) + attribute("preserveAspectRatio", "none");
+        std::string element = "<image" +
+                              attribute("transform", "matrix(" + factor(scale.x) + " 0 0 " + factor(scale.y) + " " +
+                                                         px(origin.x) + " " + px(origin.y) + ")") +
+                              attribute("width", std::to_string(inset.image->width)) +
+                              attribute("height", std::to_string(inset.image->height)) +
+                              attribute("preserveAspectRatio", "none");
         if (inset.tint.a != 255) element += attribute("opacity", px(static_cast<float>(inset.tint.a) / 255.0F));
         element += attribute("href", "data:image/png;base64," + base64(encode_png(*inset.image))) + "/>";
         const std::string id = "part" + std::to_string(count_++);

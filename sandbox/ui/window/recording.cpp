@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/window/fonts.h"
+#include "widgets/halo.h"
 
 namespace viewing {
 namespace {
@@ -206,49 +207,70 @@ private:
 
 // ---- halos ---------------------------------------------------------------------------------------------------------
 
-/// Eight copies of a text around its place, and the text over them (widgets::HaloText).
-constexpr std::size_t halo_copies = 8;
-
-/// How far apart two copies of a text are; none where they are not of the same text.
-std::optional<float> shift_between(const Mark& a, const Mark& b) {
-    constexpr float most_px = 16.0F;
-    const Line *first = std::get_if<Line>(&a.what), *second = std::get_if<Line>(&b.what);
-    if (!first || !second || first->characters != second->characters || first->face != second->face)
-        return std::nullopt;
-    const float shift = std::max(std::abs(first->lefts_px.front() - second->lefts_px.front()),
-                                 std::abs(first->baseline_px - second->baseline_px));
-    return shift <= most_px ? std::optional(shift) : std::nullopt;
+/// From a text to a copy of it; none where it is another text.
+std::optional<glm::vec2> shift_between(const Line& text, const Line& copy) {
+    if (text.characters != copy.characters || text.face != copy.face) return std::nullopt;
+    return glm::vec2(copy.lefts_px.front() - text.lefts_px.front(), copy.baseline_px - text.baseline_px);
 }
 
-/// How many lines a text has whose halo begins at `begin`; 0 where none does. Several faces make several lines.
-std::size_t lines_with_halo(std::span<const Mark> marks) {
-    constexpr std::size_t most_lines = 12;
-    for (std::size_t lines = 1; lines <= most_lines && (halo_copies + 1) * lines <= marks.size(); ++lines) {
-        bool repeats = true;
-        for (std::size_t i = 0; repeats && i < halo_copies * lines; ++i)
-            repeats = shift_between(marks[i], marks[i + lines]).has_value();
-        if (repeats) return lines;
+/// The width of the rim that copies make around a text: each lies on its own side of it (widgets::halo_sides), as far
+/// as the first one, but for the whole pixels that Dear ImGui puts a text on. Equal numbers below each other make none.
+std::optional<float> rim_px(std::span<const Line* const> copies, const Line& text) {
+    constexpr float most_px = 16.0F, rounding_px = 1.01F;
+    float rim = 0.0F;
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        const std::optional<glm::vec2> shift = shift_between(text, *copies[i]);
+        if (!shift || copies[i]->ink != copies[0]->ink) return std::nullopt;
+        const ImVec2 side = widgets::halo_sides[i];
+        if (i == 0) rim = shift->x;
+        const bool is_rim = rim > 0.5F && rim <= most_px;
+        const auto lies = [&](float along, float sign) {
+            return sign == 0.0F ? std::abs(along) < 0.01F
+                                : along * sign > 0.5F && std::abs(along * sign - rim) < rounding_px;
+        };
+        if (!is_rim || !lies(shift->x, side.x) || !lies(shift->y, side.y)) return std::nullopt;
     }
-    return 0;
+    return rim;
+}
+
+/// The rims of the lines of a text whose copies begin at the first mark; none where they do not. Several faces make
+/// several lines.
+std::vector<float> rims_of_text(std::span<const Mark> marks) {
+    constexpr std::size_t most_lines = 12, copies = std::size(widgets::halo_sides);
+    for (std::size_t lines = 1; lines <= most_lines && (copies + 1) * lines <= marks.size(); ++lines) {
+        std::vector<float> rims;
+        for (std::size_t line = 0; line < lines; ++line) {
+            std::vector<const Line*> all;
+            for (std::size_t i = 0; i <= copies; ++i)
+                if (const Line* const copy = std::get_if<Line>(&marks[i * lines + line].what)) all.push_back(copy);
+            if (all.size() <= copies) break;
+            const std::optional<float> rim = rim_px(std::span(all).first(copies), *all.back());
+            if (!rim) break;
+            rims.push_back(*rim);
+        }
+        if (rims.size() == lines) return rims;
+    }
+    return {};
 }
 
 /// A text with copies around it becomes one text with a rim.
 std::vector<Mark> with_rims(std::vector<Mark> marks) {
     std::vector<Mark> kept;
+    constexpr std::size_t copies = std::size(widgets::halo_sides);
     for (std::size_t at = 0; at < marks.size();) {
-        const std::size_t lines = lines_with_halo(std::span(marks).subspan(at));
-        if (lines == 0) {
+        const std::vector<float> rims = rims_of_text(std::span(marks).subspan(at));
+        if (rims.empty()) {
             kept.push_back(std::move(marks[at++]));
             continue;
         }
-        for (std::size_t i = 0; i < lines; ++i) {
-            Mark text = marks[at + halo_copies * lines + i];
+        for (std::size_t i = 0; i < rims.size(); ++i) {
+            Mark text = std::move(marks[at + copies * rims.size() + i]);
             Line& line = std::get<Line>(text.what);
             line.halo = std::get<Line>(marks[at + i].what).ink;
-            line.halo_px = *shift_between(marks[at + i], text);
+            line.halo_px = rims[i];
             kept.push_back(std::move(text));
         }
-        at += (halo_copies + 1) * lines;
+        at += (copies + 1) * rims.size();
     }
     return kept;
 }
@@ -259,8 +281,8 @@ class Recorder {
 public:
     Recorder(const ImDrawData& data, const ReadTexture& read) : read_(read) {
         drawing_.size_px = point(data.DisplaySize);
-        for (const ImDrawList* list : std::span(data.CmdLists, static_cast<std::size_t>(data.CmdListsCount)))
-            for (const ImDrawCmd& command : list->CmdBuffer) take(*list, command);
+        for (int i = 0; i < data.CmdListsCount; ++i)  // an array or, from Dear ImGui 1.89.8 on, an ImVector
+            for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) take(*data.CmdLists[i], command);
     }
 
     Drawing drawing() {
@@ -282,14 +304,15 @@ private:
         }
     }
 
-    /// Triangles hang together as long as each has a corner of those before.
+    /// Triangles hang together as long as each has a corner among those before. What is drawn at once has corners that
+    /// are numbered one after the other, so another piece begins where all of a triangle's lie above them, or below:
+    /// Dear ImGui draws a table column by column (ImDrawListSplitter), whose corners were made row by row.
     static std::size_t end_of_piece(std::span<const ImDrawIdx> indices, std::size_t begin) {
         ImDrawIdx least = indices[begin], most = indices[begin];
         std::size_t end = begin;
         for (; end + 2 < indices.size(); end += 3) {
             const auto [low, high] = std::minmax({indices[end], indices[end + 1], indices[end + 2]});
-            // Corners are numbered in the order in which they are made: a new piece begins behind all of them.
-            if (end > begin && low > most) break;
+            if (end > begin && (low > most || high < least)) break;
             least = std::min(least, low);
             most = std::max(most, high);
         }

@@ -1,0 +1,126 @@
+// Whether a figure has every letter that Dear ImGui hands over, once, in its place and its colour, and nothing else.
+// The letters are read from the latest frame's vertices (letters.h), so that the recorder's own way to find them is not
+// asked.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "figure/write.h"
+#include "ui/letters.h"
+#include "ui/window/recording.h"
+
+namespace viewing::test {
+
+inline std::vector<Letter> letters_of_frame() {
+    const Page page(ImGui::GetIO().Fonts->Fonts);
+    std::vector<Letter> all;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        for (const Letter& letter : page.letters(*data.CmdLists[i])) all.push_back(letter);
+    return all;
+}
+
+/// A letter of the frame, and whether the recording accounts for it.
+struct LetterOfFrame {
+    Letter letter;
+    bool is_recorded = false;
+};
+
+inline std::string described(char32_t character, float x, float y) {
+    return "'" + utf8(static_cast<ImWchar>(character)) + "' at (" + std::to_string(x) + ", " + std::to_string(y) + ")";
+}
+
+/// What is in the frame and not in the recording, and the other way round.
+class Accounts {
+public:
+    Accounts(const std::vector<Letter>& letters, const Drawing& drawing) {
+        for (const Letter& letter : letters) drawn_[letter.character].push_back({letter});
+        for (const bool is_halo : {false, true})
+            for (const Mark& mark : drawing.marks)
+                if (const viewing::Line* const line = std::get_if<viewing::Line>(&mark.what)) account(*line, is_halo);
+        for (const auto& [character, all] : drawn_)
+            for (const LetterOfFrame& drawn : all)
+                if (!drawn.is_recorded && is_seen(drawn.letter))
+                    wrong.push_back("lost: " + described(character, drawn.letter.pen.x, drawn.letter.baseline));
+    }
+
+    std::vector<std::string> wrong;
+
+private:
+    static bool is_seen(const Letter& letter) {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        return letter.max.x > std::max(letter.clip.x, 0.0F) && letter.min.x < std::min(letter.clip.z, screen.x) &&
+               letter.max.y > std::max(letter.clip.y, 0.0F) && letter.min.y < std::min(letter.clip.w, screen.y);
+    }
+
+    /// Each letter itself, or the copies around it that are its halo.
+    void account(const viewing::Line& line, bool is_halo) {
+        for (std::size_t i = 0; i < line.characters.size(); ++i) {
+            if (line.characters[i] == U' ' || (is_halo && line.halo.a == 0)) continue;
+            const float reach = is_halo ? line.halo_px + 1.05F : 0.3F;
+            const std::size_t copies = take(line.characters[i], line.lefts_px[i], line.baseline_px, reach,
+                                            is_halo ? line.halo : line.ink, is_halo ? 8 : 1);
+            if (copies != (is_halo ? 8U : 1U))
+                wrong.push_back((is_halo ? "halo of: " : "made up: ") +
+                                described(line.characters[i], line.lefts_px[i], line.baseline_px));
+        }
+    }
+
+    std::size_t take(char32_t character, float x, float baseline, float reach, const Ink& ink, std::size_t most) {
+        std::size_t taken = 0;
+        for (LetterOfFrame& drawn : drawn_[static_cast<ImWchar>(character)]) {
+            if (taken == most) break;
+            if (drawn.is_recorded || std::abs(drawn.letter.pen.x - x) > reach ||
+                std::abs(drawn.letter.baseline - baseline) > reach || ink_of(drawn.letter.color) != ink)
+                continue;
+            drawn.is_recorded = true;
+            ++taken;
+        }
+        return taken;
+    }
+
+    std::map<ImWchar, std::vector<LetterOfFrame>> drawn_;
+};
+
+/// What stands in the text elements of an SVG document.
+inline std::vector<std::string> lines_in(const std::string& svg) {
+    std::vector<std::string> texts;
+    for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
+        const std::size_t begin = svg.find('>', at) + 1;
+        std::string text = svg.substr(begin, svg.find("</text>", begin) - begin);
+        for (const auto& [entity, plain] : {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+            for (std::size_t found = text.find(entity); found != std::string::npos;
+                 found = text.find(entity, found + 1))
+                text.replace(found, std::string_view(entity).size(), plain);
+        texts.push_back(text);
+    }
+    return texts;
+}
+
+inline std::vector<std::string> lines_in(const Drawing& drawing) {
+    std::vector<std::string> texts;
+    for (const Mark& mark : drawing.marks)
+        if (const viewing::Line* const line = std::get_if<viewing::Line>(&mark.what)) {
+            std::string& text = texts.emplace_back();
+            for (const char32_t character : line->characters) text += utf8(static_cast<ImWchar>(character));
+        }
+    return texts;
+}
+
+/// The drawing and its SVG document against the frame that it was recorded from.
+inline void expect_all_letters(const Drawing& drawing, const std::string& what) {
+    const std::vector<Letter> letters = letters_of_frame();
+    EXPECT_FALSE(letters.empty()) << what;
+    const Accounts accounts(letters, drawing);
+    for (std::size_t i = 0; i < accounts.wrong.size() && i < 5; ++i)
+        ADD_FAILURE() << what << ": " << accounts.wrong[i] << " (one of " << accounts.wrong.size() << ")";
+    EXPECT_EQ(lines_in(as_svg(drawing, {})), lines_in(drawing)) << what;
+}
+
+}  // namespace viewing::test

@@ -1,0 +1,137 @@
+// What becomes of a frame in a figure, without GL: tables made at random, halos, and the windows of all presets.
+#include <random>
+
+#include "desk.h"
+#include "recorded_letters.h"
+#include "state/presets.h"
+#include "widgets/halo.h"
+
+namespace viewing::test {
+namespace {
+
+Drawing recorded_frame() {
+    ImGui::GetStyle().AntiAliasedLinesUseTex = false;
+    return recorded(*ImGui::GetDrawData(), [](ImTextureID) { return nullptr; });
+}
+
+class RecordingTest : public UiTest {
+protected:
+    static void expect_whole(const std::string& what) { expect_all_letters(recorded_frame(), what); }
+
+    /// A frame with one window in it.
+    template <typename Draw>
+    void frame(const Draw& draw) {
+        ImGui::GetIO().DeltaTime = 1.0F / 60.0F;
+        ImGui::NewFrame();
+        widgets::NewFrame(desk.workbench.widgets);
+        ImGui::SetNextWindowPos({0.0F, 0.0F});
+        ImGui::SetNextWindowSize({900.0F, 700.0F});
+        ImGui::Begin("recorded", nullptr, ImGuiWindowFlags_NoDecoration);
+        draw();
+        ImGui::End();
+        ImGui::Render();
+    }
+};
+
+/// Their columns are drawn one after the other, though their corners were made row by row.
+TEST_F(RecordingTest, TablesKeepEveryRowAndDigit) {
+    constexpr unsigned seed = 20261126;
+    std::mt19937 random(seed);
+    const auto below = [&random](unsigned count) { return static_cast<int>(random() % count); };
+    for (int round = 0; round < 40; ++round) {
+        const int columns = 1 + below(6), rows = 1 + below(30);
+        const bool scrolls = below(2) == 0, tints = below(2) == 0, fills = below(3) == 0;
+        const auto number = [&] { return std::to_string(static_cast<double>(below(20'000)) / 1000.0 - 10.0); };
+        const auto table = [&] {
+            const ImVec2 size(200.0F + 100.0F * static_cast<float>(columns), scrolls ? 150.0F : 0.0F);
+            if (!ImGui::BeginTable("table", columns, scrolls ? ImGuiTableFlags_ScrollY : 0, size)) return;
+            ImGui::TableSetupScrollFreeze(0, 1);
+            for (int c = 0; c < columns; ++c) ImGui::TableSetupColumn(("head " + std::to_string(c)).c_str());
+            ImGui::TableHeadersRow();
+            for (int r = 0; r < rows; ++r) {
+                ImGui::TableNextRow();
+                if (tints && r % 2 == 0) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, IM_COL32(90, 80, 20, 90));
+                for (int c = 0; c < columns; ++c) {
+                    ImGui::TableNextColumn();
+                    const ImVec2 at = ImGui::GetCursorScreenPos();
+                    if (c == 0)
+                        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + 8.0F, at.y + 8.0F}, IM_COL32_WHITE, 2.0F);
+                    if (c == 1) widgets::HaloText(ImGui::GetWindowDrawList(), at, IM_COL32_WHITE, number().c_str());
+                    if (c == 2)
+                        ImGui::TextUnformatted("0.000");  // equal numbers below each other
+                    else
+                        ImGui::TextUnformatted(number().c_str());
+                }
+            }
+            ImGui::EndTable();
+        };
+        frame([&] {
+            if (fills) ImGui::TextUnformatted("before");
+            ImGui::PushFont(desk.workbench.widgets.fonts.small_number);
+            ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {4.0F, 0.0F});
+            table();
+            ImGui::PopStyleVar();
+            ImGui::PopFont();
+        });
+        expect_whole("seed " + std::to_string(seed) + ", round " + std::to_string(round));
+    }
+}
+
+/// A halo is eight copies around a text; eight equal texts that lie elsewhere are none.
+TEST_F(RecordingTest, OnlyAHaloIsTakenForOne) {
+    constexpr float r = 2.0F;
+    std::vector<ImVec2> sides(std::begin(widgets::halo_sides), std::end(widgets::halo_sides));
+    const auto lines_with = [&](const std::vector<ImVec2>& places, ImU32 first) {
+        frame([&] {
+            for (std::size_t i = 0; i < places.size(); ++i)
+                ImGui::GetWindowDrawList()->AddText({100.0F + r * places[i].x, 100.0F + r * places[i].y},
+                                                    i == 0 ? first : IM_COL32(9, 9, 9, 200), "0.5");
+            ImGui::GetWindowDrawList()->AddText({100.0F, 100.0F}, IM_COL32_WHITE, "0.5");
+        });
+        return lines_in(recorded_frame()).size();
+    };
+    const ImU32 halo = IM_COL32(9, 9, 9, 200);
+    EXPECT_EQ(lines_with(sides, halo), 1U);
+    EXPECT_EQ(lines_with(sides, IM_COL32(200, 9, 9, 200)), 9U) << "one copy has a colour of its own";
+    std::vector<ImVec2> moved = sides;
+    moved[4] = {0.0F, -4.0F};
+    EXPECT_EQ(lines_with(moved, halo), 9U);
+    std::vector<ImVec2> column;
+    for (int row = 0; row < 8; ++row) column.push_back({0.0F, static_cast<float>(row - 8) * 6.0F});
+    EXPECT_EQ(lines_with(column, halo), 9U);
+    std::swap(sides[0], sides[2]);
+    EXPECT_EQ(lines_with(sides, halo), 9U);
+}
+
+TEST_F(RecordingTest, TheWindowOfEveryPresetIsWhole) {
+    for (const NamedFile& preset : presets()) {
+        const UiParams looks = params.ui;
+        params = load_state(preset.name)->params;
+        params.ui = looks;
+        desk.settle();
+        expect_whole(preset.name);
+    }
+}
+
+class RecordedLooksTest : public RecordingTest, public ::testing::WithParamInterface<std::pair<Theme, Language>> {};
+
+TEST_P(RecordedLooksTest, EveryTopicIsWhole) {
+    for (const char* preset : {"newell-cycle", "bsp-walk", "fighting-16-bit", "shadow-derivation"}) {
+        params = load_state(preset)->params;
+        params.ui.theme = GetParam().first;
+        params.ui.language = GetParam().second;
+        desk.apply_looks();
+        for (std::size_t topic = 0; topic < names_of<Topic>().size(); ++topic) {
+            choose_topic(params, Slot::left, static_cast<Topic>(topic));
+            ui.frames(3);
+            expect_whole(std::string(preset) + ", " + names_of<Topic>()[topic]);
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, RecordedLooksTest,
+                         ::testing::Values(std::pair{Theme::light, Language::en},
+                                           std::pair{Theme::projector, Language::ko}));
+
+}  // namespace
+}  // namespace viewing::test
