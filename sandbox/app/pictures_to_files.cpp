@@ -2,8 +2,10 @@
 
 #include <ctime>
 #include <string>
+#include <utility>
 
 #include "app/picture.h"
+#include "image/note_parts.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "platform/person_files.h"
@@ -24,9 +26,15 @@ std::string snapshot_name() {
 void write_snapshot(const Renderer& renderer, Studio& studio, const std::filesystem::path& folder) {
     std::error_code ignored;
     const std::filesystem::path file = std::filesystem::absolute(folder / snapshot_name(), ignored);
+    const std::string state = studio.shown_state();
+    const std::string place = place_for_person(file);
+    std::string told = can_carry(state)
+                           ? say("snapshot of the camera view written to {file}", "file"_a = place)
+                           : say("snapshot of the camera view written to {file} without its state, which is too long",
+                                 "file"_a = place);
     studio.session.write([file, image = renderer.read(studio.camera_view()),
-                          state = studio.shown_state()] { return write_file(file, encode_png(image, state)); },
-                         say("snapshot of the camera view written to {file}", "file"_a = place_for_person(file)));
+                          state] { return write_file(file, encode_png(image, state)); },
+                         std::move(told));
 }
 
 void write_view_picture(Renderer& renderer, Studio& studio, const std::filesystem::path& file) {

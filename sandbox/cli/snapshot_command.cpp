@@ -20,7 +20,6 @@
 #include "gl/facts.h"
 #include "report/as_json.h"
 #include "report/exercise_picture.h"
-#include "state/file/json.h"
 
 namespace viewing {
 namespace {
@@ -292,7 +291,7 @@ ExitStatus take(const Options& options, const Typed& typed, const StateArguments
     if (typed.output)
         outputs.add(*typed.output, picture_file(*typed.output, drawn.picture,
                                                 {wish.picture.dpi, "viewing-sandbox: " + wish.view,
-                                                 write_state(drawn_params(state.params, wish.picture))}));
+                                                 carried_state(drawn_params(state.params, wish.picture))}));
     if (reference) reference->hold_against(drawn.picture.image, typed.diff, outputs, report);
     const ExitStatus status = reference ? reference->status() : ExitStatus::done;
     report.finish(outputs, status, reference ? reference->told() : "");

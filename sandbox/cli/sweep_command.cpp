@@ -14,6 +14,7 @@
 #include "cli/results/contact_sheet.h"
 #include "cli/results/csv.h"
 #include "cli/results/film.h"
+#include "cli/results/picture_file.h"
 #include "cli/state_arguments.h"
 #include "cli/values.h"
 #include "frame/finite.h"
@@ -354,7 +355,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         if (film) value_or_end(film->add(image));
         if (wish.kind == Kind::folder)
             value_or_end(write_file(fs::path(*typed.output) / file_of_picture(i, steps.count()),
-                                    encode_png(image, write_state(drawn_params(state.params, wish.picture)))));
+                                    encode_png(image, carried_state(drawn_params(state.params, wish.picture)))));
         if (wish.kind == Kind::sheet) sheet.push_back({image, captions_of(steps.settings(i))});
     }
     headless.require_no_errors();

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "image/note_parts.h"
 #include "image/png.h"
 #include "platform/file.h"
 #include "text/html.h"
@@ -13,7 +14,7 @@
 namespace viewing {
 namespace {
 
-constexpr std::string_view svg_begin = "<metadata id=\"viewing-sandbox-state\">", svg_end = "</metadata>";
+constexpr std::string_view svg_id = "viewing-sandbox-state", svg_end = "</metadata>";
 constexpr std::string_view keyword_begin = "viewing-sandbox-state-";
 constexpr std::string_view hex = "0123456789abcdef";
 
@@ -38,11 +39,22 @@ std::string unescaped(std::string_view text) {
     return plain;
 }
 
+/// What stands before a part of the note, counted from 1.
+std::string svg_begin(int number) {
+    return "<metadata id=\"" + note_part_name(svg_id, "-", number) + "\">";
+}
+
 std::string note_in_svg(std::string_view document) {
-    const std::size_t begin = document.find(svg_begin);
-    if (begin == std::string_view::npos) return "";
-    const std::size_t from = begin + svg_begin.size(), end = document.find(svg_end, from);
-    return end == std::string_view::npos ? "" : unescaped(document.substr(from, end - from));
+    std::string note;
+    for (int number = 1;; ++number) {
+        const std::string tag = svg_begin(number);
+        const std::size_t begin = document.find(tag);
+        if (begin == std::string_view::npos) return note;
+        document.remove_prefix(begin + tag.size());
+        const std::size_t end = document.find(svg_end);
+        if (end == std::string_view::npos) return "";
+        note += unescaped(document.substr(0, end));
+    }
 }
 
 std::string note_in_pdf(std::string_view document) {
@@ -60,11 +72,15 @@ std::string note_in_pdf(std::string_view document) {
 }  // namespace
 
 std::string note_as_svg(std::string_view note) {
-    return note.empty() ? "" : std::string(svg_begin) + escaped(note) + std::string(svg_end) + "\n";
+    std::string elements;
+    int number = 0;
+    for (const std::string_view part : note_parts(note))
+        elements += svg_begin(++number) + escaped(part) + std::string(svg_end) + "\n";
+    return elements;
 }
 
 std::string note_as_keyword(std::string_view note) {
-    if (note.empty()) return "";
+    if (note.empty() || !can_carry(note)) return "";
     std::string keyword(keyword_begin);
     bool is_indented = false;
     for (const char c : note) {

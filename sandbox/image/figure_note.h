@@ -1,5 +1,5 @@
 // The note that a figure carries: the state that it shows, as JSON. In a PNG file it is a text chunk, in SVG metadata,
-// in PDF a keyword.
+// in PDF a keyword; where it is long, several chunks or elements (note_parts.h).
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace viewing {
 
-/// An element of an SVG document; "" for no note.
+/// Elements of an SVG document; "" for no note, or one that no figure can carry.
 std::string note_as_svg(std::string_view note);
-/// A keyword of a PDF document, letters and digits alone behind its name; "" for no note.
+/// A keyword of a PDF document, letters and digits alone behind its name; "" as above.
 std::string note_as_keyword(std::string_view note);
 
 /// Whether a file's name ends as a figure's does: .png, .svg, .pdf.

@@ -19,6 +19,7 @@
 #include <system_error>
 
 #include "image/deflate.h"
+#include "image/note_parts.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
 
@@ -71,19 +72,25 @@ struct Reader {
     Reader& operator=(const Reader&) = delete;
 };
 
-/// The chunk of text that is the note, packed or not, as the file has it. It is taken out of libpng's hands, which
-/// would unpack every text of the file, to whatever size.
-struct NoteChunk {
-    std::vector<std::uint8_t> text;
-    bool is_there = false, is_packed = false;
+/// The note so far. Its chunks are taken out of libpng's hands, which would unpack every text of the file, to whatever
+/// size.
+struct FoundNote {
+    std::string text;
+    int parts = 0;
+    InflateEnd end = InflateEnd::whole;  ///< of the latest part
 };
 
+Inflated copied(std::span<const std::uint8_t> bytes, std::size_t most) {
+    if (bytes.size() > most) return {InflateEnd::too_long, ""};
+    return {InflateEnd::whole, std::string(bytes.begin(), bytes.end())};
+}
+
 /// "tEXt": key 0, text. "zTXt": key 0, a 0, packed text. "iTXt": key 0, packed or not, a 0, language 0, translated key
-/// 0, text.
-void take_note(NoteChunk& note, std::string_view type, std::span<const std::uint8_t> chunk) {
+/// 0, text. What is not the note's next part is passed over.
+void take_note(FoundNote& note, std::string_view type, std::span<const std::uint8_t> chunk) {
     const std::string_view bytes(reinterpret_cast<const char*>(chunk.data()), chunk.size());
-    const std::string_view key(png_note_key, sizeof png_note_key);  // with the 0 behind it
-    if (note.is_there || !bytes.starts_with(key)) return;
+    const std::string key = note_part_name(png_note_key, " ", note.parts + 1) + '\0';
+    if (note.end != InflateEnd::whole || !bytes.starts_with(key)) return;
     std::size_t begin = key.size();
     if (type == "zTXt") ++begin;
     if (type == "iTXt") {
@@ -93,9 +100,12 @@ void take_note(NoteChunk& note, std::string_view type, std::span<const std::uint
         begin = end + 1;
     }
     if (begin > bytes.size()) return;
-    note.is_there = true;
-    note.is_packed = type == "zTXt" || (type == "iTXt" && bytes[key.size()] != 0);
-    note.text.assign(chunk.begin() + static_cast<std::ptrdiff_t>(begin), chunk.end());
+    ++note.parts;
+    const bool is_packed = type == "zTXt" || (type == "iTXt" && bytes[key.size()] != 0);
+    const std::size_t most = max_document_bytes - note.text.size();
+    const Inflated part = is_packed ? inflated(chunk.subspan(begin), most) : copied(chunk.subspan(begin), most);
+    note.end = part.end;
+    note.text += part.text;
 }
 
 constexpr png_byte text_chunks[] = "tEXt\0zTXt\0iTXt";
@@ -105,7 +115,7 @@ int on_chunk(png_structp png, png_unknown_chunkp chunk) {
     const std::string_view type(reinterpret_cast<const char*>(chunk->name));
     if (type != "tEXt" && type != "zTXt" && type != "iTXt") return 1;
     try {
-        take_note(*static_cast<NoteChunk*>(png_get_user_chunk_ptr(png)), type, {chunk->data, chunk->size});
+        take_note(*static_cast<FoundNote*>(png_get_user_chunk_ptr(png)), type, {chunk->data, chunk->size});
     } catch (const std::bad_alloc&) {
         return -1;
     }
@@ -113,7 +123,7 @@ int on_chunk(png_structp png, png_unknown_chunkp chunk) {
 }
 
 /// `note`: null where nobody asks for it. Whatever else is no picture is passed over, and costs nothing.
-bool read_header(const Reader& reader, ReadSource& source, NoteChunk* note = nullptr) {
+bool read_header(const Reader& reader, ReadSource& source, FoundNote* note = nullptr) {
     if (setjmp(png_jmpbuf(reader.png)) != 0) return false;
     png_set_read_fn(reader.png, &source, read_bytes);
     png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
@@ -221,17 +231,34 @@ void append_bytes(png_structp png, png_bytep bytes, std::size_t count) {
     out->insert(out->end(), bytes, bytes + count);
 }
 
-/// Compressed, before the pixels. libpng copies what it is given.
-void add_note(const Writer& writer, const std::string& note) {
-    png_text entry{};
-    entry.compression = PNG_ITXT_COMPRESSION_zTXt;
-    entry.key = const_cast<char*>(png_note_key);
-    entry.text = const_cast<char*>(note.c_str());
-    entry.itxt_length = note.size();
-    png_set_text(writer.png, writer.info, &entry, 1);
-}
+/// The note as libpng takes it: packed chunks, of which each has its key.
+class NoteChunks {
+public:
+    explicit NoteChunks(std::string_view note) {
+        for (const std::string_view part : note_parts(note)) {
+            const int number = static_cast<int>(parts_.size()) + 1;
+            parts_.push_back({note_part_name(png_note_key, " ", number), std::string(part)});
+        }
+        for (Part& part : parts_) {
+            png_text& chunk = chunks_.emplace_back();
+            chunk.compression = PNG_ITXT_COMPRESSION_zTXt;
+            chunk.key = part.key.data();
+            chunk.text = part.text.data();
+            chunk.itxt_length = part.text.size();
+        }
+    }
 
-bool encode(const Writer& writer, const Image& image, const std::string& note, double dpi, bool opaque,
+    const std::vector<png_text>& chunks() const { return chunks_; }
+
+private:
+    struct Part {
+        std::string key, text;
+    };
+    std::vector<Part> parts_;
+    std::vector<png_text> chunks_;
+};
+
+bool encode(const Writer& writer, const Image& image, const std::vector<png_text>& note, double dpi, bool opaque,
             std::vector<std::uint8_t>& out) {
     if (setjmp(png_jmpbuf(writer.png)) != 0) return false;
     png_set_write_fn(writer.png, &out, append_bytes, nullptr);
@@ -240,7 +267,8 @@ bool encode(const Writer& writer, const Image& image, const std::string& note, d
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(writer.png, 1);
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    if (!note.empty()) add_note(writer, note);
+    // Before the pixels. libpng copies what it is given.
+    png_set_text(writer.png, writer.info, note.data(), static_cast<int>(note.size()));
     if (const auto per_metre = static_cast<png_uint_32>(std::lround(dpi / 0.0254)); dpi != usual_dpi)
         png_set_pHYs(writer.png, writer.info, per_metre, per_metre, PNG_RESOLUTION_METER);
     png_write_info(writer.png, writer.info);
@@ -265,14 +293,12 @@ Result<std::string> read_png_note(const std::filesystem::path& path) try {
     const Reader reader(failure);
     if (reader.info == nullptr) throw std::bad_alloc();
     ReadSource source{file->get(), &failure};
-    NoteChunk note;
+    FoundNote note;
     if (!read_header(reader, source, &note)) return read_failure(path.string(), failure);
-    if (!note.is_packed) return std::string(note.text.begin(), note.text.end());
-    Inflated found = inflated(note.text, max_document_bytes);
-    if (found.end == InflateEnd::too_long)
+    if (note.end == InflateEnd::too_long)
         return Error{path.string() + ": the state in it is " + longer_than(max_document_bytes)};
-    if (found.end != InflateEnd::whole) return Error{path.string() + ": the state in it is cut off or damaged"};
-    return std::move(found.text);
+    if (note.end != InflateEnd::whole) return Error{path.string() + ": the state in it is cut off or damaged"};
+    return std::move(note.text);
 } catch (const std::bad_alloc&) {
     return not_enough_memory(path.string());
 }
@@ -297,9 +323,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note
     PngFailure failure;
     const Writer writer(failure);
     if (writer.info == nullptr) throw std::bad_alloc();
+    const NoteChunks text(note);
     std::vector<std::uint8_t> out;
     // libpng has no other way to fail than memory: sizes are checked above and the output is a vector.
-    if (!encode(writer, image, note, dpi, is_opaque(image), out)) throw std::bad_alloc();
+    if (!encode(writer, image, text.chunks(), dpi, is_opaque(image), out)) throw std::bad_alloc();
     return out;
 }
 

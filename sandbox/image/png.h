@@ -29,7 +29,8 @@ inline constexpr double usual_dpi = 96.0;
 /// The same from an open file or pipe, up to the picture's end; `name` begins the sentence.
 Result<Image> read_png(std::FILE* stream, const std::string& name);
 
-/// The name of the text chunk that a note is: the state that a picture shows, as JSON.
+/// The name of the text chunk that a note is: the state that a picture shows, as JSON. A long one goes on in chunks of
+/// the names "… 2", "… 3" (note_parts.h).
 inline constexpr char png_note_key[] = "viewing-sandbox state";
 
 /// The note of a PNG file, as it stands before the pixels; empty where it has none. The error is that of read_png, or
@@ -38,7 +39,7 @@ Result<std::string> read_png_note(const std::filesystem::path& path);
 
 /// The bytes of a PNG file: RGB when every alpha is 255, else RGBA. Fast rather than small: zlib level 1 and the SUB
 /// filter alone take a fifth of libpng's default time and end a third larger. Sides 1 … largest_image_side. `note`:
-/// UTF-8, kept with the picture; "": none.
+/// UTF-8, kept with the picture; "", or one longer than max_document_bytes: none.
 /// `dpi`: how large it is meant to be on paper; the usual one is left out, since it is taken where nothing is said.
 std::vector<std::uint8_t> encode_png(const Image& image, const std::string& note = "", double dpi = usual_dpi);
 

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "cli/program.h"
 
@@ -12,30 +14,64 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Notebook : public Program {};
+class Notebook : public Program {
+protected:
+    void SetUp() override {
+        if (std::system("/usr/bin/python3 -c 'import PIL' 2>/dev/null") != 0)
+            GTEST_SKIP() << "no Pillow: Debian's package python3-pil has it";
+    }
+
+    static std::string lines_of_readme() {
+        std::ifstream stream(fs::path(std::getenv("TEST_SOURCE_DIR")).parent_path() / "README.md");
+        const std::string readme{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+        const std::string begin = "```python\n";
+        const std::size_t first = readme.find(begin);
+        if (first == std::string::npos) throw std::runtime_error("README has no lines of Python");
+        const std::size_t from = first + begin.size();
+        return readme.substr(from, readme.find("```", from) - from);
+    }
+
+    void expect_to_run(const std::string& lines) const {
+        write("cell.py", lines);
+        const std::string beside = fs::path(std::getenv("VIEWING_SANDBOX")).parent_path().string();
+        const std::string command =
+            "cd '" + folder().string() + "' && PATH='" + beside + "':$PATH /usr/bin/python3 cell.py > told 2>&1";
+        EXPECT_EQ(std::system(command.c_str()), 0) << read("told");
+    }
+};
 
 TEST_F(Notebook, TheLinesOfTheReadmeRun) {
-    if (std::system("/usr/bin/python3 -c 'import PIL' 2>/dev/null") != 0)
-        GTEST_SKIP() << "no Pillow: Debian's package python3-pil has it";
-    std::ifstream stream(fs::path(std::getenv("TEST_SOURCE_DIR")).parent_path() / "README.md");
-    const std::string readme{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    const std::string begin = "```python\n";
-    const std::size_t first = readme.find(begin);
-    ASSERT_NE(first, std::string::npos);
-    const std::size_t from = first + begin.size();
-    write("cell.py",
-          readme.substr(from, readme.find("```", from) - from) +
-              "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
-              "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
-              "state = json.loads(ask('state', 'tilted-plane'))\n"
-              "state['camera']['yaw'] = 3\n"
-              "told = subprocess.run(['viewing-sandbox', 'state', '-'], input=json.dumps(state).encode(),"
-              " check=True, capture_output=True).stdout\n"
-              "assert json.loads(told) == state\n");
-    const std::string beside = fs::path(std::getenv("VIEWING_SANDBOX")).parent_path().string();
-    const std::string command =
-        "cd '" + folder().string() + "' && PATH='" + beside + "':$PATH /usr/bin/python3 cell.py > told 2>&1";
-    EXPECT_EQ(std::system(command.c_str()), 0) << read("told");
+    expect_to_run(lines_of_readme() +
+                  "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
+                  "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
+                  "state = json.loads(ask('state', 'tilted-plane'))\n"
+                  "assert shown == {**state, 'view': shown['view']}\n"
+                  "state['camera']['yaw'] = 3\n"
+                  "told = subprocess.run(['viewing-sandbox', 'state', '-'], input=json.dumps(state).encode(),"
+                  " check=True, capture_output=True).stdout\n"
+                  "assert json.loads(told) == state\n");
+}
+
+/// Pillow takes no text of more than 1 MiB, and such a state has several.
+TEST_F(Notebook, AndWithAStateOfManyTriangles) {
+    nlohmann::json objects = nlohmann::json::array();
+    for (int i = 0; i < 9000; ++i) {
+        const double x = i % 100, z = i / 100;
+        objects.push_back({{"name", "삼각형 " + std::to_string(i)},
+                           {"shape", "triangle"},
+                           {"vertices", {{x, 0.5, z}, {x + 0.7, 0.5, z}, {x, 0.5, z + 0.7}}}});
+    }
+    write("many.json", nlohmann::json{{"scene", {{"objects", objects}}}}.dump());
+    std::string lines = lines_of_readme();
+    const std::string preset = "tilted-plane";
+    for (std::size_t at = lines.find(preset); at != std::string::npos; at = lines.find(preset))
+        lines.replace(at, preset.size(), "many.json");
+    expect_to_run(lines +
+                  "assert picture.size == (1280, 720)\n"
+                  "assert len(json.dumps(shown)) > 2 << 20 and len(shown['scene']['objects']) == 9000\n"
+                  "for name in 'many.png', 'many.svg', 'many.pdf':\n"
+                  "    ask('snapshot', 'many.json', '--view', 'camera', '--size', '160x90', '-o', name)\n"
+                  "    assert json.loads(ask('state', name)) == shown, name\n");
 }
 
 }  // namespace

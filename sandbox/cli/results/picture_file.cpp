@@ -1,8 +1,12 @@
 #include "cli/results/picture_file.h"
 
 #include <filesystem>
+#include <iostream>
 
+#include "image/note_parts.h"
 #include "image/png.h"
+#include "platform/text_file.h"
+#include "state/file/json.h"
 #include "text/words.h"
 
 namespace viewing {
@@ -23,6 +27,13 @@ bool DrawnPicture::is_blank() const {
     for (std::size_t at = 4; at < image.rgba.size(); ++at)
         if (image.rgba[at] != image.rgba[at % 4]) return false;
     return true;
+}
+
+std::string carried_state(const Params& params) {
+    std::string state = write_state(params);
+    if (can_carry(state)) return state;
+    std::cerr << "the picture does not carry its state, which is " + longer_than(max_document_bytes) + "\n";
+    return "";
 }
 
 std::vector<std::uint8_t> picture_file(const std::string& target, const DrawnPicture& picture,

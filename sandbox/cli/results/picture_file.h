@@ -7,6 +7,7 @@
 
 #include "figure/write.h"
 #include "image/image.h"
+#include "state/params.h"
 
 namespace viewing {
 
@@ -20,6 +21,10 @@ struct DrawnPicture {
 
     bool is_blank() const;  ///< all pixels have the same colour, or nothing is drawn
 };
+
+/// The state that a figure carries; "", with a sentence on standard error, where it is longer than one can be read
+/// back.
+std::string carried_state(const Params& params);
 
 std::vector<std::uint8_t> picture_file(const std::string& target, const DrawnPicture& picture,
                                        const VectorOptions& options);

@@ -67,6 +67,19 @@ TEST(Svg, AnInchIsSoManyPixels) {
     EXPECT_NE(as_svg(some_drawing(), {100.0, "", ""}).find("width=\"2in\" height=\"1in\""), std::string::npos);
 }
 
+/// A picture of many pixels that is drawn smaller ends where its box does.
+TEST(Svg, PicturesFillTheirBox) {
+    const int width = 3000;
+    const auto image = std::make_shared<const Image>(Image{width, 1, std::vector<std::uint8_t>(4 * width, 255)});
+    Drawing drawing{page.max, {}};
+    const DrawingBox box{{10.0F, 10.0F}, {110.0F, 11.0F}};
+    drawing.marks.push_back({page, Inset{image, {{0.0F, 0.0F}, {width, 1.0F}}, box, {}, {255, 255, 255, 255}}});
+    const std::string svg = as_svg(drawing, {});
+    const std::size_t at = svg.find("matrix(");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_NEAR(10.0 + width * std::stod(svg.substr(at + 7)), 110.0, 0.01);
+}
+
 TEST(Pdf, IsOnePageOfTheDrawingsSizeWithoutADate) {
     const std::string pdf = text_of(as_pdf(some_drawing(), {72.0, "A title", ""}));
     EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
@@ -111,6 +124,23 @@ TEST_F(Notes, AreReadBackAsTheyWereWritten) {
         one_line.erase(1, 3);
         EXPECT_EQ(read("note.pdf", text_of(as_pdf(some_drawing(), {96.0, "t", note}))), one_line);
     }
+}
+
+/// libxml2 refuses an element with a text of more than 10 million bytes.
+TEST_F(Notes, LongOnesAreSeveralElementsOfAnSvgDocument) {
+    for (const std::size_t size : {1'500'000U, 1U << 24U}) {
+        std::string note;
+        for (int i = 0; note.size() + 12 < size; ++i) note += "\"그<" + std::to_string(i) + "&";
+        note += std::string(size - note.size(), '.');
+        const std::string svg = as_svg(some_drawing(), {96.0, "t", note});
+        EXPECT_TRUE(read("note.svg", svg) == note) << size;
+        EXPECT_EQ(count_of(svg, "<metadata id=\"viewing-sandbox-state"), (size + 999'999U) / 1'000'000U);
+        EXPECT_EQ(count_of(svg, "id=\"viewing-sandbox-state\""), 1U) << "an id names one element";
+        EXPECT_TRUE(read("note.pdf", text_of(as_pdf(some_drawing(), {96.0, "t", note}))) == note) << size;
+    }
+    const std::string too_long((1U << 24U) + 1U, 'x');
+    EXPECT_EQ(read("long.svg", as_svg(some_drawing(), {96.0, "t", too_long})), "");
+    EXPECT_EQ(read("long.pdf", text_of(as_pdf(some_drawing(), {96.0, "t", too_long}))), "");
 }
 
 TEST_F(Notes, AreEmptyWhereThereAreNoneOrBrokenOnes) {

@@ -345,5 +345,71 @@ TEST_F(PngFiles, NotesThatGrowBeyondMeasureOrAreDamagedAreRefused) {
     EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is cut off or damaged");
 }
 
+/// The texts of a PNG file that this program wrote, by their keys, in the file's order. Each is an iTXt chunk, packed.
+std::vector<std::pair<std::string, std::string>> texts_of(const std::vector<std::uint8_t>& file) {
+    std::vector<std::pair<std::string, std::string>> texts;
+    for (std::size_t at = 8; at + 8 < file.size();) {
+        const std::size_t size = (std::size_t{file[at]} << 24U) | (std::size_t{file[at + 1]} << 16U) |
+                                 (std::size_t{file[at + 2]} << 8U) | file[at + 3];
+        const std::string bytes(file.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                                file.begin() + static_cast<std::ptrdiff_t>(at + 8 + size));
+        at += 12 + size;
+        if (!bytes.starts_with("iTXt")) continue;
+        const std::string key = bytes.substr(4, bytes.find('\0') - 4);
+        const std::string data = bytes.substr(4 + key.size() + 5);
+        std::string text(max_document_bytes, '\0');
+        uLongf length = text.size();
+        EXPECT_EQ(::uncompress(reinterpret_cast<Bytef*>(text.data()), &length,
+                               reinterpret_cast<const Bytef*>(data.data()), data.size()),
+                  Z_OK);
+        texts.emplace_back(key, text.substr(0, length));
+    }
+    return texts;
+}
+
+/// Pillow refuses a file with a text of more than 1 MiB (PngImagePlugin.MAX_TEXT_CHUNK), and drops one that is not
+/// UTF-8.
+TEST_F(PngFiles, ALongNoteIsSeveralTextsThatEveryReaderTakes) {
+    constexpr std::size_t most_bytes = 1U << 20U;
+    constexpr unsigned seed = 20261126;
+    std::mt19937 random(seed);
+    const std::vector<std::string> letters = {"a", "é", "그", "𝄞", "\n"};
+    const fs::path path = folder / "note.png";
+    for (const std::size_t size : {1U, 999'999U, 1'000'000U, 1'000'001U, 3'100'000U, 1U << 24U}) {
+        std::string note;
+        while (note.size() + 4 <= size) note += letters[random() % letters.size()];
+        note += std::string(size - note.size(), '.');
+        const std::vector<std::uint8_t> file = encode_png(random_image(1, 1, true, 9), note);
+        std::string joined;
+        int number = 0;
+        for (const auto& [key, text] : texts_of(file)) {
+            EXPECT_EQ(key, ++number == 1 ? std::string(png_note_key) : png_note_key + (" " + std::to_string(number)));
+            EXPECT_LE(text.size(), most_bytes) << size;
+            EXPECT_NE(static_cast<unsigned char>(text.front()) & 0xC0U, 0x80U) << "a letter is cut";
+            joined += text;
+        }
+        EXPECT_TRUE(joined == note) << "seed " << seed << ", " << size << " bytes: " << joined.size();
+        put(path, {file.begin(), file.end()});
+        EXPECT_TRUE(*read_png_note(path) == note) << "seed " << seed << ", " << size << " bytes";
+    }
+}
+
+TEST_F(PngFiles, ANoteThatCouldNotBeReadIsNotWritten) {
+    const std::vector<std::uint8_t> file =
+        encode_png(random_image(1, 1, true, 9), std::string(max_document_bytes + 1, 'x'));
+    EXPECT_TRUE(texts_of(file).empty());
+    // Neither is one read that grows in parts.
+    const std::string none(1, '\0'), third = packed(std::string(max_document_bytes / 3 + 1, ' '));
+    std::string chunks = with_chunk("zTXt", png_note_key + (" 3" + none + none) + third);
+    for (const std::string part : {" 2", ""}) {
+        const std::string one = with_chunk("zTXt", png_note_key + part + none + none + third);
+        const std::size_t header_bytes = 8 + 25, whole = with_chunk("zTXt", "").size() - 12 - header_bytes;
+        chunks.insert(header_bytes, one.substr(header_bytes, one.size() - header_bytes - whole));
+    }
+    const fs::path path = folder / "note.png";
+    put(path, chunks);
+    EXPECT_EQ(read_png_note(path).error(), path.string() + ": the state in it is longer than 16 MiB");
+}
+
 }  // namespace
 }  // namespace viewing
