@@ -6,7 +6,7 @@
 
 int main(int argc, char** argv) {
     viewing::reserve_heap();
-    viewing::end_faults_with_a_status();
+    viewing::end_cleanly_by_signals();
     const int first = argc > 0 ? 1 : 0;
     viewing::leave(viewing::run_command_line({argv + first, argv + argc}));
 }

@@ -1,6 +1,7 @@
 #include "app/picture.h"
 
 #include "app/resting_window.h"
+#include "image/image_size.h"
 #include "measure/camera_picture.h"
 
 namespace viewing {
@@ -81,6 +82,16 @@ Params drawn_params(Params params, const PictureRequest& request) {
         if (params.view.lower_right == topic) params.view.lower_right = Topic::automatic;
     }
     return params;
+}
+
+Status check_picture_size(PictureView view, glm::ivec2 size_px) {
+    constexpr glm::ivec2 smallest_window_px{320, 240};
+    if (!is_image_size(size_px.x, size_px.y)) return Error{image_size_rule()};
+    const bool is_interface = view == PictureView::window || view > PictureView::observer;
+    if (is_interface && (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
+        return Error{"the window and its views have at least " + std::to_string(smallest_window_px.x) + "x" +
+                     std::to_string(smallest_window_px.y) + " pixels; the view camera can be smaller"};
+    return std::monostate{};
 }
 
 bool is_drawn_by_gl(const PictureRequest& request) {

@@ -94,6 +94,10 @@ LoadedState show_step(LessonPicture step, PictureRequest& request);
 /// The parameters with what the request says itself: its samples, and what its view shows. What a picture carries.
 Params drawn_params(Params params, const PictureRequest& request);
 
+/// Whether the view can be drawn at this size: is_image_size, and the window and its views need room. One sentence, to
+/// be read behind the name of what says the size.
+Status check_picture_size(PictureView view, glm::ivec2 size_px);
+
 /// Whether nothing of the user interface is in it.
 bool is_drawn_by_gl(const PictureRequest& request);
 

@@ -43,6 +43,11 @@ void Headless::require_no_errors() {
     throw Failure(ExitStatus::gl_error, "GL error: " + errors.front() + more);
 }
 
+void check_size(const Options& options, const PictureRequest& request) {
+    if (const Status fits = check_picture_size(request.view, request.size_px); !fits)
+        options.refuse("--size: " + fits.error());
+}
+
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px) {
     if (const auto question = hidden_question(params, derived, size_px))
         value_or_end(check_hidden_budget(scene, *question));

@@ -48,6 +48,9 @@ private:
     std::optional<Renderer> renderer_;
 };
 
+/// Refuses a --size that the view cannot have (check_picture_size).
+void check_size(const Options& options, const PictureRequest& request);
+
 /// Throws Failure where a hidden-surface method does not take the scene on: before anything is spent on it.
 void refuse_beyond_budget(const Params& params, const Derived& derived, const Scene& scene, glm::ivec2 size_px);
 

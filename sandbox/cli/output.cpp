@@ -42,7 +42,11 @@ void Outputs::add(const std::string& target, std::string_view text) {
     outputs_.push_back({target, {text.begin(), text.end()}});
 }
 
-void Outputs::write() const {
+void Outputs::add(WholeFolder folder) {
+    folder_.emplace(std::move(folder));
+}
+
+void Outputs::write() {
     // A file takes its name when it is complete, so the clock stops before; a pipe may keep us waiting.
     if (std::all_of(outputs_.begin(), outputs_.end(),
                     [](const Output& output) { return is_plain_file(output.target); }))
@@ -53,6 +57,7 @@ void Outputs::write() const {
     value_or_end(write_files(files, [this] {
         for (const Output& output : outputs_)
             if (output.target == "-") print({reinterpret_cast<const char*>(output.bytes.data()), output.bytes.size()});
+        if (folder_) value_or_end(folder_->take_name());
     }));
 }
 

@@ -3,12 +3,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/options.h"
+#include "platform/whole_folder.h"
 
 namespace viewing {
 
@@ -21,8 +23,9 @@ class Outputs {
 public:
     void add(const std::string& target, std::vector<std::uint8_t> bytes);
     void add(const std::string& target, std::string_view text);
+    void add(WholeFolder folder);
     /// Throws Failure.
-    void write() const;
+    void write();
 
 private:
     struct Output {
@@ -30,6 +33,7 @@ private:
         std::vector<std::uint8_t> bytes;
     };
     std::vector<Output> outputs_;
+    std::optional<WholeFolder> folder_;
 };
 
 /// Throws Failure when it is clear beforehand that the file cannot be written: its folder is missing or read-only, or

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "cli/exit_status.h"
+#include "platform/ending_signals.h"
+#include "platform/file.h"
 #include "platform/last_words.h"
 #include "platform/sanitized.h"
 
@@ -18,6 +20,7 @@ void end_process(int) {
     for (const std::string_view part : {std::string_view(fault_sentence), std::string_view("\n")})
         [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
     say_last_words(status);
+    remove_unfinished_files();
     ::_exit(status);
 }
 
@@ -36,7 +39,8 @@ void catch_faults() {
 
 }  // namespace
 
-void end_faults_with_a_status() {
+void end_cleanly_by_signals() {
+    clean_up_at_ending_signals();
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;
     ::sigaction(SIGXFSZ, &ignore, nullptr);

@@ -1,4 +1,5 @@
-// What would end the process by a signal ends it with a status of the table, where that is possible.
+// What would end the process by a signal ends it with a status of the table, where that is possible, and leaves nothing
+// unfinished.
 #pragma once
 
 namespace viewing {
@@ -9,7 +10,8 @@ inline constexpr const char* fault_sentence =
 
 /// For the whole process, once, at its beginning. A write beyond the file size limit fails like one on a full disk
 /// instead of ending the process. A fault or an abort, which is what a driver makes of a lack of memory or threads, is
-/// one sentence on stderr and exit status 9. Without effect on faults where a sanitizer reports them.
-void end_faults_with_a_status();
+/// one sentence on stderr and exit status 9. Without effect on faults where a sanitizer reports them. What asks the
+/// process to end does so by its signal (platform/ending_signals.h).
+void end_cleanly_by_signals();
 
 }  // namespace viewing

@@ -24,8 +24,6 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 smallest_window_px{320, 240};
-
 /// The options as they were typed.
 struct Typed {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
@@ -123,10 +121,7 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
     wish.view = picture_view_names[view];
     wish.picture.view = static_cast<PictureView>(view);
     wish.picture.size_px = size_option(options, typed.size);
-    const glm::ivec2 size_px = wish.picture.size_px;
-    const bool is_interface = wish.picture.view == PictureView::window || wish.picture.view > PictureView::observer;
-    if (is_interface && (size_px.x < smallest_window_px.x || size_px.y < smallest_window_px.y))
-        options.refuse("--size: the window and its views have at least 320x240 pixels; --view camera can be smaller");
+    check_size(options, wish.picture);
     wish.picture.labels = typed.labels;
     wish.picture.transparent = typed.transparent;
     if (typed.labels && wish.picture.view != PictureView::camera) options.refuse("--labels needs --view camera");

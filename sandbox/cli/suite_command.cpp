@@ -16,6 +16,7 @@
 #include "cli/output.h"
 #include "cli/values.h"
 #include "platform/child_process.h"
+#include "platform/ending_signals.h"
 #include "platform/file.h"
 #include "suite/report.h"
 #include "suite/run.h"
@@ -86,7 +87,7 @@ std::map<std::string, double> times_of(const std::optional<std::string>& folder)
     if (!folder) return seconds;
     const RunResult earlier = value_or_end(read_run(*folder));
     for (const EntryResult& entry : earlier.entries)
-        if (!entry.is_kept) seconds[entry.name] = entry.seconds;
+        if (!entry.is_kept && entry.outcome != Outcome::not_drawn) seconds[entry.name] = entry.seconds;
     return seconds;
 }
 
@@ -109,7 +110,8 @@ std::map<std::string, std::string> known_keys(const Suite& suite) {
     std::map<std::string, std::string> keys;
     if (const Result<RunResult> earlier = read_run(suite.report))
         for (const EntryResult& entry : earlier->entries)
-            if (entry.outcome == Outcome::passed && !entry.key.empty()) keys[entry.name] = entry.key;
+            if ((entry.outcome == Outcome::passed || entry.outcome == Outcome::not_drawn) && !entry.key.empty())
+                keys[entry.name] = entry.key;
     return keys;
 }
 
@@ -182,14 +184,21 @@ Suite with_report_of(Suite suite, const Shard& shard) {
     return suite;
 }
 
-bool run_one(const Suite& whole, const Typed& typed, const Shard& shard, const RunWish& like) {
+/// How one suite's run ended.
+struct RunEnd {
+    bool is_good = true;
+    std::size_t not_drawn = 0;
+    int ended_by = 0;  ///< the signal, where it ended early
+};
+
+RunEnd run_one(const Suite& whole, const Typed& typed, const Shard& shard, const RunWish& like) {
     const Suite suite = with_report_of(whole, shard);
     RunWish wish = like;
     wish.chosen = chosen_of(suite, typed, shard);
     wish.worker = worker_of(suite, typed);
     if (shard.of > 1) wish.worker.insert(wish.worker.end(), {"--shard", *typed.shard});
     if (typed.cache) wish.known_keys = known_keys(suite);
-    if (!typed.only.empty() && wish.chosen.empty()) return true;  // they are another shard's
+    if (!typed.only.empty() && wish.chosen.empty()) return {};  // they are another shard's
     value_or_end(prepare_report(suite));
     Progress progress(wish.chosen.size(), wish.chosen.size() / 10);
     wish.tell = [&](const EntryResult& entry, std::size_t done) { progress.tell(entry, done); };
@@ -213,14 +222,35 @@ bool run_one(const Suite& whole, const Typed& typed, const Shard& shard, const R
     if (typed.only.empty()) value_or_end(write_report(suite.report, run));
     if (typed.github)
         for (const EntryResult& entry : run.entries)
-            if (entry.outcome != Outcome::passed) print(annotation(suite, entry));
+            if (entry.outcome != Outcome::passed && entry.outcome != Outcome::not_drawn)
+                print(annotation(suite, entry));
     const std::vector<std::string> strays = stray_references(suite);
     if (!strays.empty())
         print(std::to_string(strays.size()) + (strays.size() == 1 ? " reference belongs" : " references belong") +
               " to no entry: " + one_line(joined(strays)) + "\n");
     const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
     print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
-    return run.is_good(typed.accept_new);
+    return {run.is_good(typed.accept_new), run.count(Outcome::not_drawn), gathered.ended_by};
+}
+
+/// One suite after the other. A signal and the end of --timeout end it early, with reports of what was drawn; then the
+/// process ends as it would have without them.
+ExitStatus run_all(const std::vector<Suite>& suites, const Typed& typed, const Shard& shard, const RunWish& like) {
+    RunEnd all;
+    {
+        const EndingNote note;
+        for (const Suite& suite : suites) {
+            const RunEnd one = run_one(suite, typed, shard, like);
+            all = {all.is_good && one.is_good, all.not_drawn + one.not_drawn, std::max(all.ended_by, one.ended_by)};
+        }
+    }
+    if (all.ended_by == 0) return all.is_good ? ExitStatus::done : ExitStatus::different;
+    const std::string rest =
+        ": " + std::to_string(all.not_drawn) + (all.not_drawn == 1 ? " entry is not drawn" : " entries are not drawn");
+    if (const std::string out_of_time = TimeLimit::sentence(); is_timeout(all.ended_by))
+        throw Failure(ExitStatus::out_of_time, out_of_time + rest);
+    std::fputs(("ended by " + std::string(name_of_ending_signal(all.ended_by)) + rest + "\n").c_str(), stderr);
+    end_by_signal(all.ended_by);
 }
 
 ExitStatus run_suites(const Options& options, const Typed& typed, const std::vector<Suite>& suites) {
@@ -239,9 +269,8 @@ ExitStatus run_suites(const Options& options, const Typed& typed, const std::vec
                                                      "same folder for its report; \"report\" names one");
         reports.push_back(report);
     }
-    bool is_good = true;
-    for (const Suite& suite : suites) is_good = run_one(suite, typed, shard, like) && is_good;
-    return is_good ? ExitStatus::done : ExitStatus::different;
+    for (const Suite& suite : suites) value_or_end(check_masks(suite));
+    return run_all(suites, typed, shard, like);
 }
 
 // ---- the others ----------------------------------------------------------------------------------------------------
@@ -262,7 +291,6 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
 
 /// Not for people: run starts it.
 ExitStatus work(const Options& options, const Typed& typed, const Suite& whole) {
-    end_with_parent();
     const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
     Headless headless(device_option(options, typed.device));
     // By the program's own bytes another build draws anew.
@@ -291,9 +319,11 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         for (std::size_t i = 1; i < typed.words.size(); ++i) suites.push_back(value_or_end(load_suite(typed.words[i])));
         return run_suites(options, typed, suites);
     }
+    constexpr std::size_t accepts = 1, merges = 2, works = 3;
+    if (choice == works) end_with_parent();
     const Suite suite = value_or_end(load_suite(typed.words[1]));
-    if (choice == 1) return accept(suite, rest);
-    if (choice == 2) return merge(options, suite, rest);
+    if (choice == accepts) return accept(suite, rest);
+    if (choice == merges) return merge(options, suite, rest);
     return work(options, typed, suite);
 }
 
@@ -309,7 +339,9 @@ constinit const Command suite_command{
     "one that was not there is written, and told as new. A reference that is there is never changed by a run: accept "
     "does that. report/index.html shows each entry with what was expected, what was drawn, and where they differ; "
     "junit.xml and report.json beside it are for programs. An entry that crashes, has a GL error or takes too long "
-    "fails alone. The exit status is 1 when an entry is not as it was, new (without --accept-new) or has failed.",
+    "fails alone. A run that a signal or --timeout ends early writes its report too, with the rest as not drawn. The "
+    "exit "
+    "status is 1 when an entry is not as it was, new (without --accept-new) or has failed.",
     "suite run states\n"
     "suite run suite.json --jobs 4 --cache\n"
     "suite accept suite.json opening shadow-without-stencil\n"

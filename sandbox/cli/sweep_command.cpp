@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <system_error>
 
 #include "app/picture.h"
 #include "cli/commands.h"
@@ -18,8 +17,11 @@
 #include "cli/state_arguments.h"
 #include "cli/values.h"
 #include "frame/finite.h"
+#include "image/image_size.h"
 #include "image/png.h"
 #include "platform/file.h"
+#include "platform/unfinished.h"
+#include "platform/whole_folder.h"
 #include "report/lesson_numbers.h"
 #include "state/file/flight.h"
 #include "state/file/json.h"
@@ -33,6 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array ease_names{"linear", "smooth"};
+constexpr std::size_t fewest_digits = 4;  // of a picture's number
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
 /// The options as they were typed.
@@ -68,7 +71,7 @@ void declare(Options& options, Typed& typed) {
     options.text(
         "-o,--output", "OUT", typed.output,
         ".mp4, .gif or .webp: a film (ffmpeg); .png: a sheet with each picture's values; a folder's name: a .png "
-        "for each");
+        "for each; the folder is new, empty or an earlier sweep's, which it replaces as a whole");
     options.text("--fps", "N", typed.fps,
                  "Pictures a second of a film, 1 to 120; default 30. Of a flight also those of a sheet, a folder or a "
                  "table, which else have all that were recorded");
@@ -99,7 +102,7 @@ Kind kind_of(const std::string& output, std::string& ending) {
 
 std::string file_of_picture(std::size_t index, std::size_t count) {
     const std::string number = std::to_string(index + 1);
-    const std::size_t digits = std::max<std::size_t>(4, std::to_string(count).size());
+    const std::size_t digits = std::max(fewest_digits, std::to_string(count).size());
     return std::string(digits - number.size(), '0') + number + ".png";
 }
 
@@ -111,16 +114,25 @@ std::vector<FileArgument> outputs_of(const Typed& typed, const Wish& wish) {
     return outputs;
 }
 
-/// Refuses an output that is an input or another one.
-void keep_apart(const Options& options, const Typed& typed, const Wish& wish, std::size_t count,
-                std::vector<FileArgument> inputs) {
+/// A picture of an earlier sweep: a number, and in it the state that it shows.
+bool is_own_picture(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    const bool is_number = stem.size() >= fewest_digits && stem.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number || file.extension() != ".png") return false;
+    const Result<std::string> note = read_png_note(file);
+    return note && !note->empty();
+}
+
+/// Refuses an output that is an input or another one; a folder of pictures takes the place of all that is in it.
+void keep_apart(const Options& options, const Typed& typed, const Wish& wish, std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
     if (wish.kind != Kind::folder) return;
     if (typed.csv) inputs.push_back({"--csv", *typed.csv});
-    for (std::size_t i = 0; i < count; ++i) {
-        const FileArgument picture{"a picture of -o", (fs::path(*typed.output) / file_of_picture(i, count)).string()};
-        check_apart(options, {&picture, 1}, inputs);
-    }
+    for (const FileArgument& input : inputs)
+        if (input.file != "-" && are_same_file(folder_of(input.file), *typed.output))
+            options.refuse("-o: the folder is replaced as a whole, and " + input.option +
+                           " is in it: " + one_line(input.file));
+    value_or_end(check_folder_free(*typed.output, is_own_picture));
 }
 
 /// A flight goes its own way; everything else needs a field to vary.
@@ -148,6 +160,7 @@ Wish checked(const Options& options, const Typed& typed, bool is_flight) {
     wish.picture.view =
         static_cast<PictureView>(choice_option(options, "--view", typed.view.value_or("camera"), picture_view_names));
     wish.picture.size_px = size_option(options, typed.size);
+    check_size(options, wish.picture);
     wish.picture.samples = samples_option(options, typed.samples);
     if (typed.output) wish.kind = kind_of(*typed.output, wish.ending);
     if (wish.kind != Kind::film && typed.fps && !is_flight) options.refuse("--fps needs a film: .mp4, .gif or .webp");
@@ -311,20 +324,18 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (wish.kind == Kind::sheet) {
         wish.columns = columns_of(options, typed, wish, stops.size());
         const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(stops.size()), wish.columns);
-        if (sheet_px.x > largest_image_side || sheet_px.y > largest_image_side ||
-            static_cast<std::int64_t>(sheet_px.x) * sheet_px.y > most_image_pixels)
+        if (!is_image_size(sheet_px.x, sheet_px.y))
             options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " +
-                           std::to_string(sheet_px.y) + " pixels; at most " + std::to_string(largest_image_side) +
-                           " a side and 64 million in all");
+                           std::to_string(sheet_px.y) + " pixels; " + image_size_rule());
     }
-    keep_apart(options, typed, wish, stops.size(), state_arguments.files());
+    keep_apart(options, typed, wish, state_arguments.files());
     Steps steps(start, stops);
     std::vector<fs::path> read;
     for (std::size_t i = 0; i < steps.count(); ++i) {  // what is wrong is said before anything is drawn
         const LoadedState state = steps.at(i);
         if (steps.scene().read != read) {
             read = steps.scene().read;
-            keep_apart(options, typed, wish, stops.size(), files_of(steps.scene()));
+            keep_apart(options, typed, wish, files_of(steps.scene()));
         }
         const Derived derived = derive(state.params, steps.scene(), Viewport{size_px});
         if (wish.kind != Kind::nothing) value_or_end(check_finite(derived), ExitStatus::nan_or_blank);
@@ -334,12 +345,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     Headless headless(device_option(options, typed.device));
     std::optional<Film> film;
     if (wish.kind == Kind::film) film.emplace(value_or_end(Film::begin(wish.ending, size_px, wish.fps)));
-    if (wish.kind == Kind::folder) {
-        std::error_code error;
-        fs::create_directories(*typed.output, error);
-        if (error)
-            throw Failure(ExitStatus::bad_input, one_line(*typed.output) + ": cannot be made: " + error.message());
-    }
+    std::optional<WholeFolder> folder;
+    if (wish.kind == Kind::folder) folder.emplace(value_or_end(WholeFolder::begin(*typed.output, is_own_picture)));
     std::vector<SheetPicture> sheet;
     std::string table = head(typed, wish);
     std::optional<Params> drawn;  // what `image` shows
@@ -353,8 +360,8 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                                    status_of_trouble(wish.picture.view));
         drawn = state.params;
         if (film) value_or_end(film->add(image));
-        if (wish.kind == Kind::folder)
-            value_or_end(write_file(fs::path(*typed.output) / file_of_picture(i, steps.count()),
+        if (folder)
+            value_or_end(write_file(folder->beside() / file_of_picture(i, steps.count()),
                                     encode_png(image, carried_state(drawn_params(state.params, wish.picture)))));
         if (wish.kind == Kind::sheet) sheet.push_back({image, captions_of(steps.settings(i))});
     }
@@ -363,6 +370,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     if (film) outputs.add(*typed.output, value_or_end(film->finish()));
     if (wish.kind == Kind::sheet) outputs.add(*typed.output, encode_png(contact_sheet(sheet, wish.columns)));
     if (typed.csv) outputs.add(*typed.csv, table);
+    if (folder) outputs.add(*std::move(folder));
     outputs.write();
     return ExitStatus::done;
 }

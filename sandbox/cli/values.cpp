@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "image/image_size.h"
 #include "image/png.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -40,11 +41,7 @@ glm::ivec2 size_option(const Options& options, const std::optional<std::string>&
     if (!text) return default_size_px;
     const std::optional<glm::ivec2> size = parse_pair(*text, 'x');
     if (!size) options.refuse("--size: must be WIDTHxHEIGHT in pixels, such as 1280x720" + got(*text));
-    const bool sides_fit =
-        size->x >= 1 && size->y >= 1 && size->x <= largest_image_side && size->y <= largest_image_side;
-    if (!sides_fit || static_cast<long long>(size->x) * size->y > most_image_pixels)
-        options.refuse("--size: each side must be from 1 to " + std::to_string(largest_image_side) +
-                       " and the picture at most 64 million pixels" + got(*text));
+    if (!is_image_size(size->x, size->y)) options.refuse("--size: " + image_size_rule() + got(*text));
     return *size;
 }
 

@@ -16,7 +16,7 @@ struct MaskSource {
 };
 
 /// All of them as the mask of a picture of this size; an empty source leaves nothing out. The error names a picture
-/// that cannot be read or has another size.
+/// that cannot be read or has another size, a rectangle that lies outside, or says that nothing is left to compare.
 Result<Mask> mask_of(const MaskSource& source, int width, int height);
 
 }  // namespace viewing

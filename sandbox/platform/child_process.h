@@ -18,7 +18,7 @@ public:
     static Result<ChildProcess> start(const std::vector<std::string>& arguments);
     ChildProcess(ChildProcess&&) noexcept;
     ChildProcess& operator=(ChildProcess&&) noexcept;
-    /// One that still runs is killed.
+    /// One that still runs is ended (end()).
     ~ChildProcess();
 
     /// Into its standard input, with an end of line or as it is. False: it does not listen any more.
@@ -34,25 +34,30 @@ public:
 
     /// Whether it may still say something; reads what is there.
     bool is_running() const;
-    void kill();
+    /// SIGTERM, so that it can remove what it has not finished; SIGKILL where it has not ended two seconds later. Then
+    /// wait().
+    std::string end();
     /// Waits for its end. How it ended, in words: "exit status 9", "signal 11 (Segmentation fault)".
     std::string wait();
     /// Of one that was waited for: its exit status, −1 where a signal ended it.
     int exit_status() const;
 
-    /// Sleeps until one of them has said something or has ended, at most so long. Reads what was said.
-    static void listen(std::span<ChildProcess* const> children, double seconds);
+    /// Sleeps until one of them has said something or has ended, or the file can be read, at most so long. Reads what
+    /// was said.
+    static void listen(std::span<ChildProcess* const> children, double seconds, int wake_file = -1);
 
 private:
     struct State;
     explicit ChildProcess(std::unique_ptr<State> state);
+    void send(int signal);
     std::unique_ptr<State> state_;
 };
 
 /// The file of the program that runs.
 std::string own_program();
 
-/// For a child: from now on it ends with the thread that started it, however that ended.
+/// For a child: from now on it ends with the thread that started it, however that ended, as by SIGTERM. Ctrl+C and the
+/// end of the terminal are the parent's to answer.
 void end_with_parent();
 
 }  // namespace viewing

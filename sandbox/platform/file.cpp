@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #ifdef __linux__
+#include <sys/syscall.h>
 #include <sys/vfs.h>
 #endif
 #include <unistd.h>
@@ -13,6 +14,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <deque>
 #include <fstream>
 #include <iterator>
@@ -22,6 +24,7 @@
 #include <system_error>
 
 #include "platform/person_files.h"
+#include "platform/unfinished.h"
 
 namespace viewing {
 
@@ -59,26 +62,33 @@ int open_new(const fs::path& target, fs::path& made) {
     return file;
 }
 
-fs::path folder_of(const fs::path& file) {
-    return file.has_parent_path() ? file.parent_path() : ".";
-}
-
-void keep_folder(const fs::path& folder) {
-    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (opened < 0) return;
-    ::fsync(opened);  // some file systems have nothing to do here and refuse
-    ::close(opened);
-}
-
-/// The files that wait for their names, for who ends the process from within a signal: no locks and no memory there.
+/// What waits for its name, for who ends the process from within a signal: no locks and no memory there.
 std::array<std::atomic<const char*>, 64> unfinished{};
 
-/// Two names change places. False: not on this file system.
-bool exchange_names([[maybe_unused]] const fs::path& a, [[maybe_unused]] const fs::path& b) {
-#ifdef RENAME_EXCHANGE
-    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
-#else
-    return false;
+/// A file, or a folder with all that is in it. Only what a signal's handler may do.
+void remove_at(int parent, const char* name) {  // NOLINT(misc-no-recursion): as deep as the folder
+    if (::unlinkat(parent, name, 0) == 0) return;
+#ifdef SYS_getdents64
+    const int folder = ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) return;
+    // struct linux_dirent64: at 16 the record's length, at 19 the name. Where names were removed while they are listed,
+    // some file systems pass over others.
+    alignas(8) std::array<char, 2048> entries{};
+    for (int pass = 0; pass < 8 && ::unlinkat(parent, name, AT_REMOVEDIR) != 0; ++pass) {
+        ::lseek(folder, 0, SEEK_SET);
+        for (long bytes = 1; bytes > 0;) {
+            bytes = ::syscall(SYS_getdents64, folder, entries.data(), entries.size());
+            for (long at = 0; at < bytes;) {
+                const char* const entry = entries.data() + at;
+                std::uint16_t length = 0;
+                std::memcpy(&length, entry + 16, sizeof length);
+                const std::string_view inner = entry + 19;
+                if (inner != "." && inner != "..") remove_at(folder, inner.data());
+                at += length;
+            }
+        }
+    }
+    ::close(folder);
 #endif
 }
 
@@ -91,8 +101,7 @@ public:
         const int file = open_new(target, beside_);
         if (file < 0) return errno;
         is_there_ = true;
-        for (std::atomic<const char*>& place : unfinished)
-            if (const char* nobody = nullptr; place.compare_exchange_strong(nobody, beside_.c_str())) break;
+        note_unfinished(beside_);
         struct stat old {};
         was_new_ = ::stat(target.c_str(), &old) != 0;
         if (!was_new_) ::fchmod(file, old.st_mode & 07777U);
@@ -136,8 +145,7 @@ public:
 private:
     void forget() {
         is_there_ = false;
-        for (std::atomic<const char*>& place : unfinished)
-            if (const char* own = beside_.c_str(); place.compare_exchange_strong(own, nullptr)) break;
+        forget_unfinished(beside_);
     }
 
     fs::path target_, beside_;
@@ -149,10 +157,6 @@ private:
 int write_into(const fs::path& path, std::span<const std::uint8_t> bytes) {
     const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     return file < 0 ? errno : write_all(file, bytes, false);
-}
-
-Error cannot_write(const fs::path& path, int code) {
-    return {path.string() + ": cannot be written: " + std::generic_category().message(code)};
 }
 
 /// Whether the kernel makes the file up while it is read: some of these wait for what happens next (/proc/kmsg).
@@ -169,6 +173,39 @@ bool is_made_up([[maybe_unused]] const fs::path& file) {
 }
 
 }  // namespace
+
+fs::path folder_of(const fs::path& file) {
+    return file.has_parent_path() ? file.parent_path() : ".";
+}
+
+void keep_folder(const fs::path& folder) {
+    const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return;
+    ::fsync(opened);  // some file systems have nothing to do here and refuse
+    ::close(opened);
+}
+
+Error write_error(const fs::path& path, int code) {
+    return {path.string() + ": cannot be written: " + std::generic_category().message(code)};
+}
+
+bool exchange_names([[maybe_unused]] const fs::path& a, [[maybe_unused]] const fs::path& b) {
+#ifdef RENAME_EXCHANGE
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+#else
+    return false;
+#endif
+}
+
+void note_unfinished(const fs::path& beside) {
+    for (std::atomic<const char*>& place : unfinished)
+        if (const char* nobody = nullptr; place.compare_exchange_strong(nobody, beside.c_str())) break;
+}
+
+void forget_unfinished(const fs::path& beside) {
+    for (std::atomic<const char*>& place : unfinished)
+        if (const char* own = beside.c_str(); place.compare_exchange_strong(own, nullptr)) break;
+}
 
 std::optional<fs::path> end_of_links(fs::path path) {
     constexpr int longest_chain = 40;
@@ -208,13 +245,13 @@ Status write_files(std::span<const FileBytes> files, const std::function<void()>
         const int failure = !is_replaced ? write_into(file.path, file.bytes)
                             : target     ? prepared.emplace_back().prepare(*target, file.bytes)
                                          : ELOOP;
-        if (failure != 0) return cannot_write(file.path, failure);
+        if (failure != 0) return write_error(file.path, failure);
     }
     if (before_names) before_names();
     for (Prepared& file : prepared)
         if (const int failure = file.take_name(); failure != 0) {
             for (Prepared& earlier : prepared) earlier.give_name_back();
-            return cannot_write(file.target(), failure);
+            return write_error(file.target(), failure);
         }
     for (const FileBytes& file : files) hand_over(file.path);
     return std::monostate{};
@@ -232,7 +269,7 @@ Status copy_bytes(const fs::path& from, const fs::path& to) {
 
 void remove_unfinished_files() {
     for (const std::atomic<const char*>& place : unfinished)
-        if (const char* const name = place.load(); name != nullptr) ::unlink(name);
+        if (const char* const name = place.load(); name != nullptr) remove_at(AT_FDCWD, name);
 }
 
 bool is_there(const fs::path& file) {

@@ -1,6 +1,7 @@
 #include "suite/entry_check.h"
 
 #include <algorithm>
+#include <array>
 #include <system_error>
 
 #include "image/png.h"
@@ -63,8 +64,9 @@ public:
 private:
     void worsen(Outcome outcome, std::string reason) {
         // A difference outweighs what is new, a failure both.
-        static constexpr int weight[] = {0, 2, 1, 3};
-        if (weight[static_cast<int>(outcome)] > weight[static_cast<int>(result_.outcome)]) result_.outcome = outcome;
+        static constexpr std::array<int, outcome_count> weight{0, 2, 1, 3, 0};
+        if (weight[static_cast<std::size_t>(outcome)] > weight[static_cast<std::size_t>(result_.outcome)])
+            result_.outcome = outcome;
         result_.reasons.push_back(std::move(reason));
     }
 

@@ -1,6 +1,7 @@
 #include "suite/report.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <system_error>
@@ -27,6 +28,34 @@ std::string json_text(const Json& json, int indent) {
     return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
+/// The folders of a report.
+constexpr std::array inner_folders{"pictures", "states", "numbers"};
+
+/// Whether a report may be written here: the folder is new, empty, or that of a report, which has its report.json, or
+/// where a first run was killed before that nothing but all of its folders.
+Status check_report_folder(const fs::path& folder) {
+    std::error_code error;
+    if (!is_there(folder) || fs::is_empty(folder, error)) return std::monostate{};
+    if (is_there(folder / "report.json")) {
+        if (const Result<RunResult> earlier = read_run(folder); !earlier)
+            return Error{earlier.error() + ": so the folder is no report's; name another with \"report\""};
+        return std::monostate{};
+    }
+    bool has_all = true;
+    for (const char* const inner : inner_folders) has_all = has_all && fs::is_directory(folder / inner, error);
+    std::string stranger;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        const bool is_own =
+            has_all && std::find(inner_folders.begin(), inner_folders.end(), name) != inner_folders.end();
+        if (!is_own && (stranger.empty() || name < stranger)) stranger = name;
+    }
+    if (stranger.empty() && !error) return std::monostate{};
+    return Error{folder.string() + ": cannot take a report: " +
+                 (error ? error.message() : "it holds " + one_line(stranger) + " and no report.json") +
+                 "; name another folder with \"report\""};
+}
+
 /// XML has no way to write most control characters, nor what is no UTF-8 or no character.
 std::string xml_text(const std::string& text) {
     std::string clean;
@@ -48,9 +77,11 @@ void fill(std::string& page, const std::string& place, std::string_view with) {
 }  // namespace
 
 Status prepare_report(const Suite& suite) {
-    for (const fs::path& folder :
-         {suite.references, suite.report, suite.report / "pictures", suite.report / "states", suite.report / "numbers"})
+    if (const Status is_ours = check_report_folder(suite.report); !is_ours) return is_ours;
+    for (const fs::path& folder : {suite.references, suite.report})
         if (const Status made = make_folder(folder); !made) return made;
+    for (const char* const inner : inner_folders)
+        if (const Status made = make_folder(suite.report / inner); !made) return made;
     return std::monostate{};
 }
 
@@ -64,7 +95,9 @@ std::string junit_of(const RunResult& run) {
     for (const EntryResult& entry : run.entries) {
         text += "<testcase classname=\"" + xml_text(run.suite) + "\" name=\"" + xml_text(entry.name) + "\" time=\"" +
                 std::to_string(entry.seconds) + "\">";
-        if (entry.outcome != Outcome::passed) {
+        if (entry.outcome == Outcome::not_drawn) {
+            text += "\n<skipped message=\"" + xml_text(reasons_in_lines(entry)) + "\"/>\n";
+        } else if (entry.outcome != Outcome::passed) {
             const char* const kind = entry.outcome == Outcome::failed ? "error" : "failure";
             text += std::string("\n<") + kind + " type=\"" + name_of(entry.outcome) + "\" message=\"" +
                     xml_text(entry.reasons.empty() ? "" : entry.reasons.front()) + "\">" +
@@ -175,7 +208,8 @@ Result<std::size_t> accept_results(const Suite& suite, const std::vector<std::st
         const bool is_named = std::find(names.begin(), names.end(), result.name) != names.end();
         if (names.empty() ? result.outcome != Outcome::different : !is_named) continue;
         const EntryFiles files = files_of(suite.report, result.file_name);
-        if (result.outcome == Outcome::failed || (!is_there(files.actual) && !is_there(files.numbers)))
+        if (result.outcome == Outcome::failed || result.outcome == Outcome::not_drawn ||
+            (!is_there(files.actual) && !is_there(files.numbers)))
             return Error{one_line(result.name) + ": the last run drew nothing that could be accepted"};
         const fs::path reference = suite.references / result.file_name;
         const std::pair<fs::path, fs::path> pairs[] = {{files.actual, reference.string() + ".png"},

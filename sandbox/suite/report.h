@@ -10,7 +10,8 @@
 
 namespace viewing {
 
-/// The folders for what is left, made where they are missing. The error: they cannot be made or written.
+/// The folders for what is left, made where they are missing. The error: they cannot be made or written, or the
+/// report's holds what is no report.
 Status prepare_report(const Suite& suite);
 
 /// report.json, junit.xml and index.html.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array outcome_names{"passed", "different", "new", "failed"};
+constexpr std::array outcome_names{"passed", "different", "new", "failed", "not drawn"};
 
 std::string text_at(const Json& object, const char* key, const Where& where) {
     if (!object.contains(key) || !object[key].is_string()) where.key(key).refuse("must be a text");

@@ -15,9 +15,10 @@ enum class Outcome {
     passed,
     different,  ///< from what was accepted
     fresh,      ///< there was nothing yet: what was drawn now is the reference
-    failed      ///< it could not be drawn or judged
+    failed,     ///< it could not be drawn or judged
+    not_drawn   ///< the run ended before
 };
-inline constexpr int outcome_count = 4;
+inline constexpr int outcome_count = 5;
 const char* name_of(Outcome outcome);  ///< "new" for a fresh one
 
 struct EntryResult {

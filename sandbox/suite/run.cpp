@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "platform/child_process.h"
+#include "platform/ending_signals.h"
 #include "state/file/reader.h"
 #include "text/numbers.h"
 #include "text/words.h"
@@ -35,13 +36,15 @@ public:
     }
 
     GatheredResults all() {
-        while (finished_ < done_.size() && !results_.failure) {
+        while (finished_ < done_.size() && !results_.failure && EndingNote::signal() == 0) {
             hire();
             if (results_.failure) break;
             listen();
+            if (EndingNote::signal() != 0) break;
             for (std::size_t i = workers_.size(); i-- > 0;)
                 if (!serve(workers_[i])) workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
         }
+        if (finished_ < done_.size() && !results_.failure) end_early();
         for (Worker& worker : workers_) {
             worker.process.finish_telling();
             worker.process.wait();
@@ -51,6 +54,29 @@ public:
     }
 
 private:
+    /// What workers had finished counts; the rest is not drawn, with the key that it had.
+    void end_early() {
+        results_.ended_by = EndingNote::signal();
+        for (Worker& worker : workers_) {
+            worker.process.end();
+            for (const std::string& line : worker.process.take_lines()) hear(worker, line);
+        }
+        for (std::size_t place = 0; place < done_.size(); ++place) {
+            if (!done_[place].name.empty()) continue;
+            const SuiteEntry& entry = suite_.entries[wish_.chosen[place]];
+            done_[place] = result_for(entry);
+            done_[place].outcome = Outcome::not_drawn;
+            done_[place].reasons = {std::string("the run was ended before, by ") +
+                                    name_of_ending_signal(results_.ended_by)};
+            done_[place].key = known_key(entry);
+        }
+    }
+
+    std::string known_key(const SuiteEntry& entry) const {
+        const auto known = wish_.known_keys.find(entry.name);
+        return known == wish_.known_keys.end() ? "" : known->second;
+    }
+
     void hire() {
         const auto busy = static_cast<std::size_t>(
             std::count_if(workers_.begin(), workers_.end(), [](const Worker& worker) { return worker.place; }));
@@ -72,7 +98,7 @@ private:
             processes.push_back(&worker.process);
             patience_s = std::min(patience_s, wish_.entry_timeout_s - seconds_since(worker.since));
         }
-        ChildProcess::listen(processes, std::max(patience_s, 0.0) + 0.01);
+        ChildProcess::listen(processes, std::max(patience_s, 0.0) + 0.01, EndingNote::file());
     }
 
     /// False: this worker is no more.
@@ -80,10 +106,8 @@ private:
         for (const std::string& line : worker.process.take_lines())
             if (!hear(worker, line)) return lose(worker, "said what cannot be read: " + excerpt(line));
         if (!worker.process.is_running()) return lose(worker, "");
-        if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s) {
-            worker.process.kill();
+        if ((worker.place || !worker.has_begun) && seconds_since(worker.since) > wish_.entry_timeout_s)
             return lose(worker, "not done within " + figures(wish_.entry_timeout_s) + " s");
-        }
         if (worker.has_begun && !worker.place && !waiting_.empty()) ask(worker);
         return true;
     }
@@ -108,15 +132,13 @@ private:
         worker.since = Clock::now();
         waiting_.pop_front();
         const std::size_t entry = wish_.chosen[*worker.place];
-        const auto known = wish_.known_keys.find(suite_.entries[entry].name);
-        const Json request{{"entry", entry}, {"key", known == wish_.known_keys.end() ? "" : known->second}};
+        const Json request{{"entry", entry}, {"key", known_key(suite_.entries[entry])}};
         worker.process.tell(request.dump());  // of one that has gone the end is noticed
     }
 
     /// What it worked on has failed; before anything could be drawn the whole run has.
     bool lose(Worker& worker, const std::string& why) {
-        if (!why.empty()) worker.process.kill();
-        const std::string end = worker.process.wait();
+        const std::string end = why.empty() ? worker.process.wait() : worker.process.end();
         const std::string complaint = worker.process.take_complaints();
         if (!worker.has_begun) {
             const int status = worker.process.exit_status();

@@ -1,5 +1,6 @@
 // A suite run: its entries handed to workers, each a process of its own, and their results gathered. What crashes or
-// takes too long fails alone; the others go on with a new worker.
+// takes too long fails alone; the others go on with a new worker. While there is an EndingNote, a signal ends the run
+// early: workers are ended, and what they have not finished is not drawn.
 #pragma once
 
 #include <functional>
@@ -27,9 +28,10 @@ struct NoWorker {
     std::string complaint;
 };
 
-/// Entries in the order of `chosen`. One of the two has something.
+/// Entries in the order of `chosen`. Either entries or failure has something.
 struct GatheredResults {
     std::vector<EntryResult> entries;
+    int ended_by = 0;  ///< the signal that ended the run early
     std::string renderer;
     std::optional<NoWorker> failure;
 };

@@ -1,35 +1,32 @@
 #include "suite/schema.h"
 
 #include "app/picture.h"
+#include "image/compare.h"
 #include "state/file/document.h"
+#include "suite/form.h"
 
 namespace viewing {
 namespace {
 
-/// What every entry may say, and "defaults" for all: as suite_reader.cpp reads it.
+namespace form = suite_form;
+
+/// What every entry may say, and "defaults" for all: as suite_reader.cpp reads it. What is a number or a list of names
+/// comes from form.h.
 constexpr const char* settings = R"({
-  "set": {"anyOf": [{"type": "object"}, {"type": "array", "items": {"type": "string", "pattern": "="}}]},
-  "size": {"type": "array", "items": {"type": "integer", "minimum": 1, "maximum": 16384}, "minItems": 2, "maxItems": 2},
+  "set": {"anyOf": [{"type": "object"}, {"$ref": "#/$defs/settings"}]},
+  "size": {"type": "array", "items": {"$ref": "#/$defs/side"}, "minItems": 2, "maxItems": 2},
   "samples": {"enum": [0, 4, "state"]},
   "picture": {"type": "boolean"},
-  "profile": {"enum": ["strict", "portable"]},
-  "worst": {"type": "integer", "minimum": 0, "maximum": 255},
   "share": {"type": "number", "minimum": 0, "maximum": 1},
-  "reach": {"type": "integer", "minimum": 0, "maximum": 16},
-  "masks": {"type": "array", "maxItems": 1000, "items": {"anyOf": [{"$ref": "#/$defs/name"},
-    {"type": "array", "items": {"type": "integer", "minimum": 0, "maximum": 16384}, "minItems": 4, "maxItems": 4}]}},
   "matrices": {"anyOf": [{"type": "boolean"}, {"type": "object", "properties": {"tolerance": {"$ref": "#/$defs/tolerance"}},
     "additionalProperties": false}]},
-  "measure": {"anyOf": [{"$ref": "#/$defs/measure"}, {"type": "array", "items": {"$ref": "#/$defs/measure"}}]},
   "problems": {"type": "object", "properties": {"must": {"$ref": "#/$defs/names"}, "must_not": {"$ref": "#/$defs/names"},
-    "none": {"type": "boolean"}}, "additionalProperties": false}
+    "none": {"type": "boolean"}}, "additionalProperties": false,
+    "not": {"properties": {"none": {"const": true}, "must": {"minItems": 1}}, "required": ["none", "must"]}}
 })";
 
 constexpr const char* definitions = R"({
-  "name": {"type": "string", "minLength": 1, "maxLength": 1024},
-  "names": {"type": "array", "items": {"$ref": "#/$defs/name"}, "maxItems": 64},
-  "tolerance": {"type": "number", "minimum": 0, "maximum": 1e9},
-  "quantity": {"enum": ["fighting", "visibility", "mirror", "order"]},
+  "name": {"type": "string", "minLength": 1, "maxLength": 1024, "pattern": "^[^\\u0000-\\u001f\\u007f]*$"},
   "measure": {"anyOf": [{"$ref": "#/$defs/quantity"}, {"type": "object", "properties":
     {"what": {"$ref": "#/$defs/quantity"}, "tolerance": {"$ref": "#/$defs/tolerance"}}, "required": ["what"],
     "additionalProperties": false}]}
@@ -37,16 +34,54 @@ constexpr const char* definitions = R"({
 
 constexpr const char* subject = R"({
   "name": {"$ref": "#/$defs/name"}, "about": {"$ref": "#/$defs/name"},
-  "state": {"anyOf": [{"$ref": "#/$defs/name"}, {"type": "object"}]},
-  "lesson": {"$ref": "#/$defs/name"}, "step": {"type": "integer", "minimum": 1, "maximum": 1000},
+  "state": {"anyOf": [{"$ref": "#/$defs/name", "not": {"const": "-"}}, {"type": "object"}]},
+  "lesson": {"$ref": "#/$defs/name"},
   "revealed": {"type": "boolean"}, "present": {"type": "boolean"},
   "exercise": {"$ref": "#/$defs/name"}, "course": {"$ref": "#/$defs/name"}, "student": {"$ref": "#/$defs/name"}
 })";
 
 constexpr const char* each = R"({
-  "each": {"enum": ["preset", "mended", "scene"]}, "name": {"type": "string", "pattern": "\\{\\}"},
+  "name": {"$ref": "#/$defs/name", "pattern": "\\{\\}"},
   "about": {"$ref": "#/$defs/name"}, "except": {"$ref": "#/$defs/names"}
 })";
+
+Json whole_number(int least, int most) {
+    return {{"type", "integer"}, {"minimum", least}, {"maximum", most}};
+}
+
+Json list_of(const Json& items, std::size_t most) {
+    return {{"type", "array"}, {"items", items}, {"maxItems", most}};
+}
+
+Json reference_to(const std::string& definition) {
+    return {{"$ref", "#/$defs/" + definition}};
+}
+
+/// The settings with the limits of form.h.
+Json all_settings() {
+    Json all = Json::parse(settings);
+    all["view"] = {{"enum", picture_view_names}};
+    all["profile"] = {{"enum", profile_names}};
+    all["worst"] = whole_number(0, form::most_worst);
+    all["reach"] = whole_number(0, form::most_reach_px);
+    const Json place = whole_number(0, largest_image_side), side = reference_to("side");
+    const Json rectangle = {
+        {"type", "array"}, {"prefixItems", Json::array({place, place, side, side})}, {"minItems", 4}, {"maxItems", 4}};
+    all["masks"] = list_of({{"anyOf", Json::array({reference_to("name"), rectangle})}}, form::most_masks);
+    const Json measure = reference_to("measure");
+    all["measure"] = {{"anyOf", Json::array({measure, list_of(measure, form::measure_names.size())})}};
+    return all;
+}
+
+Json all_definitions() {
+    Json all = Json::parse(definitions);
+    all["names"] = list_of(reference_to("name"), form::most_names);
+    all["settings"] = list_of({{"$ref", "#/$defs/name"}, {"pattern", "="}}, form::most_settings);
+    all["side"] = whole_number(1, largest_image_side);
+    all["tolerance"] = {{"type", "number"}, {"minimum", 0}, {"maximum", form::most_tolerance}};
+    all["quantity"] = {{"enum", form::measure_names}};
+    return all;
+}
 
 Json object_of(const Json& properties, const Json& more, std::vector<std::string> required) {
     Json all = properties;
@@ -57,30 +92,48 @@ Json object_of(const Json& properties, const Json& more, std::vector<std::string
             {"additionalProperties", false}};
 }
 
+/// An entry: one of three subjects at most, and what belongs to one of them stands only there.
+Json entry_of(const Json& of_all) {
+    Json properties = Json::parse(subject);
+    properties["step"] = whole_number(1, form::most_step);
+    Json entry = object_of(properties, of_all, {"name"});
+    entry["dependentRequired"] = {{"step", {"lesson"}},
+                                  {"revealed", {"lesson"}},
+                                  {"present", {"lesson"}},
+                                  {"course", {"exercise"}},
+                                  {"student", {"exercise"}}};
+    const auto both = [](const char* a, const char* b) { return Json{{"required", {a, b}}}; };
+    entry["not"] = {
+        {"anyOf", Json::array({both("state", "lesson"), both("state", "exercise"), both("lesson", "exercise")})}};
+    return entry;
+}
+
 }  // namespace
 
 std::string suite_schema() {
-    Json of_all = Json::parse(settings);
-    of_all["view"] = {{"enum", picture_view_names}};
-    const Json name = {{"$ref", "#/$defs/name"}}, none = Json::object();
+    const Json of_all = all_settings();
+    const Json name = reference_to("name"), none = Json::object();
     Json thresholds = {{"name", name}, {"about", name}};
     for (const char* const key : {"profile", "worst", "share", "reach"}) thresholds[key] = of_all[key];
-    const Json entry = {{"anyOf", Json::array({object_of(Json::parse(subject), of_all, {"name"}),
-                                               object_of(Json::parse(each), of_all, {"each", "name"})})}};
+    Json several = Json::parse(each);
+    several["each"] = {{"enum", form::each_names}};
+    const Json entry = {{"anyOf", Json::array({entry_of(of_all), object_of(several, of_all, {"each", "name"})})}};
     const Json loosened = object_of(thresholds, none, {"name", "about"});
+    Json entries = list_of(entry, form::most_entries);
+    entries["minItems"] = 1;
     Json schema = object_of({{"$schema", {{"type", "string"}}},
                              {"suite", {{"const", 1}}},
                              {"title", name},
                              {"references", name},
                              {"report", name},
                              {"defaults", object_of(of_all, none, {})},
-                             {"entries", {{"type", "array"}, {"minItems", 1}, {"items", entry}}},
-                             {"loosened", {{"type", "array"}, {"items", loosened}}}},
+                             {"entries", entries},
+                             {"loosened", list_of(loosened, form::most_entries)}},
                             none, {"suite", "entries"});
     Json whole = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                   {"title", "A suite of the Viewing Sandbox"}};
     whole.update(schema);
-    whole["$defs"] = Json::parse(definitions);
+    whole["$defs"] = all_definitions();
     return print_document(whole) + "\n";
 }
 

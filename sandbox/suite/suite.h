@@ -63,6 +63,9 @@ struct Suite {
 /// field. States that are files are read when their turn comes: one that is broken fails its own entry.
 Result<Suite> load_suite(const std::string& argument);
 
+/// Whether all masks can be read and leave something of their entry's picture to compare. One sentence with the entry.
+Status check_masks(const Suite& suite);
+
 /// A name as a part of a file's name: letters, digits, - and _ as they are, a dot inside, a space or slash as -, others
 /// as %XX; never one that a file system keeps for itself; at most 150 bytes.
 std::string safe_file_name(const std::string& name);

@@ -7,6 +7,7 @@
 #include "lesson/tree.h"
 #include "platform/file.h"
 #include "state/file/json.h"
+#include "suite/form.h"
 #include "suite/results.h"
 #include "suite/suite.h"
 #include "text/words.h"
@@ -16,9 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_of_suite = 100'000;
-constexpr std::array measure_names{"fighting", "visibility", "mirror", "order"};
-constexpr std::array each_names{"preset", "mended", "scene"};
+namespace form = suite_form;
+using form::each_names, form::measure_names;
 
 /// What every entry may say, and "defaults" for all.
 const std::vector<std::string> setting_keys{"set",   "view",  "size",  "samples",  "picture", "profile", "worst",
@@ -34,7 +34,7 @@ std::vector<std::string> with_setting_keys(std::vector<std::string> keys) {
 /// {"projection.near": 0.1, …} or ["projection.near=0.1", …].
 std::vector<std::string> read_set(const Json& value, const Where& where) {
     if (value.is_object()) return read_settings(value, where);
-    require_array(value, where, max_object_keys, "an object of fields and their values, or a list of PATH=VALUE");
+    require_array(value, where, form::most_settings, "an object of fields and their values, or a list of PATH=VALUE");
     std::vector<std::string> settings;
     for (std::size_t i = 0; i < value.size(); ++i) {
         settings.push_back(read_name(value[i], where.at(i)));
@@ -44,10 +44,10 @@ std::vector<std::string> read_set(const Json& value, const Where& where) {
 }
 
 glm::ivec2 read_size(const Json& value, const Where& where) {
-    constexpr int largest = 16384;
     require_array(value, where, 2, "[width, height]");
     if (value.size() != 2) where.refuse("must be [width, height]");
-    return {read_whole(value[0], where.at(0), 1, largest), read_whole(value[1], where.at(1), 1, largest)};
+    return {read_whole(value[0], where.at(0), 1, largest_image_side),
+            read_whole(value[1], where.at(1), 1, largest_image_side)};
 }
 
 /// A rectangle [x, y, width, height], or a picture's file, looked up from the suite's folder.
@@ -56,16 +56,17 @@ void read_mask(const Json& value, const Where& where, const fs::path& folder, Su
         entry.mask.pictures.push_back(folder / read_name(value, where));
         return;
     }
-    constexpr int largest = 16384;
-    const char* const form = "a picture's file, or [x, y, width, height]";
-    if (!value.is_array() || value.size() != 4) refuse_value(value, where, form);
+    if (!value.is_array() || value.size() != 4)
+        refuse_value(value, where, "a picture's file, or [x, y, width, height]");
     std::array<int, 4> sides{};
-    for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest);
+    for (std::size_t i = 0; i < 4; ++i) sides[i] = read_whole(value[i], where.at(i), i < 2 ? 0 : 1, largest_image_side);
     entry.mask.rects.push_back({sides[0], sides[1], sides[2], sides[3]});
 }
 
 double read_tolerance(const Json& object, const Where& where) {
-    return object.contains("tolerance") ? read_number(object["tolerance"], where.key("tolerance"), {0.0, 1e9}) : 0.0;
+    return object.contains("tolerance")
+               ? read_number(object["tolerance"], where.key("tolerance"), {0.0, form::most_tolerance})
+               : 0.0;
 }
 
 SuiteMeasure read_measure(const Json& value, const Where& where) {
@@ -78,8 +79,15 @@ SuiteMeasure read_measure(const Json& value, const Where& where) {
 
 std::vector<SuiteMeasure> read_measures(const Json& value, const Where& where) {
     if (!value.is_array()) return {read_measure(value, where)};
+    require_array(value, where, measure_names.size(), "what is measured, each once");
     std::vector<SuiteMeasure> measures;
-    for (std::size_t i = 0; i < value.size(); ++i) measures.push_back(read_measure(value[i], where.at(i)));
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        const SuiteMeasure measure = read_measure(value[i], where.at(i));
+        if (std::any_of(measures.begin(), measures.end(),
+                        [&](const SuiteMeasure& earlier) { return earlier.what == measure.what; }))
+            where.at(i).refuse("measures " + measure.what + " a second time");
+        measures.push_back(measure);
+    }
     return measures;
 }
 
@@ -120,11 +128,14 @@ void read_settings_of(const Json& object, const Where& where, const fs::path& fo
     with("profile", [&](const Json& value, const Where& at) {
         entry.limits = options_of(static_cast<CompareProfile>(read_choice(value, at, profile_names)));
     });
-    with("worst", [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, 255); });
+    with("worst",
+         [&](const Json& value, const Where& at) { entry.limits.worst = read_whole(value, at, 0, form::most_worst); });
     with("share", [&](const Json& value, const Where& at) { entry.limits.share = read_number(value, at, {0.0, 1.0}); });
-    with("reach", [&](const Json& value, const Where& at) { entry.limits.reach_px = read_whole(value, at, 0, 16); });
+    with("reach", [&](const Json& value, const Where& at) {
+        entry.limits.reach_px = read_whole(value, at, 0, form::most_reach_px);
+    });
     with("masks", [&](const Json& value, const Where& at) {
-        require_array(value, at, 1000, "a list of rectangles [x, y, width, height] and pictures' files");
+        require_array(value, at, form::most_masks, "a list of rectangles [x, y, width, height] and pictures' files");
         for (std::size_t i = 0; i < value.size(); ++i) read_mask(value[i], at.at(i), folder, entry);
     });
     with("matrices", [&](const Json& value, const Where& at) { entry.matrices_tolerance = read_matrices(value, at); });
@@ -157,7 +168,7 @@ void read_state(const Json& value, const Where& where, const fs::path& folder, S
 SuiteStep read_lesson_step(const Json& object, const Where& where, const fs::path& folder) {
     SuiteStep step;
     step.lesson = found_from(folder, name_at(object, "lesson", where));
-    if (has(object, "step")) step.step = read_whole(object["step"], where.key("step"), 1, 1000);
+    if (has(object, "step")) step.step = read_whole(object["step"], where.key("step"), 1, form::most_step);
     step.revealed = has(object, "revealed") && read_bool(object["revealed"], where.key("revealed"));
     step.presents = has(object, "present") && read_bool(object["present"], where.key("present"));
     return step;
@@ -256,7 +267,7 @@ void name_files(Suite& suite, const std::string& prefix) {
 
 /// Entries that were read later have the thresholds of "loosened", each with its reason.
 void loosen(const Json& list, const Where& where, std::vector<SuiteEntry>& entries) {
-    require_array(list, where, most_of_suite, "a list of names with thresholds and a reason");
+    require_array(list, where, form::most_entries, "a list of names with thresholds and a reason");
     std::map<std::string, SuiteEntry*> by_name;
     for (SuiteEntry& entry : entries) by_name.emplace(entry.name, &entry);
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -279,6 +290,37 @@ fs::path folder_at(const Json& object, const char* key, const Where& where, cons
     return folder / (has(object, key) ? read_name(object[key], where.key(key)) : key);
 }
 
+/// What an entry takes of memory, nearly.
+std::size_t bytes_of(const SuiteEntry& entry) {
+    std::size_t bytes = sizeof(SuiteEntry) + entry.name.size() + entry.about.size() + entry.state.size() +
+                        entry.inline_state.size() + entry.mask.rects.size() * sizeof(MaskRect) +
+                        entry.measures.size() * sizeof(SuiteMeasure);
+    for (const fs::path& file : entry.mask.pictures) bytes += sizeof(fs::path) + file.native().size();
+    for (const std::vector<std::string>* const texts :
+         {&entry.settings, &entry.wanted_problems, &entry.unwanted_problems})
+        for (const std::string& text : *texts) bytes += sizeof(std::string) + text.size();
+    return bytes;
+}
+
+/// Whether something of the entry can come out otherwise than it is expected: each kind of check alone says so.
+bool tests_something(const SuiteEntry& entry) {
+    const bool passes_any_picture = entry.limits.profile == CompareProfile::strict &&
+                                    (entry.limits.worst == form::most_worst || entry.limits.share >= 1.0);
+    return (entry.checks_picture && !passes_any_picture) || entry.matrices_tolerance || !entry.measures.empty() ||
+           !entry.wanted_problems.empty() || !entry.unwanted_problems.empty() || entry.allows_no_problem;
+}
+
+/// What can be judged only when defaults, entry and "loosened" are together.
+void check_entry_of(const SuiteEntry& entry, const Where& where) {
+    if (const Status fits = check_picture_size(entry.view, entry.size_px); !fits)
+        where.refuse(excerpt(entry.name) + ": size: " + fits.error());
+    if (!tests_something(entry))
+        where.refuse(excerpt(entry.name) +
+                     (entry.checks_picture
+                          ? " passes whatever is drawn: \"worst\" 255 or \"share\" 1 lets every picture pass"
+                          : " tests nothing: without \"picture\" it needs \"matrices\", \"measure\" or \"problems\""));
+}
+
 Suite read_suite(const Json& document, const fs::path& file, const Where& where) {
     require_keys(document, where,
                  {"$schema", "suite", "title", "references", "report", "defaults", "entries", "loosened"});
@@ -297,14 +339,17 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
     }
     const Where entries = where.key("entries");
     if (!has(document, "entries")) entries.refuse("is missing: a list of entries");
-    require_array(document["entries"], entries, most_of_suite, "a list of entries");
-    std::size_t settings = 0;  // with those that each entry has of the defaults
+    require_array(document["entries"], entries, form::most_entries, "a list of entries");
+    std::size_t bytes = 0;  // with what each entry has of the defaults
     const auto add = [&](SuiteEntry entry) {
-        constexpr std::size_t most_settings = 1'000'000;
-        settings += entry.settings.size();
-        if (suite.entries.size() == most_of_suite)
-            entries.refuse("are more than " + std::to_string(most_of_suite) + " with those that stand for several");
-        if (settings > most_settings) entries.refuse("have more than a million settings with those of the defaults");
+        constexpr std::size_t most_bytes = 128U << 20U;
+        bytes += bytes_of(entry);
+        if (suite.entries.size() == form::most_entries)
+            entries.refuse("are more than " + std::to_string(form::most_entries) +
+                           " with those that stand for several");
+        if (bytes > most_bytes)
+            entries.refuse("have more than " + std::to_string(most_bytes >> 20U) +
+                           " MiB of settings, masks and texts with those of the defaults");
         suite.entries.push_back(std::move(entry));
     };
     for (std::size_t i = 0; i < document["entries"].size(); ++i) {
@@ -316,6 +361,7 @@ Suite read_suite(const Json& document, const fs::path& file, const Where& where)
             add(read_entry(object, entries.at(i), suite.folder, defaults));
     }
     if (has(document, "loosened")) loosen(document["loosened"], where.key("loosened"), suite.entries);
+    for (const SuiteEntry& entry : suite.entries) check_entry_of(entry, entries);
     return suite;
 }
 

@@ -116,8 +116,9 @@ TEST_F(Bundle, OfALibraryThatLeadsElsewhereTakesNothing) {
 
 TEST_F(Bundle, IsWholeOrNotThere) {
     make("full/file", "kept");
-    refused({"state", "--bundle", "full"}, {"--bundle", "full is there already"});
-    refused({"state", "--bundle", "missing/bundle"}, {"there is no folder missing"});
+    refused({"state", "--bundle", "full"}, {"full", "it holds file"});
+    refused({"state", "--bundle", "full/file"}, {"full/file", "it is a file"});
+    refused({"state", "broken.obj", "--bundle", "missing/bundle"}, {"broken.obj"});
     refused({"state", "--bundle", "/proc/bundle"}, {"/proc"});
     refused({"state", "broken.obj", "--bundle", "bundle"}, {"broken.obj"});
     make("outside.obj", tetrahedron);
@@ -127,6 +128,8 @@ TEST_F(Bundle, IsWholeOrNotThere) {
     fs::create_directory(folder() / "empty");
     expect(0, {"state", "--bundle", "empty/"});
     EXPECT_EQ(names("empty"), std::set<std::string>{"state.json"});
+    expect(0, {"state", "--bundle", "missing/bundle"});
+    EXPECT_EQ(names("missing"), (std::set<std::string>{"bundle", "bundle/state.json"}));
 }
 
 TEST_F(Bundle, AMeshIsCalledAsItWasGiven) {

@@ -105,8 +105,8 @@ TEST_F(OutputNames, OfSweep) {
     sweep({"-o", "a.png", "--csv", "a.png"}, {"-o", "--csv", "same file"});
     fs::create_directory(folder() / "frames");
     fs::copy_file(folder() / "reference.png", folder() / "frames/0002.png");
-    sweep({"frames/0002.png", "-o", "frames"}, {"a picture of -o", "STATE", "same file"});
-    sweep({"-o", "frames", "--csv", "frames/0002.png"}, {"a picture of -o", "--csv", "same file"});
+    sweep({"frames/0002.png", "-o", "frames"}, {"-o", "STATE", "frames/0002.png"});
+    sweep({"-o", "frames", "--csv", "frames/0002.png"}, {"-o", "--csv", "frames/0002.png"});
 }
 
 TEST_F(OutputNames, OfGradeAndLesson) {

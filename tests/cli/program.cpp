@@ -13,6 +13,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 extern char** environ;
 
@@ -55,10 +56,11 @@ std::map<std::string, std::string> environment_for(const Surroundings& surroundi
     ::_exit(127);
 }
 
-int wait_for(pid_t child) {
+int wait_for(pid_t child, const Surroundings& surroundings) {
     const Clock::time_point latest = Clock::now() + longest_run;
-    int state = 0;
+    int state = 0, signal = surroundings.signal;
     while (::waitpid(child, &state, WNOHANG) == 0) {
+        if (signal != 0 && surroundings.signal_when()) ::kill(child, std::exchange(signal, 0));
         if (Clock::now() > latest) {
             ::kill(child, SIGKILL);
             ::waitpid(child, &state, 0);
@@ -109,7 +111,13 @@ Ended Program::run(const std::vector<std::string>& arguments, const Surroundings
     if (surroundings.input_stays_open && ::pipe(open_pipe) != 0) throw std::runtime_error("no pipe");
     const int in = surroundings.input_stays_open ? open_pipe[0] : ::open((captured / "in").c_str(), O_RDONLY);
     const std::string out_file = surroundings.output.empty() ? (captured / "out").string() : surroundings.output;
-    const int out = ::open(out_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    int closed_pipe[2] = {-1, -1};
+    if (surroundings.output_has_no_reader) {
+        if (::pipe(closed_pipe) != 0) throw std::runtime_error("no pipe");
+        ::close(closed_pipe[0]);
+    }
+    const int out = surroundings.output_has_no_reader ? closed_pipe[1]
+                                                      : ::open(out_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int err = ::open((captured / "err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const pid_t child = ::fork();
     if (child == 0)
@@ -117,7 +125,7 @@ Ended Program::run(const std::vector<std::string>& arguments, const Surroundings
                where.c_str(), in, out, err, surroundings.limits);
 
     Ended result;
-    result.status = wait_for(child);
+    result.status = wait_for(child, surroundings);
     for (const int descriptor : {in, out, err, open_pipe[1]})
         if (descriptor >= 0) ::close(descriptor);
     result.out = contents(captured / "out");

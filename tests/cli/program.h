@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -45,6 +46,9 @@ struct Surroundings {
     bool input_stays_open = false;                        ///< a pipe that nobody writes into
     std::string output = {};                              ///< standard output goes into this file
     std::map<int, unsigned long> limits = {};             ///< of the process: RLIMIT_… and its value
+    bool output_has_no_reader = false;                    ///< standard output is a pipe whose other end is closed
+    int signal = 0;                                       ///< sent as soon as `signal_when` says so; 0: none
+    std::function<bool()> signal_when = {};
 };
 
 /// Every test has a folder of its own that is gone afterwards, and is the program's working directory. There is no

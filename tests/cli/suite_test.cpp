@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <chrono>
 #include <fstream>
-#include <thread>
+#include <tuple>
 
 #include "cli/program.h"
 
@@ -63,23 +62,6 @@ TEST_F(SuiteCommand, WritesMissingReferencesOnceAndNeverChangesOne) {
     for (const char* const ending : {".actual.png", ".expected.png", ".difference.png", ".js"})
         EXPECT_TRUE(exists("report/pictures/opening" + std::string(ending))) << ending;
     EXPECT_EQ(read("report/pictures/opening.expected.png"), before);
-}
-
-/// Whether some process works in this folder.
-bool is_somebody_in(const fs::path& folder) {
-    std::error_code gone;  // a process may end while it is looked at
-    for (const fs::directory_entry& process : fs::directory_iterator("/proc", gone))
-        if (fs::read_symlink(process.path() / "cwd", gone) == folder) return true;
-    return false;
-}
-
-TEST_F(SuiteCommand, NoWorkerOutlivesARunThatIsOutOfTime) {
-    write("suite.json", R"({"suite": 1, "entries": [{"name": "large", "size": [8000, 8000], "samples": 4}]})");
-    expect(8, {"suite", "run", "suite.json", "--timeout", "1"});
-    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
-    while (is_somebody_in(folder()) && std::chrono::steady_clock::now() < patience)
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    EXPECT_FALSE(is_somebody_in(folder()));
 }
 
 TEST_F(SuiteCommand, NewOnesAreNoFailureWhenThatIsSaid) {
@@ -233,15 +215,108 @@ TEST_F(SuiteCommand, WhatAMaskLeavesOutIsNotCompared) {
         return run({"suite", "run", "suite.json"}).status;
     };
     EXPECT_EQ(with_mask("[]"), 1);
-    EXPECT_EQ(with_mask("[[0, 0, 160, 90]]"), 0);
-    EXPECT_EQ(with_mask("[[0, 0, 80, 90], [80, 0, 80, 90]]"), 0);
+    EXPECT_EQ(with_mask("[[0, 0, 160, 89]]"), 0);
+    EXPECT_EQ(with_mask("[[0, 0, 80, 90], [80, 1, 80, 90]]"), 0);
     EXPECT_EQ(with_mask("[[0, 0, 10, 10]]"), 1);
-    // A depth picture is no mask of all, but it is one of this size.
-    expect(0, {"snapshot", "--view", "camera", "--set", "view.shows=depth", "--size", "80x45", "-o", "mask.png"});
-    EXPECT_EQ(with_mask("[\"mask.png\"]"), 1);
-    EXPECT_TRUE(has(result("opening")["reasons"][0], "the mask is 80 × 45 pixels, the picture 160 × 90"));
     write("suite.json", R"({"suite": 1, "entries": [{"name": "a", "masks": [[0, 0, 5]]}]})");
     refused({"suite", "run", "suite.json"}, {"entries[0].masks[0]", "[x, y, width, height]"});
+}
+
+/// Before anything is drawn, and by `snapshot --compare` and `compare` alike.
+TEST_F(SuiteCommand, MasksAreCheckedFirst) {
+    expect(0, {"snapshot", "--view", "depth", "--size", "80x45", "-o", "small.png"});
+    expect(0, {"snapshot", "--view", "camera", "--size", "160x90", "--samples", "0", "-o", "picture.png"});
+    const std::pair<const char*, std::vector<std::string>> broken[] = {
+        {R"(["nowhere.png"])", {"nowhere.png", "no such file"}},
+        {R"(["small.png"])", {"small.png", "80 × 45", "160 × 90"}},
+        {R"(["suite.json"])", {"suite.json", "not a PNG"}},
+        {"[[160, 0, 5, 5]]", {"160,0,5,5", "outside", "160 × 90"}},
+        {"[[0, 1000, 10, 10]]", {"0,1000,10,10", "outside"}},
+        {"[[0, 0, 160, 90]]", {"nothing to compare"}},
+        {"[[0, 0, 80, 90], [80, 0, 500, 90]]", {"nothing to compare"}}};
+    for (const auto& [masks, words] : broken) {
+        SCOPED_TRACE(masks);
+        write("suite.json",
+              R"({"suite": 1, "defaults": {"size": [160, 90], "samples": 0}, "entries": [{"name": "first"},
+            {"name": "masked", "masks": )" +
+                  std::string(masks) + "}]}");
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"suite.json", "masked"});
+        refused({"suite", "run", "suite.json", "--accept-new"}, all);
+    }
+    for (const char* const mask : {"0,0,160,90", "160,0,1,1"})
+        refused({"compare", "picture.png", "picture.png", "--mask", mask}, {"160 × 90"});
+}
+
+TEST_F(SuiteCommand, AnEntryThatCannotFailIsRefused) {
+    const auto is_refused = [&](const std::string& entry, const std::string& why) {
+        SCOPED_TRACE(entry);
+        write("suite.json", R"({"suite": 1, "entries": [{"name": "good"}, {"name": "idle", )" + entry + "}]}");
+        refused({"suite", "run", "suite.json"}, {"suite.json", "idle", why});
+    };
+    is_refused(R"("picture": false)", "tests nothing");
+    is_refused(R"("picture": false, "matrices": false, "measure": [], "problems": {"none": false, "must": []})",
+               "tests nothing");
+    is_refused(R"("worst": 255)", "passes whatever is drawn");
+    is_refused(R"("share": 1)", "passes whatever is drawn");
+    write("suite.json",
+          R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "about": "x", "worst": 255}]})");
+    refused({"suite", "run", "suite.json"}, {"passes whatever is drawn"});
+    for (const char* const tested : {R"("matrices": true)", R"("measure": "order")",
+                                     R"("problems": {"must_not": ["x"]})", R"("problems": {"none": true})"}) {
+        write("suite.json",
+              R"({"suite": 1, "entries": [{"name": "a", "picture": false, )" + std::string(tested) + "}]}");
+        const Ended ended = run({"suite", "run", "suite.json", "--accept-new"});
+        EXPECT_LE(ended.status, 1) << ended.told();
+    }
+}
+
+/// The rule of `snapshot`, in its words.
+TEST_F(SuiteCommand, SizesAreThoseOfSnapshot) {
+    for (const auto& [view, width, height] : {std::tuple("camera", 16384, 16384),
+                                              {"camera", 8001, 8000},
+                                              {"depth", 4000, 16001},
+                                              {"window", 319, 240},
+                                              {"tree", 320, 239}}) {
+        SCOPED_TRACE(view);
+        const std::string size = std::to_string(width) + "x" + std::to_string(height);
+        write("suite.json", R"({"suite": 1, "defaults": {"size": [)" + std::to_string(width) + ", " +
+                                std::to_string(height) + R"(]}, "entries": [{"name": "a", "view": ")" + view + "\"}]}");
+        const std::string suite = run({"suite", "run", "suite.json"}).err;
+        const std::string snapshot = run({"snapshot", "--view", view, "--size", size, "-o", "x.png"}).err;
+        const std::string sweep =
+            run({"sweep", "--view", view, "--size", size, "--vary", "camera.yaw=0:1:2", "-o", "d"}).err;
+        const auto rule = [](const std::string& text) {
+            const std::size_t begin = text.find("size: ");
+            const std::size_t end = std::min(text.find(", got"), text.find('\n'));
+            return begin == std::string::npos ? text : text.substr(begin, end - begin);
+        };
+        EXPECT_TRUE(has(suite, "pixels")) << suite;
+        EXPECT_EQ(rule(suite), rule(snapshot));
+        EXPECT_EQ(rule(sweep), rule(snapshot));
+    }
+    EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(SuiteCommand, AReportIsNotWrittenOverWhatIsNone) {
+    write_suite();
+    fs::create_directories(folder() / "report/pictures");
+    write("report/notes.txt", "kept");
+    refused({"suite", "run", "suite.json"}, {"report", "notes.txt", "\"report\""});
+    fs::remove(folder() / "report/notes.txt");
+    write("report/pictures/holiday.png", "kept");
+    refused({"suite", "run", "suite.json"}, {"report", "pictures", "\"report\""});
+    fs::remove_all(folder() / "report");
+    fs::create_directories(folder() / "report");
+    write("report/report.json", R"({"quarter": 3})");
+    refused({"suite", "run", "suite.json"}, {"report.json", "\"report\""});
+    refused({"suite", "merge", "suite.json", "elsewhere"}, {"elsewhere"});
+    EXPECT_EQ(read("report/report.json"), R"({"quarter": 3})");
+    EXPECT_FALSE(exists("references"));
+    fs::remove(folder() / "report/report.json");
+    expect(0, {"suite", "run", "suite.json", "--accept-new"});
+    write("report/notes.txt", "a reader's, in a folder that is a report's");
+    expect(0, {"suite", "run", "suite.json"});
 }
 
 TEST_F(SuiteCommand, OtherSamplesPassThePortableProfile) {
@@ -276,6 +351,8 @@ TEST_F(SuiteCommand, MistakesAreOneSentenceEachAndTouchNothing) {
                {"more than one"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "step": 2}]})", {"step", "belongs to a lesson"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a", "measure": "fihgting"}]})", {"measure", "fighting"});
+    is_refused(R"({"suite": 1, "entries": [{"name": "a", "measure": ["order", {"what": "order"}]}]})",
+               {"entries[0].measure[1]", "second time"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "b", "about": "x"}]})",
                {"loosened[0].name", "no entry"});
     is_refused(R"({"suite": 1, "entries": [{"name": "a"}], "loosened": [{"name": "a", "worst": 9}]})",

@@ -98,6 +98,50 @@ TEST_F(Sweep, SaysThatAFilmNeedsFfmpeg) {
     refused(small({"--vary", "camera.yaw=0:1:2", "-o", "a.mp4"}), {"ffmpeg", "not installed"}, without);
 }
 
+TEST_F(Sweep, AFolderOfPicturesIsReplacedAsAWhole) {
+    expect(0, small({"--vary", "camera.yaw=0:9:4", "-o", "frames"}));
+    std::filesystem::permissions(folder() / "frames", std::filesystem::perms(0750));
+    const std::string second = read("frames/0002.png");
+    expect(0, small({"--vary", "camera.yaw=0:90:2", "-o", "frames/"}));
+    EXPECT_NE(read("frames/0002.png"), second);
+    EXPECT_FALSE(exists("frames/0003.png")) << "one of the earlier sweep";
+    EXPECT_EQ(std::filesystem::status(folder() / "frames").permissions(), std::filesystem::perms(0750));
+    EXPECT_EQ(files(), 1U) << "the earlier folder is gone";
+
+    std::filesystem::create_directory_symlink("frames", folder() / "link");
+    expect(0, small({"--vary", "camera.yaw=0:9:3", "-o", "link"}));
+    EXPECT_TRUE(exists("frames/0003.png"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder() / "link"));
+
+    const std::string kept = read("frames/0003.png");
+    const Ended full =
+        expect(2, small({"--vary", "camera.yaw=0:30:2", "-o", "frames"}), {.limits = {{RLIMIT_FSIZE, 300}}});
+    EXPECT_TRUE(has(full.err, "cannot be written")) << full.told();
+    const Ended table = run(small({"--vary", "camera.yaw=0:30:2", "-o", "frames", "--csv", "/dev/full"}));
+    EXPECT_EQ(table.status, 2) << table.told();
+    EXPECT_EQ(read("frames/0003.png"), kept);
+    EXPECT_EQ(files(), 2U) << "nothing unfinished is left";
+}
+
+/// A folder is replaced only where all in it is a sweep's own.
+TEST_F(Sweep, AFolderWithSomethingElseIsLeftAlone) {
+    std::filesystem::create_directory(folder() / "mine");
+    const auto is_refused = [&](const std::string& name) {
+        refused(small({"--vary", "camera.yaw=0:9:2", "-o", "mine"}), {"mine", name, "new or an empty folder"});
+        std::filesystem::remove_all(folder() / "mine" / name);
+    };
+    write("mine/notes.txt", "kept");
+    is_refused("notes.txt");
+    write("mine/0001.png", "a picture, but not of a sweep");
+    is_refused("0001.png");
+    std::filesystem::create_directory(folder() / "mine/0001.png");
+    is_refused("0001.png");
+    refused(small({"--vary", "camera.yaw=0:9:2", "-o", "."}), {"working folder"});
+    write("file", "kept");
+    refused(small({"--vary", "camera.yaw=0:9:2", "-o", "file"}), {"file", "it is a file"});
+    expect(0, small({"--vary", "camera.yaw=0:9:2", "-o", "mine"}));
+}
+
 TEST_F(Sweep, MistakesAreSaidBeforeAnythingIsDrawn) {
     refused(small({"-o", "a.png"}), {"--vary"});
     refused(small({"--vary", "camera.yaw=0:1", "-o", "a.png"}), {"camera.yaw=0:1", "PATH=FROM:TO:COUNT"});

@@ -1,11 +1,6 @@
 #include "cli/results/bundle.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <set>
@@ -16,6 +11,7 @@
 #include "cli/exit_status.h"
 #include "platform/file.h"
 #include "platform/text_file.h"
+#include "platform/whole_folder.h"
 #include "report/as_json.h"
 #include "state/file/json.h"
 #include "text/words.h"
@@ -45,37 +41,6 @@ std::string safe_name(const fs::path& file) {
     while (stem.size() > longest_stem) remove_last_character(stem);
     return stem + ending.substr(0, longest_stem / 2);
 }
-
-/// A folder beside the one that is wanted, gone again unless it is kept.
-class Prepared {
-public:
-    explicit Prepared(const fs::path& beside) {
-        std::string name = (beside / ".viewing-sandbox-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            refuse(name + ": cannot be made: " + std::generic_category().message(errno));
-        folder_ = name;
-        const mode_t mask = ::umask(0);
-        ::umask(mask);
-        fs::permissions(folder_, static_cast<fs::perms>(0777 & ~mask));
-    }
-    Prepared(const Prepared&) = delete;
-    Prepared& operator=(const Prepared&) = delete;
-    ~Prepared() {
-        std::error_code error;
-        if (!folder_.empty()) fs::remove_all(folder_, error);
-    }
-
-    const fs::path& folder() const { return folder_; }
-    void take_name(const fs::path& name) {
-        std::error_code error;
-        fs::rename(folder_, name, error);
-        if (error) refuse(name.string() + ": cannot be written: " + error.message());
-        folder_.clear();
-    }
-
-private:
-    fs::path folder_;
-};
 
 /// Puts files into the prepared folder and says what they are called there.
 class Packer {
@@ -194,21 +159,13 @@ void pack_scene(Packer& packer, LoadedState& state, const Scene& scene) {
 
 std::string write_bundle(const std::string& folder, const LoadedState& state, const Scene& scene) {
     if (folder.empty()) refuse("must be the name of a new folder, got an empty text");
-    fs::path target = fs::path(folder).lexically_normal();
-    if (!target.has_filename()) target = target.parent_path();
-    std::error_code error;
-    if (fs::exists(target, error) && !(fs::is_directory(target, error) && fs::is_empty(target, error)))
-        refuse(target.string() + " is there already: it must be a new folder, or an empty one");
-    const fs::path parent = target.has_parent_path() ? target.parent_path() : ".";
-    if (!fs::is_directory(parent, error)) refuse(target.string() + ": there is no folder " + parent.string());
-
-    Prepared prepared(parent);
-    Packer packer(prepared.folder());
+    WholeFolder whole = value_or_end(WholeFolder::begin(folder));
+    Packer packer(whole.beside());
     LoadedState packed = state;
     pack_scene(packer, packed, scene);
     packer.text(state_name, write_state(packed.params, packed.titles));
-    prepared.take_name(target);
-    return (target / state_name).string();
+    value_or_end(whole.take_name());
+    return (fs::path(folder) / state_name).lexically_normal().string();
 }
 
 }  // namespace viewing

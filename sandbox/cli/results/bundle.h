@@ -10,7 +10,7 @@ namespace viewing {
 
 /// Writes the folder: state.json, and beside it the scene's file, the meshes and the material libraries that these
 /// name, from each further folder in one of its own ("2", "3", …). What comes with the program is named, not copied.
-/// `scene` is the state's. The folder must not be there yet, or be empty; it takes its name when all of it is complete.
+/// `scene` is the state's. The folder must not be there yet, or be empty; it appears whole (whole_folder.h).
 /// Returns the path of its state.json. Throws Failure.
 std::string write_bundle(const std::string& folder, const LoadedState& state, const Scene& scene);
 

@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
-#include <system_error>
+#include <filesystem>
 
 #include "platform/file.h"
+#include "platform/unfinished.h"
 #include "text/numbers.h"
 #include "text/words.h"
 
@@ -25,6 +27,19 @@ std::string found_program(const std::string& name) {
         folders.erase(0, end + 1);
     }
     return "";
+}
+
+/// A file that is gone when nobody has it open any more, however that comes; −1 with errno. A child has it open too.
+int nameless_file() {
+    std::string name = (fs::temp_directory_path() / "viewing-sandbox-film-XXXXXX").string();
+    const int file = ::mkstemp(name.data());
+    if (file >= 0) ::unlink(name.c_str());
+    return file;
+}
+
+/// Its name for this process, and for ffmpeg.
+std::string name_of(int file) {
+    return "/proc/self/fd/" + std::to_string(file);
 }
 
 std::vector<std::string> encoding_of(const std::string& ending) {
@@ -48,9 +63,8 @@ Result<Film> Film::begin(const std::string& ending, glm::ivec2 size_px, double f
         return Error{
             "a film needs ffmpeg, which is not installed (apt-get install ffmpeg); a folder of pictures or a .png "
             "sheet needs nothing"};
-    std::string folder = (fs::temp_directory_path() / "viewing-sandbox-film-XXXXXX").string();
-    if (::mkdtemp(folder.data()) == nullptr) return Error{folder + ": no such folder can be made for the film"};
-    const fs::path file = fs::path(folder) / ("film" + ending);
+    const int file = nameless_file();
+    if (file < 0) return write_error(fs::temp_directory_path(), errno);
     std::vector<std::string> words{program,
                                    "-nostdin",
                                    "-loglevel",
@@ -67,18 +81,17 @@ Result<Film> Film::begin(const std::string& ending, glm::ivec2 size_px, double f
                                    "pipe:0",
                                    "-bitexact"};
     for (std::string& word : encoding_of(ending)) words.push_back(std::move(word));
-    words.push_back(file.string());
+    words.insert(words.end(), {"-y", name_of(file)});
     Result<ChildProcess> process = ChildProcess::start(words);
     if (!process) {
-        fs::remove_all(folder);
+        ::close(file);
         return Error{process.error()};
     }
-    return Film(*std::move(process), folder, file);
+    return Film(*std::move(process), file);
 }
 
 Film::~Film() {
-    std::error_code none;
-    if (!folder_.empty()) fs::remove_all(folder_, none);
+    if (file_ >= 0) ::close(file_);
 }
 
 Status Film::add(const Image& picture) {
@@ -96,7 +109,7 @@ Result<std::string> Film::finish() {
     process_.finish_telling();
     process_.wait();
     if (process_.exit_status() != 0) return failure();
-    std::string bytes = all_bytes(file_);
+    std::string bytes = all_bytes(name_of(file_));
     if (bytes.empty()) return Error{"ffmpeg has written nothing"};
     return bytes;
 }

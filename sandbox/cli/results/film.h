@@ -1,9 +1,9 @@
 // Pictures one after the other as a film, through ffmpeg where that is installed.
 #pragma once
 
-#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "image/image.h"
@@ -16,8 +16,8 @@ public:
     /// `ending`: ".mp4" (H.264, sides even), ".gif" (a palette made for these pictures) or ".webp" (lossless). The
     /// error: ffmpeg is not installed.
     static Result<Film> begin(const std::string& ending, glm::ivec2 size_px, double frames_per_second);
-    Film(Film&&) noexcept = default;
-    Film& operator=(Film&&) noexcept = default;
+    Film(Film&& other) noexcept : process_(std::move(other.process_)), file_(std::exchange(other.file_, -1)) {}
+    Film& operator=(Film&&) = delete;
     ~Film();
 
     Status add(const Image& picture);
@@ -25,12 +25,11 @@ public:
     Result<std::string> finish();
 
 private:
-    Film(ChildProcess process, std::filesystem::path folder, std::filesystem::path file)
-        : process_(std::move(process)), folder_(std::move(folder)), file_(std::move(file)) {}
+    Film(ChildProcess process, int file) : process_(std::move(process)), file_(file) {}
     Error failure();
 
     ChildProcess process_;
-    std::filesystem::path folder_, file_;  ///< where it grows; gone in the end
+    int file_ = -1;  ///< where it grows; without a name, so that nothing is left
 };
 
 }  // namespace viewing

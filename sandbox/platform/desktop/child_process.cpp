@@ -11,10 +11,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <utility>
+
+#include "platform/ending_signals.h"
 
 namespace viewing {
 namespace {
@@ -93,9 +96,7 @@ ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
 }
 
 ChildProcess::~ChildProcess() {
-    if (!state_ || state_->has_ended) return;
-    kill();
-    wait();
+    if (state_ && !state_->has_ended) end();
 }
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& arguments) {
@@ -166,8 +167,20 @@ bool ChildProcess::is_running() const {
     return state_->output.is_open();
 }
 
-void ChildProcess::kill() {
-    if (!state_->has_ended) ::kill(state_->process, SIGKILL);
+void ChildProcess::send(int signal) {
+    if (!state_->has_ended) ::kill(state_->process, signal);
+}
+
+std::string ChildProcess::end() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point latest = Clock::now() + std::chrono::seconds(2);
+    send(SIGTERM);
+    finish_telling();
+    ChildProcess* const self = this;
+    while (is_running() && Clock::now() < latest)
+        listen({&self, 1}, std::chrono::duration<double>(latest - Clock::now()).count());
+    send(SIGKILL);
+    return wait();
 }
 
 std::string ChildProcess::wait() {
@@ -188,8 +201,8 @@ int ChildProcess::exit_status() const {
     return WIFEXITED(state_->status) ? WEXITSTATUS(state_->status) : -1;
 }
 
-void ChildProcess::listen(std::span<ChildProcess* const> children, double seconds) {
-    std::vector<pollfd> files;
+void ChildProcess::listen(std::span<ChildProcess* const> children, double seconds, int wake_file) {
+    std::vector<pollfd> files{{wake_file, POLLIN, 0}};  // poll() passes over −1
     for (const ChildProcess* const child : children)
         for (const PipeEnd* const end : {&child->state_->output, &child->state_->complaints})
             if (end->is_open()) files.push_back({end->file(), POLLIN, 0});
@@ -200,9 +213,11 @@ void ChildProcess::listen(std::span<ChildProcess* const> children, double second
 }
 
 void end_with_parent() {
-    constexpr pid_t nobody = 1;
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() == nobody) ::_exit(EXIT_FAILURE);  // it had ended before
+    leave_terminal_to_parent();
+    ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+    // Where it had ended before, nobody writes into standard input any more.
+    pollfd input{STDIN_FILENO, 0, 0};
+    if (::poll(&input, 1, 0) == 1 && (input.revents & POLLHUP) != 0) ::_exit(EXIT_FAILURE);
 }
 
 std::string own_program() {

@@ -2,7 +2,8 @@
 // script of their own (pictures/NAME.js), since a page from disk may not read the pixels of picture files.
 "use strict";
 
-const outcomes = ["different", "failed", "new", "passed"];
+const outcomes = ["different", "failed", "new", "not drawn", "passed"];
+const classOf = outcome => outcome.replaceAll(" ", "-");
 const ways = ["2-up", "slider", "blink", "expected", "actual", "difference"];
 const at = id => document.getElementById(id);
 
@@ -34,14 +35,14 @@ function drawFilters() {
       if (!shown.outcomes.delete(outcome)) shown.outcomes.add(outcome);
       drawFilters();
       drawList();
-    }}, make("span", {class: "dot " + outcome}), `${outcome} ${report.counts[outcome]}`)));
+    }}, make("span", {class: "dot " + classOf(outcome)}), `${outcome} ${report.counts[outcome]}`)));
 }
 
 function drawList() {
   const entries = listed();
   at("list").replaceChildren(...entries.map(entry => make("li", {
     title: entry.name, "aria-current": String(entry === shown.entry), onclick: () => show(entry)},
-    make("span", {class: "dot " + entry.outcome}), entry.name)));
+    make("span", {class: "dot " + classOf(entry.outcome)}), entry.name)));
   if (!entries.includes(shown.entry)) show(entries[0] ?? null);
 }
 
@@ -77,6 +78,7 @@ const waiting = new Map();
 
 function load(entry) {
   if (!loaded.has(entry.file)) loaded.set(entry.file, new Promise(done => {
+    if (entry.outcome === "not drawn") return done({});  // what lies there is an earlier run's
     if (!entry.details?.compare || entry.outcome === "passed") {
       const image = new Image();
       image.onload = () => done({actual: image});
@@ -181,7 +183,7 @@ function drawEntry() {
   at("entry").replaceChildren(...[
     make("h2", {}, entry.name),
     entry.about ? make("p", {class: "quiet"}, entry.about) : null,
-    make("p", {class: entry.outcome}, entry.outcome + (entry.kept ? " (unchanged, not drawn again)" : "")),
+    make("p", {class: classOf(entry.outcome)}, entry.outcome + (entry.kept ? " (unchanged, not drawn again)" : "")),
     ...entry.reasons.map(reason => make("p", {}, reason)),
     make("div", {class: "ways"}, ...ways.map((way, i) => make("button", {
       "aria-pressed": String(way === shown.way), disabled: differs ? undefined : "", title: String(i + 1),

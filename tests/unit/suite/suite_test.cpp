@@ -242,10 +242,18 @@ protected:
 
 /// Small files that would stand for much are refused before it is made.
 TEST_F(SuiteFiles, ThatStandForTooMuchAreRefused) {
-    const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 2000) + "]";
+    const std::string too_much =
+        "suite.json: entries: have more than 128 MiB of settings, masks and texts with those of the defaults";
+    const std::string entries = "\"entries\":[" + repeated(R"({"name":"a"})", 3000) + "]";
     const std::string set = "\"defaults\":{\"set\":[" + repeated(R"("projection.near=0.5")", 1000) + "]}";
-    EXPECT_EQ(refusal_of("{\"suite\":1," + set + "," + entries + "}"),
-              "suite.json: entries: have more than a million settings with those of the defaults");
+    EXPECT_EQ(refusal_of("{\"suite\":1," + set + "," + entries + "}"), too_much);
+    // 100 MB of rectangles, then of sentences.
+    const std::string masks = "\"defaults\":{\"masks\":[" + repeated("[0,0,9,9]", 1000) + "]}";
+    EXPECT_EQ(refusal_of("{\"suite\":1," + masks + ",\"entries\":[" + repeated(R"({"name":"a"})", 10'000) + "]}"),
+              too_much);
+    const std::string sentences =
+        "\"defaults\":{\"problems\":{\"must\":[" + repeated("\"" + std::string(1000, 'x') + "\"", 64) + "]}}";
+    EXPECT_EQ(refusal_of("{\"suite\":1," + sentences + "," + entries + "}"), too_much);
     EXPECT_EQ(refusal_of("{\"suite\":1,\"entries\":[" + repeated(R"({"each":"preset","name":"{}"})", 5000) + "]}"),
               "suite.json: entries: are more than 100000 with those that stand for several");
 }
