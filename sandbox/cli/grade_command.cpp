@@ -127,7 +127,6 @@ void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped)
     if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken + behind);
     if (!std::all_of(grades.begin(), grades.end(), is_all_right))
         throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " all right" + behind);
-    if (!skipped.empty()) std::fprintf(stderr, "grade: %s\n", skipped.c_str());
 }
 
 ExitStatus run(const Command& self, const Arguments& arguments) {
@@ -166,7 +165,10 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     results.add(output, table(format, typed.tags, grader.exercises(), grades, tags, found));
     if (typed.html) results.add(*typed.html, grade_report(headless, grader, grades, tags, files));
     results.write();
-    end_by(grades, found.skipped.empty() ? "" : files);
+    const std::string skipped = found.skipped.empty() ? "" : files;
+    end_by(grades, skipped);
+    if (format == Format::csv && !skipped.empty())  // the other forms have it in themselves
+        std::fprintf(stderr, "grade: %s\n", skipped.c_str());
     return ExitStatus::done;
 }
 
