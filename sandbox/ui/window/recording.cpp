@@ -217,7 +217,7 @@ std::optional<glm::vec2> shift_between(const Line& text, const Line& copy) {
 /// as the first one, but for the whole pixels that Dear ImGui puts a text on. Equal numbers below each other make none.
 std::optional<float> rim_px(std::span<const Line* const> copies, const Line& text) {
     constexpr float most_px = 16.0F, rounding_px = 1.01F;
-    float rim = 0.0F;
+    float rim = 0.0F, sum = 0.0F;
     for (std::size_t i = 0; i < copies.size(); ++i) {
         const std::optional<glm::vec2> shift = shift_between(text, *copies[i]);
         if (!shift || copies[i]->ink != copies[0]->ink) return std::nullopt;
@@ -229,8 +229,9 @@ std::optional<float> rim_px(std::span<const Line* const> copies, const Line& tex
                                 : along * sign > 0.5F && std::abs(along * sign - rim) < rounding_px;
         };
         if (!is_rim || !lies(shift->x, side.x) || !lies(shift->y, side.y)) return std::nullopt;
+        sum += std::max(std::abs(shift->x), std::abs(shift->y));
     }
-    return rim;
+    return sum / static_cast<float>(copies.size());
 }
 
 /// The rims of the lines of a text whose copies begin at the first mark; none where they do not. Several faces make
