@@ -56,6 +56,22 @@ TEST_F(Figure, CarriesItsState) {
     EXPECT_NE(expect(2, {"state", "broken.pdf"}).err.find("broken.pdf"), std::string::npos);
 }
 
+/// Its names take two bytes a sign in a file, and what was left out is written in full.
+TEST_F(Figure, AStateThatIsTooLongToBeReadBackIsLeftOutAndThatIsSaid) {
+    const std::string quotes(2 * 950, '\\');  // 950 signs of their own, each escaped
+    std::string objects;
+    for (int i = 0; i < 8000; ++i)
+        objects += (i == 0 ? "" : ",") + (R"({"name":")" + quotes + std::to_string(i)) +
+                   R"(","shape":"triangle","vertices":[[0,0,0],[1,0,0],[0,1,0]]})";
+    write("long.json", R"({"scene":{"objects":[)" + objects + "]}}");
+    for (const char* name : {"long.png", "long.svg"}) {
+        const Ended run = this->run({"snapshot", "long.json", "--view", "camera", "--size", "32x18", "-o", name});
+        EXPECT_EQ(run.status, 0) << run.told();
+        EXPECT_EQ(run.err, "the picture does not carry its state, which is longer than 16 MiB\n");
+        EXPECT_NE(expect(2, {"state", name}).err.find("carries no state"), std::string::npos);
+    }
+}
+
 TEST_F(Figure, MatricesThatTheStateListsStandAlone) {
     expect(0, figure("matrices", "S.svg", {"--set", R"(view.layout.matrices=["S"])"}));
     EXPECT_NE(read("S.svg").find(">Shadow"), std::string::npos);

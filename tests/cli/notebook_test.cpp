@@ -45,7 +45,7 @@ TEST_F(Notebook, TheLinesOfTheReadmeRun) {
                   "assert picture.size == (1280, 720) and picture.getextrema()[0][0] < picture.getextrema()[0][1]\n"
                   "assert len(S) == 4 and all(len(row) == 4 for row in S)\n"
                   "state = json.loads(ask('state', 'tilted-plane'))\n"
-                  "assert shown == {**state, 'view': shown['view']}\n"
+                  "assert shown == {key: state[key] for key in state if key not in ('title', 'about', 'group')}\n"
                   "state['camera']['yaw'] = 3\n"
                   "told = subprocess.run(['viewing-sandbox', 'state', '-'], input=json.dumps(state).encode(),"
                   " check=True, capture_output=True).stdout\n"
@@ -55,7 +55,7 @@ TEST_F(Notebook, TheLinesOfTheReadmeRun) {
 /// Pillow takes no text of more than 1 MiB, and such a state has several.
 TEST_F(Notebook, AndWithAStateOfManyTriangles) {
     nlohmann::json objects = nlohmann::json::array();
-    for (int i = 0; i < 9000; ++i) {
+    for (int i = 0; i < 4000; ++i) {
         const double x = i % 100, z = i / 100;
         objects.push_back({{"name", "삼각형 " + std::to_string(i)},
                            {"shape", "triangle"},
@@ -68,7 +68,7 @@ TEST_F(Notebook, AndWithAStateOfManyTriangles) {
         lines.replace(at, preset.size(), "many.json");
     expect_to_run(lines +
                   "assert picture.size == (1280, 720)\n"
-                  "assert len(json.dumps(shown)) > 2 << 20 and len(shown['scene']['objects']) == 9000\n"
+                  "assert sum(map(len, picture.text.values())) > 1 << 20 and len(shown['scene']['objects']) == 4000\n"
                   "for name in 'many.png', 'many.svg', 'many.pdf':\n"
                   "    ask('snapshot', 'many.json', '--view', 'camera', '--size', '160x90', '-o', name)\n"
                   "    assert json.loads(ask('state', name)) == shown, name\n");

@@ -44,6 +44,8 @@ public:
         for (const bool is_halo : {false, true})
             for (const Mark& mark : drawing.marks)
                 if (const viewing::Line* const line = std::get_if<viewing::Line>(&mark.what)) account(*line, is_halo);
+        if (copies_ != copies_due_)
+            wrong.push_back("halos have " + std::to_string(copies_) + " letters, not " + std::to_string(copies_due_));
         for (const auto& [character, all] : drawn_)
             for (const LetterOfFrame& drawn : all)
                 if (!drawn.is_recorded && is_seen(drawn.letter))
@@ -59,16 +61,19 @@ private:
                letter.max.y > std::max(letter.clip.y, 0.0F) && letter.min.y < std::min(letter.clip.w, screen.y);
     }
 
-    /// Each letter itself, or the copies around it that are its halo.
+    /// Each letter itself, or the copies around it that are its halo. Those of two letters may lie among each other.
     void account(const viewing::Line& line, bool is_halo) {
         for (std::size_t i = 0; i < line.characters.size(); ++i) {
-            if (line.characters[i] == U' ' || (is_halo && line.halo.a == 0)) continue;
-            const float reach = is_halo ? line.halo_px + 1.05F : 0.3F;
-            const std::size_t copies = take(line.characters[i], line.lefts_px[i], line.baseline_px, reach,
-                                            is_halo ? line.halo : line.ink, is_halo ? 8 : 1);
-            if (copies != (is_halo ? 8U : 1U))
-                wrong.push_back((is_halo ? "halo of: " : "made up: ") +
-                                described(line.characters[i], line.lefts_px[i], line.baseline_px));
+            const char32_t character = line.characters[i];
+            const float x = line.lefts_px[i], baseline = line.baseline_px;
+            if (character == U' ' || (is_halo && line.halo.a == 0)) continue;
+            if (is_halo) {
+                copies_due_ += 8;
+                copies_ += take(character, x, baseline, line.halo_px + 1.05F, line.halo,
+                                drawn_[static_cast<ImWchar>(character)].size());
+            } else if (take(character, x, baseline, 0.3F, line.ink, 1) == 0) {
+                wrong.push_back("made up: " + described(character, x, baseline));
+            }
         }
     }
 
@@ -86,6 +91,7 @@ private:
     }
 
     std::map<ImWchar, std::vector<LetterOfFrame>> drawn_;
+    std::size_t copies_ = 0, copies_due_ = 0;
 };
 
 /// What stands in the text elements of an SVG document.

@@ -1,4 +1,5 @@
 // What becomes of a frame in a figure, without GL: tables made at random, halos, and the windows of all presets.
+#include <cstdlib>
 #include <random>
 
 #include "desk.h"
@@ -103,8 +104,12 @@ TEST_F(RecordingTest, OnlyAHaloIsTakenForOne) {
     EXPECT_EQ(lines_with(sides, halo), 9U);
 }
 
-TEST_F(RecordingTest, TheWindowOfEveryPresetIsWhole) {
-    for (const NamedFile& preset : presets()) {
+/// Every fifth of them, all with VIEWING_LONG_TESTS.
+TEST_F(RecordingTest, TheWindowsOfPresetsAreWhole) {
+    const std::size_t step = std::getenv("VIEWING_LONG_TESTS") ? 1 : 5;
+    const std::vector<NamedFile> all = presets();
+    for (std::size_t i = 0; i < all.size(); i += step) {
+        const NamedFile& preset = all[i];
         const UiParams looks = params.ui;
         params = load_state(preset.name)->params;
         params.ui = looks;
@@ -116,7 +121,7 @@ TEST_F(RecordingTest, TheWindowOfEveryPresetIsWhole) {
 class RecordedLooksTest : public RecordingTest, public ::testing::WithParamInterface<std::pair<Theme, Language>> {};
 
 TEST_P(RecordedLooksTest, EveryTopicIsWhole) {
-    for (const char* preset : {"newell-cycle", "bsp-walk", "fighting-16-bit", "shadow-derivation"}) {
+    for (const char* preset : {"newell-cycle", "shadow-derivation"}) {
         params = load_state(preset)->params;
         params.ui.theme = GetParam().first;
         params.ui.language = GetParam().second;
