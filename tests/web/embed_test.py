@@ -40,18 +40,13 @@ const ask = (what) => new Promise((done) => {{
 class Host(browser.Test):
     """A page of another origin than the sandbox, with the sandbox in it."""
     fragment = "#embed&preset=teapot&matrices=V"
-    is_served = False  # else it lies on a disk
-
     def setUp(self):
         self.show(self.fragment)
 
     def show(self, fragment):
         host = self.page.home / "host.html"
         host.write_text(HOST.format(address=self.page.server.address + fragment), encoding="utf-8")
-        if self.is_served:  # at another port: another origin, but one process, into which DevTools' keys find their way
-            server = browser.Server(self.page.home)
-            self.addCleanup(server.close)
-        self.page.driver.get(server.address + host.name if self.is_served else host.as_uri())
+        self.page.driver.get(host.as_uri())
         self.page.until("the sandbox's greeting", lambda: self.page.js("said.some((data) => data.is === 'ready')"))
         self.rest()
 
@@ -227,15 +222,15 @@ class Address(Host):
 
 class Keyboard(Host):
     """An embed never takes it unasked, and hands on what it does not use."""
-    is_served = True
 
-    def picture_place(self):
-        return 300, 60  # of the camera's view, where nothing lies below the pointer
+    def strike(self, kind, code, key, number):
+        """In the sandbox's frame, which is a process of its own: DevTools' keys do not find their way into it."""
+        self.inside("void window.dispatchEvent(new KeyboardEvent(...arguments))", kind,
+                    {"code": code, "key": key, "keyCode": number, "bubbles": True, "cancelable": True})
 
-    def click(self, at):
-        self.page.mouse("mouseMoved", at)
-        self.page.mouse("mousePressed", at, "left", 1, clickCount=1)
-        self.page.mouse("mouseReleased", at, "left", 0, clickCount=1)
+    def point(self, x, y):
+        self.inside("""void document.getElementById('view').dispatchEvent(new PointerEvent('pointermove', {clientX: arguments[0], clientY: arguments[1],
+                       pointerType: 'mouse'}))""", x, y)
         self.rest()
 
     def test_the_focus_stays_with_the_host(self):
@@ -244,13 +239,12 @@ class Keyboard(Host):
         self.assertEqual(self.page.js("document.getElementById('note').value"), "m")
 
     def test_keys_of_the_window_are_the_hosts(self):
-        self.click(self.picture_place())
-        self.assertEqual(self.page.js("document.activeElement.id"), "sandbox")
-        self.page.mouse("mouseMoved", (700, 480))  # away from the picture
+        self.point(300, 60)
         before = self.get("state")
-        keys = ["PageDown"] * 5 + ["KeyM", "KeyG", "Home", "F1", "Escape", "KeyW"]
-        for key in keys:
-            self.page.press(key)
+        keys = ["PageDown"] * 5 + ["KeyM", "KeyG", "Home", "F1", "Escape", "ArrowRight"]
+        for code in keys:
+            for kind in ("keydown", "keyup"):
+                self.strike(kind, code, code[3:].lower() if code.startswith("Key") else code, 34 if code == "PageDown" else 0)
         self.page.until("the last key", lambda: len([data for data in self.said("key") if data["type"] == "keydown"]) >= len(keys))
         self.rest()
         self.assertEqual(self.get("state"), before)
@@ -259,15 +253,18 @@ class Keyboard(Host):
         self.assertEqual(self.said("key")[0]["event"]["keyCode"], 34)
 
     def test_flying_over_the_picture_and_typing_are_its_own(self):
-        self.click(self.picture_place())
+        self.point(300, 60)
         before = self.get("state")["camera"]["position"]
-        self.page.key_down("KeyW")
+        self.strike("keydown", "KeyW", "w", 87)
         self.page.until("flight", lambda: self.get("state")["camera"]["position"] != before)
-        self.page.key_up("KeyW")
+        self.strike("keyup", "KeyW", "w", 87)
         self.rest()
-        self.page.press("PageDown")
+        self.inside("void document.getElementById('view').dispatchEvent(new PointerEvent('pointerleave', {pointerType: 'mouse'}))")
+        self.rest()
+        self.assertEqual(self.said("key"), [])
+        self.strike("keydown", "KeyW", "w", 87)  # the pointer is elsewhere
         self.page.until("the key that is handed on", lambda: self.said("key"))
-        self.assertEqual({data["event"]["code"] for data in self.said("key")}, {"PageDown"})
+        self.assertEqual({data["event"]["code"] for data in self.said("key")}, {"KeyW"})
 
 
 class KeyboardOfOneOrigin(browser.Checked):

@@ -126,8 +126,9 @@ const net = (() => {
 
   const isOfProgram = (error) =>
     error instanceof WebAssembly.RuntimeError || (WebAssembly.Exception && error instanceof WebAssembly.Exception);
-  const isOurs = (place) =>
-    [...document.scripts].some((script) => place.includes(script.src || location.href.split('#')[0]));
+  // Where the scripts lie; in one file they are the page itself. An extension of the browser has its own place.
+  const folder = document.currentScript.src.replace(/[^/]*$/, '') || location.href.split('#')[0];
+  const isOurs = (place) => place.includes(folder);
 
   const failed = (error) => {
     const text = isOfProgram(error) && !(error instanceof Error) ? 'exception' : String(error?.message ?? error);
@@ -138,12 +139,12 @@ const net = (() => {
     end(say('The sandbox has stopped on an error of its own ({reason}). The picture is the last one; loading again brings back what is kept.', {reason}));
   };
 
+  const missing = (address) =>
+    end(say('The sandbox cannot be loaded: {reason}.', {reason: say('{file} did not come from the server', {file: address.split('/').pop()})}));
+
   window.addEventListener('error', (event) => {
     const {target, error, filename} = event;
-    if (target instanceof HTMLScriptElement || target instanceof HTMLLinkElement) {
-      const file = (target.src || target.href).split('/').pop();
-      return end(say('The sandbox cannot be loaded: {reason}.', {reason: say('{file} did not come from the server', {file})}));
-    }
+    if (target instanceof HTMLScriptElement) return missing(target.src);
     // A DOMException is the browser's refusal of one thing: the program goes on.
     if (error && !(error instanceof DOMException) && (isOfProgram(error) || isOurs(filename ?? ''))) failed(error);
   }, true);
@@ -166,6 +167,8 @@ const net = (() => {
   });
 
   $('notice-text').textContent = say('Loading…');
+  // Style sheets have come, or not, before the first script runs.
+  for (const link of document.querySelectorAll('link[rel=stylesheet]')) if (!link.sheet) missing(link.href);
   return {
     say, button, handOver, answers, saveAnswers, tellHost, end, failed, kept, settings, answers_folder, unkept,
     hasEnded: () => ended !== '',
