@@ -248,6 +248,15 @@ EMSCRIPTEN_KEEPALIVE void page_keep() {
     report(page->memory.finish());
 }
 
+/// Another tab has written the files of settings or answers: they are merged with what is known here, and what that
+/// adds is written, now.
+EMSCRIPTEN_KEEPALIVE void page_read_again() {
+    page->memory.read_again(page->studio.workbench);
+    page_keep();
+    page->any = true;
+    page_wake();
+}
+
 EMSCRIPTEN_KEEPALIVE void page_event() {
     page->any = true;
 }

@@ -1,20 +1,26 @@
 // What the browser keeps for the program from one time to the next: its files of settings and answers, in localStorage.
-// Where that is refused or full a bar says so as long as it is so, and the answers can be saved as a file. Loaded after
-// net.js.
+// Where that is refused or full a bar says so as long as it is so, and the answers can be saved as a file. Other tabs of
+// the page write the same files: whatever one of them has written, or this one has written over, is merged by the
+// program. Loaded after net.js.
 'use strict';
 
 const kept = (() => {
   const $ = (id) => document.getElementById(id);
   const isAnswers = (path) => path.startsWith(net.answers_folder);
 
+  const seen = new Map();  // path: the text in the storage that the program knows
+  const put = (path, text) => {
+    FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
+    FS.writeFile(path, text);
+    seen.set(path, text);
+  };
+
   /// The program's folder before it starts.
   const restore = () => {
     try {
       for (const name of Object.keys(localStorage)) {
         const path = name.slice(net.kept.length);
-        if (!name.startsWith(net.kept + net.settings)) continue;
-        FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
-        FS.writeFile(path, localStorage.getItem(name));
+        if (name.startsWith(net.kept + net.settings)) put(path, localStorage.getItem(name));
       }
     } catch {
       // No storage is allowed here: nothing is remembered, and the first write says so.
@@ -74,7 +80,10 @@ const kept = (() => {
 
   const store = (path, text) => {
     try {
+      const there = localStorage.getItem(net.kept + path);
+      if (there !== null && there !== text && there !== seen.get(path)) hear(path, there);
       localStorage.setItem(net.kept + path, text);
+      seen.set(path, text);
       net.unkept.delete(path);
     } catch (error) {
       is_full = error.name === 'QuotaExceededError' || error.name === 'NS_ERROR_DOM_QUOTA_REACHED';
@@ -91,9 +100,42 @@ const kept = (() => {
   /// A file that the program has written; false: it is none of these.
   const keep = (path, bytes) => {
     if (!path.startsWith(net.settings)) return false;
-    if (!net.hasEnded()) store(path, new TextDecoder().decode(bytes));
+    if (net.hasEnded()) return true;
+    store(path, new TextDecoder().decode(bytes));
+    // What the program could not read it has given another name, in its own folder alone.
+    const [, folder, name] = /^(.*\/)([^/]*)$/.exec(path);
+    for (const other of FS.readdir(folder))
+      if (other.startsWith(name + '.unreadable') && !seen.has(folder + other)) store(folder + other, FS.readFile(folder + other, {encoding: 'utf8'}));
     return true;
   };
 
-  return {restore, keep, beSilent: () => { is_silent = true; }};
+  // ---- Other tabs
+
+  const unmerged = [];  // [path, text], in the order in which they were written
+  let is_merging = false;
+
+  /// A text that another tab has written.
+  const hear = (path, text) => {
+    unmerged.push([path, text]);
+    if (unmerged.length === 1) setTimeout(merge);
+  };
+
+  /// The program reads each and adds what this tab has; where that is more, it writes, and the other tabs hear of it.
+  const merge = () => {
+    if (is_merging || net.hasEnded()) return;
+    is_merging = true;
+    while (unmerged.length) {
+      put(...unmerged.shift());
+      Module._page_read_again();
+    }
+    is_merging = false;
+  };
+
+  window.addEventListener('storage', ({key, newValue}) => {
+    if (!key?.startsWith(net.kept + net.settings) || newValue === null) return;
+    const path = key.slice(net.kept.length);
+    if (newValue !== seen.get(path)) hear(path, newValue);
+  });
+
+  return {restore, keep, merge, beSilent: () => { is_silent = true; }};
 })();
