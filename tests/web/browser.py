@@ -280,7 +280,9 @@ class Page:
         self.js("Module._page_note_places()")
         self.settle(0.05)
         found = json.loads(self.ask("page_places"))
-        return {name: tuple(value / self.scale for value in box) for name, box in found.items()}
+        above = self.js("document.getElementById('view').getBoundingClientRect().top")  # the bar, where there is one
+        return {name: (x / self.scale, y / self.scale + above, width / self.scale, height / self.scale)
+                for name, (x, y, width, height) in found.items()}
 
     def place(self, label):
         """The middle of the control whose name ends so."""

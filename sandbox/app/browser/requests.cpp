@@ -123,9 +123,9 @@ constexpr const char* is_opened = "opened";
 
 std::string text_trouble(std::size_t bytes) {
     if (bytes <= max_document_bytes) return "";
-    return say("This text has {size} bytes, and at most {limit} are read: everything is as it was",
-               "size"_a = grouped_number(static_cast<std::int64_t>(bytes)),
-               "limit"_a = grouped_number(static_cast<std::int64_t>(max_document_bytes)));
+    return say("This text has {count} bytes, and at most {most} are read: everything is as it was",
+               "count"_a = grouped_number(static_cast<std::int64_t>(bytes)),
+               "most"_a = grouped_number(static_cast<std::int64_t>(max_document_bytes)));
 }
 
 bool takes(const char* text) {
