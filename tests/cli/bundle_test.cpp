@@ -129,7 +129,7 @@ TEST_F(Bundle, IsWholeOrNotThere) {
     expect(0, {"state", "--bundle", "empty/"});
     EXPECT_EQ(names("empty"), std::set<std::string>{"state.json"});
     expect(0, {"state", "--bundle", "missing/bundle"});
-    EXPECT_EQ(names("missing"), (std::set<std::string>{"bundle", "bundle/state.json"}));
+    EXPECT_EQ(names("missing"), std::set<std::string>{"bundle/state.json"});
 }
 
 TEST_F(Bundle, AMeshIsCalledAsItWasGiven) {

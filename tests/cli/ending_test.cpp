@@ -82,8 +82,8 @@ TEST_F(Ending, OfASuiteLeavesItsReportWithTheRestAsNotDrawn) {
         EXPECT_EQ(all["counts"]["not drawn"].get<int>() + all["counts"]["new"].get<int>(), many);
         for (const nlohmann::json& entry : all["entries"]) {
             const bool has_picture = exists("report/pictures/" + entry["file"].get<std::string>() + ".actual.png");
-            if (entry["outcome"] == "new") EXPECT_TRUE(has_picture) << entry;
-            if (entry["outcome"] == "not drawn") EXPECT_TRUE(has(entry["reasons"][0], "SIG")) << entry;
+            const bool is_drawn = entry["outcome"] == "new";
+            EXPECT_TRUE(is_drawn ? has_picture : has(entry["reasons"][0], "SIG")) << entry;
         }
         EXPECT_TRUE(has(read("report/junit.xml"), "<skipped message=")) << "another program is told as well";
         EXPECT_TRUE(has(ended.err, std::to_string(all["counts"]["not drawn"].get<int>()) + " entries are not drawn"))
@@ -148,17 +148,28 @@ TEST_F(Ending, OfASweepLeavesNoPartOfItsFolder) {
     EXPECT_EQ(names(), std::vector<std::string>{});
 }
 
-TEST_F(Ending, OfAFilmLeavesNoFileAndNoFfmpeg) {
-    if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
-    const auto has_ffmpeg = [&] { return processes_in_it("ffmpeg") > 0; };
+/// With a program in ffmpeg's place that keeps what it is given, and that is `cat` while it does so.
+TEST_F(Ending, OfAFilmLeavesNoFileAndNoChild) {
+    fs::create_directory(folder() / "bin");
+    write("bin/ffmpeg", "#!/bin/sh\nfor last; do :; done\nexec cat >\"$last\"\n");
+    fs::permissions(folder() / "bin/ffmpeg", fs::perms(0755));
+    fs::create_directory(folder() / "temporary");
+    const std::map<std::string, std::string> environment{
+        {"TMPDIR", (folder() / "temporary").string()},
+        {"PATH", (folder() / "bin").string() + ":" + std::getenv("PATH")}};
+    const std::vector<std::string> before = names();
     for (const int signal : {SIGTERM, SIGKILL}) {
-        const Ended ended =
-            run({"sweep", "--vary", "camera.yaw=0:90:2000", "--size", "64x36", "-o", "film.mp4"},
-                {.environment = {{"TMPDIR", folder().string()}}, .signal = signal, .signal_when = has_ffmpeg});
+        const Ended ended = run(
+            {"sweep", "--vary", "camera.yaw=0:90:2000", "--size", "64x36", "-o", "film.mp4"},
+            {.environment = environment, .signal = signal, .signal_when = [&] { return processes_in_it("cat") > 0; }});
         EXPECT_EQ(ended.status, 128 + signal) << ended.told();
         expect_nobody_left();
-        EXPECT_EQ(names(), std::vector<std::string>{});
+        EXPECT_EQ(names(), before);
     }
+    expect(0, {"sweep", "--vary", "camera.yaw=0:90:3", "--size", "64x36", "-o", "film.mp4"},
+           {.environment = environment});
+    EXPECT_EQ(read("film.mp4").size(), 3U * 64U * 36U * 4U);
+    EXPECT_EQ(names().size(), before.size() + 1);
 }
 
 /// Complete files wait for their names while standard output takes its part.
