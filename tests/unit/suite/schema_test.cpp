@@ -31,7 +31,7 @@ struct Choices {
 const std::vector<Choices> setting_choices{
     {"view", {"\"camera\"", "\"depth\"", "\"observer\""}, {"\"cam\"", "1", "null"}},
     {"size",
-     {"[1, 1]", "[640, 360]", "[16384, 2]"},
+     {"[320, 240]", "[16384, 240]", "[640, 360]"},
      {"[0, 5]", "[5]", "[5, 5, 5]", "[16385, 1]", "[1.5, 2]", "\"5x5\""}},
     {"samples", {"0", "4", "\"state\""}, {"2", "\"4\"", "true"}},
     {"picture", {"true"}, {"1", "\"true\"", "null"}},
@@ -50,8 +50,9 @@ const std::vector<Choices> setting_choices{
       "[\"order\", \"mirror\", \"fighting\", \"visibility\", \"order\"]"}},
     {"problems",
      {"{}", "{\"must\": [\"plane\"]}", "{\"must_not\": [\"a\"], \"none\": true}", "{\"must\": [], \"none\": true}"},
-     {"{\"must\": [\"a\"], \"none\": true}", "{\"must\": [\"\"]}", "{\"must\": \"a\"}", "{\"no\": 1}", "[]"}},
-    {"set", {"{}", "[]", "[\"a=1\"]"}, {"[\"a\"]", "[1]", "1", "[\"\"]"}}};
+     {"{\"must\": [\"a\"], \"none\": true}", "{\"must\": [\"\"]}", "{\"must\": \"a\"}", "{\"no\": 1}", "[]"}}};
+
+const Choices set_choices{"set", {"{}", "[]", "[\"a=1\"]"}, {"[\"a\"]", "[1]", "1", "[\"\"]"}};
 
 const std::vector<Choices> entry_choices{
     {"about", {"\"why\""}, {"\"\"", "1", "\"a\\u0001\""}},
@@ -74,7 +75,7 @@ public:
         const std::size_t count = 1 + random_() % 3;
         for (std::size_t i = 0; i < count; ++i) entries += (i == 0 ? "" : ", ") + entry(i);
         std::string text = R"({"suite": 1, "entries": [)" + entries + "]";
-        if (one_in(3)) text += ", \"defaults\": {" + some_of(setting_choices, 3, false) + "}";
+        if (one_in(3)) text += ", \"defaults\": {" + some_of(setting_choices, 3) + "}";
         if (one_in(8)) text += R"(, "loosened": [{"name": "e0", "about": "x", "share": 0.1}])";
         if (one_in(30)) text += R"(, "loosend": [])";
         return text + "}";
@@ -85,34 +86,30 @@ private:
 
     std::string entry(std::size_t i) {
         std::string text = "{\"name\": \"e" + std::to_string(i) + (one_in(60) ? "\\u0007" : "") + "\"";
-        const std::string more = some_of(entry_choices, 2, true), settings = some_of(setting_choices, 2, true);
-        for (const std::string& part : {more, settings})
+        for (const std::string& part : {some_of(entry_choices, 2), some_of(setting_choices, 2)})
             if (!part.empty()) text += ", " + part;
+        // What may be set of a lesson's step is a rule that no schema can say.
+        if (!has(text, "lesson") && !has(text, "exercise") && one_in(3)) text += ", " + value_of(set_choices);
         return text + "}";
     }
 
-    /// Up to `most` keys; a lesson's or an exercise's set has a rule that no schema can say.
-    std::string some_of(const std::vector<Choices>& all, std::size_t most, bool is_entry) {
+    /// Up to `most` keys with their values, each once.
+    std::string some_of(const std::vector<Choices>& all, std::size_t most) {
         std::string text;
-        std::vector<std::string> taken;
         for (std::size_t i = random_() % (most + 1); i > 0; --i) {
             const Choices& one = all[random_() % all.size()];
-            if (std::find(taken.begin(), taken.end(), one.key) != taken.end()) continue;
-            if (one.key == std::string("set")) continue;
-            const bool is_wrong = one.right.empty() ? one_in(4) : one_in(5);
-            const auto& values = is_wrong ? one.wrong : one.right;
-            if (values.empty()) continue;
-            taken.emplace_back(one.key);
-            text +=
-                (text.empty() ? "" : ", ") + ("\"" + std::string(one.key) + "\": ") + values[random_() % values.size()];
-        }
-        if (is_entry && text.empty() && one_in(3)) {
-            const Choices& set = setting_choices.back();
-            const auto& values = one_in(3) ? set.wrong : set.right;
-            text = std::string("\"set\": ") + values[random_() % values.size()];
+            if (has(text, "\"" + std::string(one.key) + "\":") || (one.right.empty() && !one_in(4))) continue;
+            text += (text.empty() ? "" : ", ") + value_of(one);
         }
         return text;
     }
+
+    std::string value_of(const Choices& one) {
+        const auto& values = one.right.empty() || one_in(8) ? one.wrong : one.right;
+        return "\"" + std::string(one.key) + "\": " + values[random_() % values.size()];
+    }
+
+    static bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
     std::mt19937 random_;
 };
