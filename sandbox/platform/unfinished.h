@@ -8,8 +8,8 @@
 
 namespace viewing {
 
-/// From the one to the other remove_unfinished_files() (file.h) removes `beside`, a file or a folder with all that is in
-/// it. Its text must stay where it is meanwhile.
+/// From the one to the other remove_unfinished_files() (file.h) removes `beside`, a file or a folder with all that is
+/// in it. Its text must stay where it is meanwhile.
 void note_unfinished(const std::filesystem::path& beside);
 void forget_unfinished(const std::filesystem::path& beside);
 

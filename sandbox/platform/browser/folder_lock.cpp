@@ -1,4 +1,4 @@
-// One thread, and a file system of the page's own: other tabs are excluded by the page (navigator.locks).
+// One thread, and a file system of the page's own: what other tabs have written comes by storage events (page/kept.js).
 #include <system_error>
 
 #include "platform/shared_file.h"
