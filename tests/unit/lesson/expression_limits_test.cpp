@@ -14,7 +14,7 @@ namespace viewing {
 namespace {
 
 constexpr unsigned seed = 20261126;
-constexpr ExpressionLimits anything{.instructions = 200'000, .memory_bytes = 1U << 20U, .closed_list = false};
+constexpr ExpressionLimits within_reason{.instructions = 200'000, .memory_bytes = 1U << 20U, .closed_list = false};
 constexpr int deepest = 16;  // lists within lists that a value may have
 
 /// Lists and objects as a state has them, whose tables have metatables; `calls` counts what is looked up.
@@ -28,7 +28,7 @@ Surroundings counting(int& calls) {
             nullptr, nullptr};
 }
 
-Result<Json> value_of(const std::string& source, const ExpressionLimits& limits = anything) {
+Result<Json> value_of(const std::string& source, const ExpressionLimits& limits = within_reason) {
     int calls = 0;
     return evaluate(source, counting(calls), limits);
 }
@@ -108,7 +108,7 @@ private:
         double entries = 0.0;
         for (int level = 0; level <= levels; ++level) entries += std::pow(width, level);
         constexpr double least_bytes = 8.0;  // of an entry outside of Lua, however it is kept
-        made.fails = entries * least_bytes > static_cast<double>(anything.memory_bytes);
+        made.fails = entries * least_bytes > static_cast<double>(within_reason.memory_bytes);
         if (entries > 4000) return made;
         made.value = Json::array({7.0});
         for (int i = 0; i < levels; ++i) made.value = Json(static_cast<std::size_t>(width), *made.value);
@@ -150,7 +150,7 @@ private:
         Case made{function("local s = 'x' for i = 1, " + std::to_string(doublings) +
                            " do s = s .. s end local t = {} for i = 1, " + std::to_string(times) +
                            " do t[i] = s end return t")};
-        made.fails = bytes > static_cast<double>(anything.memory_bytes);
+        made.fails = bytes > static_cast<double>(within_reason.memory_bytes);
         return made;
     }
 
@@ -231,11 +231,11 @@ TEST(ExpressionLimits, WhatIsCopiedOutIsCountedOnceForEachPlaceWhereItStands) {
         return function("local t = {1,1,1,1,1,1,1,1,1,1} for i = 1, " + std::to_string(levels) +
                         " do t = {t,t,t,t,t,t,t,t,t,t} end return t");
     };
-    ExpressionLimits roomy = anything;
+    ExpressionLimits roomy = within_reason;
     roomy.instructions = 100'000'000;
     EXPECT_TRUE(value_of(fan(2), roomy));
     EXPECT_EQ(value_of(fan(5), roomy).error(), "needs too much memory");
-    ExpressionLimits patient = anything;
+    ExpressionLimits patient = within_reason;
     patient.memory_bytes = 1U << 30U;
     EXPECT_EQ(value_of(fan(5), patient).error(), "takes too long");
     for (const int levels : {9, 13}) EXPECT_FALSE(value_of(fan(levels), {.closed_list = false})) << levels;
