@@ -7,7 +7,8 @@ namespace viewing {
 
 namespace {
 
-constexpr double margin = 1e-6;  // of a cell: what rounding may put beside it
+constexpr double margin = 1e-6;         // of a cell: what rounding may put beside it
+constexpr double least_height = 1e-12;  // of the longer side: corners in a line have a grid with a height, too
 
 }  // namespace
 
@@ -17,7 +18,8 @@ void HollowGrid::fill(const std::vector<glm::dvec2>& places, const std::vector<I
         origin_ = glm::min(origin_, places[hollow]);
         max = glm::max(max, places[hollow]);
     }
-    const glm::dvec2 size = max - origin_;
+    const glm::dvec2 extent = max - origin_;
+    const glm::dvec2 size = glm::max(extent, glm::dvec2(least_height * std::max(extent.x, extent.y)));
     const auto most = static_cast<double>(hollows.size());
     const double across = size.y > 0.0 ? std::sqrt(most * size.x / size.y) : most;
     columns_ = static_cast<std::uint32_t>(std::clamp(across, 1.0, most));
@@ -47,26 +49,31 @@ std::size_t HollowGrid::cell_of(const glm::dvec2& place) const {
     return std::size_t{clamped(cell.y, rows_)} * columns_ + clamped(cell.x, columns_);
 }
 
-HollowGrid::Cells HollowGrid::rows_of(const Triangle& in_cells) const {
-    const auto [low, high] = std::minmax({in_cells[0].y, in_cells[1].y, in_cells[2].y});
-    return {clamped(low - margin, rows_), clamped(high + margin, rows_)};
-}
-
-/// By the parts of the three edges that lie in the row.
-HollowGrid::Cells HollowGrid::columns_of(const Triangle& in_cells, std::uint32_t row) const {
-    const double bottom = row - margin, top = row + 1.0 + margin;
-    double left = columns_, right = 0.0;
+/// By the parts of the three edges that lie in the slab.
+HollowGrid::Cells HollowGrid::cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count) {
+    const int along = 1 - across;
+    double first = count, last = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::dvec2 &a = in_cells[i], &b = in_cells[(i + 1) % 3];
-        if (std::max(a.y, b.y) < bottom || std::min(a.y, b.y) > top) continue;
+        if (std::max(a[across], b[across]) < slab.low || std::min(a[across], b[across]) > slab.high) continue;
         for (const glm::dvec2& end : {a, b}) {
-            const double y = std::clamp(end.y, bottom, top);
-            const double x = y == end.y ? end.x : a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
-            left = std::min(left, x);
-            right = std::max(right, x);
+            const double at = std::clamp(end[across], slab.low, slab.high);
+            const double share = at == end[across] ? 0.0 : (at - a[across]) / (b[across] - a[across]);
+            const double place = at == end[across] ? end[along] : a[along] + (b[along] - a[along]) * share;
+            first = std::min(first, place);
+            last = std::max(last, place);
         }
     }
-    return {clamped(left - margin, columns_), clamped(right + margin, columns_)};
+    const bool is_beside = first - margin > count || last + margin < 0.0;
+    return is_beside ? no_cells : Cells{clamped(first - margin, count), clamped(last + margin, count)};
+}
+
+HollowGrid::Cells HollowGrid::rows_of(const Triangle& in_cells) const {
+    return cells_in_slab(in_cells, 0, {-margin, columns_ + margin}, rows_);
+}
+
+HollowGrid::Cells HollowGrid::columns_of(const Triangle& in_cells, std::uint32_t row) const {
+    return cells_in_slab(in_cells, 1, {row - margin, row + 1.0 + margin}, columns_);
 }
 
 }  // namespace viewing

@@ -31,9 +31,17 @@ private:
     struct Cells {
         std::uint32_t first, last;
     };
+    static constexpr Cells no_cells{1, 0};
+    /// Between two places on an axis, in cells.
+    struct Slab {
+        double low, high;
+    };
     glm::dvec2 in_cells(const glm::dvec2& place) const { return (place - origin_) * per_unit_; }
     static std::uint32_t clamped(double cell, std::uint32_t count);
     std::size_t cell_of(const glm::dvec2& place) const;
+    /// The cells along one axis, of which there are `count`, that a triangle touches inside a slab of the other,
+    /// `across`.
+    static Cells cells_in_slab(const Triangle& in_cells, int across, Slab slab, std::uint32_t count);
     Cells rows_of(const Triangle& in_cells) const;
     Cells columns_of(const Triangle& in_cells, std::uint32_t row) const;
 

@@ -255,7 +255,7 @@ TEST(ObjShape, PolygonsOfAnyNumberOfCornersAreCoveredOnce) {
     }
 }
 
-TEST(ObjShape, AHundredThousandCornersTakeAMillionLooksOrSo) {
+TEST(ObjShape, AHundredThousandCornersTakeLooksInProportion) {
     std::mt19937 random(seed);
     for (const Polygon2& polygon : {star(random, 100'000), comb(random, 50'000), gear(25'000), spiral(200, 250)}) {
         std::vector<glm::dvec3> corners;
@@ -263,7 +263,7 @@ TEST(ObjShape, AHundredThousandCornersTakeAMillionLooksOrSo) {
         PolygonCutter cutter;
         std::vector<std::uint32_t> triangles;
         EXPECT_EQ(cutter.cut(corners, triangles), PolygonCutter::Outcome::filled);
-        EXPECT_LT(cutter.tests(), 100U * polygon.size());
+        EXPECT_LT(cutter.tests(), 250U * polygon.size());
         EXPECT_EQ(triangles.size(), 3 * (polygon.size() - 2));
     }
 }
