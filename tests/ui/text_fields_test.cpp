@@ -78,12 +78,14 @@ std::vector<FieldOfText> all_fields() {
                          [](const FieldDesk& desk) { return desk.session.params.projection.near; }),
             number_field("an entry of a matrix that is asked for", "E16-shadow-matrix",
                          "lesson strip/answers/answer/r1c2", answer(6)),
-            number_field("a number that is asked for", "E06-radians", "lesson strip/answers/answer/1", answer(0))};
+            number_field("a number that is asked for", "E06-radians", "lesson strip/answers/answer/x", answer(0))};
 }
 
 struct WayOut {
     const char* name;
     std::function<void(FieldDesk&)> leave;
+    bool goes_on = false;     ///< into the next number, where typing begins
+    bool turns_page = false;  ///< of an exercise; elsewhere the field stays
 };
 
 std::vector<WayOut> all_ways_out() {
@@ -92,8 +94,8 @@ std::vector<WayOut> all_ways_out() {
     };
     const auto press = [](Key which) { return [which](FieldDesk& desk) { desk.press(which); }; };
     return {{"Enter", key(ImGuiKey_Enter)},
-            {"Tab", key(ImGuiKey_Tab)},
-            {"Shift+Tab", key(ImGuiKey_Tab, true)},
+            {"Tab", key(ImGuiKey_Tab), true},
+            {"Shift+Tab", key(ImGuiKey_Tab, true), true},
             {"a click elsewhere",
              [](FieldDesk& desk) {
                  desk.click_at({800.0F, 3.0F});
@@ -102,9 +104,10 @@ std::vector<WayOut> all_ways_out() {
              [](FieldDesk& desk) {
                  desk.ui.key(ImGuiKey_Tab);
                  desk.ui.key(ImGuiKey_Tab);
-             }},
-            {"Page down", press(Key::page_down)},
-            {"Page up", press(Key::page_up)},
+             },
+             true},
+            {"Page down", press(Key::page_down), false, true},
+            {"Page up", press(Key::page_up), false, true},
             {"F1", press(Key::f1)},
             {"F2", press(Key::f2)},
             {"F11", press(Key::f11)},
@@ -136,10 +139,11 @@ TEST(TextFields, WhicheverWayOneIsLeftWhatWasTypedCounts) {
             ASSERT_NE(field.value(desk), field.typed);
             desk.ui.type(field.typed);
             ASSERT_TRUE(widgets::IsTyping(desk.workbench.widgets));
+            if (way.turns_page && !desk.workbench.guide.is_shown()) continue;
             way.leave(desk);
             desk.ui.frames(3);
             EXPECT_EQ(field.value(desk), field.typed);
-            EXPECT_FALSE(widgets::IsTyping(desk.workbench.widgets)) << "something still does not count";
+            EXPECT_TRUE(way.goes_on || !widgets::IsTyping(desk.workbench.widgets)) << "something still does not count";
         }
 }
 
