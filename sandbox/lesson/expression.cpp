@@ -165,7 +165,7 @@ void take(lua_State* lua, std::size_t bytes) {
 }
 
 Json text_value(lua_State* lua, int index) {
-    take(lua, lua_rawlen(lua, index));
+    take(lua, static_cast<std::size_t>(lua_rawlen(lua, index)));
     std::string text = string_at(lua, index);
     if (!is_utf8(text)) raise(lua, "its value " + excerpt(text) + " is no text in UTF-8");
     return text;
