@@ -37,7 +37,7 @@ class NotKept(student.Student, browser.Checked):
     def attempts(self, file):
         hand_in = json.loads(file.read_text())
         self.assertEqual(hand_in["student"], student.NUMBER)
-        return [attempt["answer"][0] for item in hand_in["items"] for attempt in item["attempts"]]
+        return [attempt["answer"][0][0] for item in hand_in["items"] for attempt in item["attempts"]]
 
     def test_a_full_storage_is_said_until_the_answers_are_saved(self):
         self.open_exercise()
