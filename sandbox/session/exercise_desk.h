@@ -37,7 +37,7 @@ public:
     /// student `practises`, it is the sheet of practice: with numbers that are nobody's, and never handed in.
     void sit_down(const Student& student, bool practises = false);
     bool is_practice() const { return owner_.course.empty() && owner_.number.empty(); }
-    /// Number and course are there: whoever practises has a sheet to go back to.
+    /// Number and course are there: a person who practises has a sheet to go back to.
     bool has_own_sheet() const { return !student_.course.empty() && !student_.number.empty(); }
     /// How many exercises of practice were tried, and how many of them ask for the numbers of this student as well and
     /// have attempts that this sheet does not have. Where numbers differ an answer is no answer here.

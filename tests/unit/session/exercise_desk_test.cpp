@@ -689,7 +689,7 @@ TEST_F(ExerciseDeskTest, TheSameExerciseInTwoWindowsKeepsAllAttemptsAndTheLatest
     check(*other, number_id, {{2.0}, {}}, wrong());
     type(*other, number_id, {3.0});
     finish(*other);
-    one->follow(old, old.step().start.params, true, now_s());  // what was typed before still stands there
+    one->follow(old, old.step().start.params, true, now_s());  // what was typed before is still there
     one->read_again();
     finish(*one);
     one->follow(old, old.step().start.params, true, now_s());
