@@ -122,8 +122,10 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         studio.session.report(status);
         events.any |= !status;
     };
-    while (!glfwWindowShouldClose(window)) {
-        events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
+    // What was pressed before the window was closed still counts.
+    while (!glfwWindowShouldClose(window) || !events.queue.is_empty()) {
+        const bool closes = glfwWindowShouldClose(window) == GLFW_TRUE;
+        if (!closes) events.take(frames_due > 0 || !events.queue.is_empty() ? 0.0 : studio.redraw_in_s());
 
         // A click shows after a frame that lays out what it opened, and one more that fits it.
         constexpr int frames_after_an_event = 3;
@@ -132,6 +134,7 @@ void run_loop(GLFWwindow* window, Renderer& renderer, Studio& studio, Events& ev
         glm::ivec2 size_px(0);
         glfwGetFramebufferSize(window, &size_px.x, &size_px.y);
         if (size_px.x == 0 || size_px.y == 0) {  // minimised
+            if (closes) break;
             glfwWaitEvents();
             continue;
         }
