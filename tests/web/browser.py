@@ -122,9 +122,10 @@ class Test(Checked):
 
 
 class Page:
-    """One Chromium with a profile of its own. `size` in units of the page, `scale` pixels in each of them."""
+    """One Chromium with a profile of its own. `size` in units of the page, `scale` pixels in each of them; `may_keep`: its
+    person lets sites keep data."""
 
-    def __init__(self, angle=MESA, size=(1280, 720), scale=1, touch=False, folder=None):
+    def __init__(self, angle=MESA, size=(1280, 720), scale=1, touch=False, folder=None, may_keep=True):
         self.size, self.scale = size, scale
         self.server = Server(folder or FOLDER)
         self.home = pathlib.Path(tempfile.mkdtemp(prefix="web-test-"))
@@ -137,6 +138,8 @@ class Page:
             "--no-first-run", f"--user-data-dir={self.home / 'profile'}",
         ):
             options.add_argument(argument)
+        if not may_keep:
+            options.add_experimental_option("prefs", {"profile.default_content_setting_values.cookies": 2})
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
         self.driver.set_script_timeout(PATIENCE_S + 30)

@@ -16,8 +16,11 @@ IS_ASKED = """(() => {
     window.dispatchEvent(event);
     return event.defaultPrevented;
 })()"""
-SANDBOX = """<!DOCTYPE html><title>Course</title><link rel="icon" href="data:,"><style>body { margin: 0; overflow: hidden }</style>
-<iframe id="frame" sandbox="allow-scripts allow-downloads" frameborder="0" width="1600" height="900" src="ADDRESS"></iframe>"""
+KEEP_LOOKS = """(() => {
+    const folder = '/home/web_user/.config/viewing-sandbox';
+    FS.mkdirTree(folder);
+    return kept.keep(`${folder}/window.json`, new Uint8Array(9));
+})()"""
 
 
 class NotKept(student.Student, browser.Checked):
@@ -75,12 +78,11 @@ class NotKept(student.Student, browser.Checked):
         self.page.complaints()  # the trap
 
     def test_where_nothing_may_be_kept_looks_and_answers_are_said(self):
-        host = self.page.home / "course.html"
-        host.write_text(SANDBOX.replace("ADDRESS", self.page.server.address), encoding="utf-8")
-        self.page.driver.get(host.as_uri())
-        self.page.driver.switch_to.frame("frame")
-        self.page.settle()
-        self.page.open = lambda: None  # the page that is there
+        self.page.close()
+        self.page = browser.Page(size=(1600, 900), may_keep=False)
+        self.page.open()
+        self.assertEqual(self.page.js("(() => { try { return localStorage.length } catch (error) { return error.name } })()"),
+                         "SecurityError", "as in a frame of another site, or with sandbox")
         self.sign_in()
         self.page.settle(0.8)
         self.assertRegex(self.bar(), r"keep nothing.*theme.*closes\.$")
@@ -96,10 +98,10 @@ class NotKept(student.Student, browser.Checked):
     def test_an_embed_says_nothing_of_looks(self):
         self.page.open("#embed&preset=teapot")
         self.page.js(FILL)
-        self.page.js("kept.keep('/home/web_user/.config/viewing-sandbox/window.json', new Uint8Array(9))")
+        self.page.js(KEEP_LOOKS)
         self.assertEqual(self.bar(), "")
         self.page.open("#preset=teapot")
-        self.page.js("kept.keep('/home/web_user/.config/viewing-sandbox/window.json', new Uint8Array(9))")
+        self.page.js(KEEP_LOOKS)
         self.assertNotEqual(self.bar(), "")
 
 
@@ -128,7 +130,7 @@ class TwoTabs(student.Student, browser.Checked):
         return json.loads(self.page.js("localStorage.getItem('viewing-sandbox:/home/web_user/.config/viewing-sandbox/' + arguments[0])", name))
 
     def answers(self):
-        return sorted(attempt["answer"][0] for item in self.kept(f"answers/{student.COURSE}~{student.NUMBER}.json")["items"]
+        return sorted(attempt["answer"][0][0] for item in self.kept(f"answers/{student.COURSE}~{student.NUMBER}.json")["items"]
                       for attempt in item["attempts"])
 
     def test_answers_of_both_are_kept(self):
@@ -148,7 +150,8 @@ class TwoTabs(student.Student, browser.Checked):
         name = f"answers/{student.COURSE}~{student.NUMBER}.json"
         other = self.kept(name)
         [item] = other["items"]
-        item["attempts"] = [dict(item["attempts"][0], answer=[5.0] + item["attempts"][0]["answer"][1:], at="2026-01-01T00:00:00")]
+        [attempt] = item["attempts"]
+        item["attempts"].append(dict(attempt, answer=[[5.0] + attempt["answer"][0][1:]] + attempt["answer"][1:], at="2026-01-01T00:00:00"))
         # Of this tab's own writes no event comes: as if it had not come yet.
         self.page.js("localStorage.setItem('viewing-sandbox:/home/web_user/.config/viewing-sandbox/' + arguments[0], arguments[1])",
                      name, json.dumps(other))
