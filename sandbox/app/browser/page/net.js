@@ -167,8 +167,8 @@ const net = (() => {
   });
 
   $('notice-text').textContent = say('Loading…');
-  // Style sheets have come, or not, before the first script runs.
-  for (const link of document.querySelectorAll('link[rel=stylesheet]')) if (!link.sheet) missing(link.href);
+  // The style sheet has come, or not, before the first script runs; where it has not, Chromium has an empty one.
+  if (!getComputedStyle(document.documentElement).getPropertyValue('--has-come')) missing('page.css');
   return {
     say, button, handOver, answers, saveAnswers, tellHost, end, failed, kept, settings, answers_folder, unkept,
     hasEnded: () => ended !== '',
