@@ -27,6 +27,10 @@ inline float Px(float design_pixels) {
     return design_pixels * CurrentContext().scale;
 }
 
+struct Box {
+    ImVec2 min, max;
+};
+
 /// A font with the size it is drawn at; ImGui's current one where the caller has none.
 struct Face {
     ImFont* font;

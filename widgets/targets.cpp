@@ -10,6 +10,7 @@ namespace widgets {
 
 namespace {
 
+using inner::Box;
 using inner::Px;
 
 constexpr int search_frames = 4;  ///< folded sections open, then what is in them can be scrolled to
@@ -36,10 +37,6 @@ void BringIntoView(Targets& targets, ImVec2 min, ImVec2 max) {
     const float top = ImGui::GetWindowPos().y, bottom = top + ImGui::GetWindowHeight();
     if (min.y < top || max.y > bottom) ImGui::SetScrollFromPosY((min.y + max.y) * 0.5F - top, 0.5F);
 }
-
-struct Box {
-    ImVec2 min, max;
-};
 
 /// The screen but for the holes, in bands that lie below each other.
 void DrawDimmed(ImDrawList* draw, ImVec2 screen, const std::vector<Box>& holes, ImU32 color) {

@@ -14,18 +14,18 @@ namespace viewing {
 namespace {
 
 /// The options as they were typed.
-struct Typed {
+struct TypedCompare {
     std::string a, b;
     std::optional<std::string> output, json;
 };
 
-void declare_pictures(Options& options, Typed& typed) {
+void declare_pictures(Options& options, TypedCompare& typed) {
     options.group("Pictures");
     options.positional("A.png", typed.a, "The picture that is looked at; - for standard input");
     options.positional("B.png", typed.b, "What it is compared with; - for standard input");
 }
 
-void declare_outputs(Options& options, Typed& typed) {
+void declare_outputs(Options& options, TypedCompare& typed) {
     options.group("Output");
     options.text("-o,--output", "DIFF.png", typed.output,
                  "Writes a picture of the differences: A in faint grey, small differences blue, edges with other "
@@ -33,14 +33,14 @@ void declare_outputs(Options& options, Typed& typed) {
     options.text("--json", "FILE|-", typed.json, ending_report_help);
 }
 
-std::vector<FileArgument> outputs_of(const Typed& typed) {
+std::vector<FileArgument> outputs_of(const TypedCompare& typed) {
     std::vector<FileArgument> outputs;
     if (typed.output) outputs.push_back({"-o", *typed.output});
     if (typed.json) outputs.push_back({"--json", *typed.json});
     return outputs;
 }
 
-std::vector<FileArgument> inputs_of(const Typed& typed, const ThresholdOptions& thresholds) {
+std::vector<FileArgument> inputs_of(const TypedCompare& typed, const ThresholdOptions& thresholds) {
     std::vector<FileArgument> inputs = thresholds.files();
     inputs.push_back({"A.png", typed.a});
     inputs.push_back({"B.png", typed.b});
@@ -51,7 +51,7 @@ Image picture(const std::string& name) {
     return value_or_end(name == "-" ? read_png(stdin, "standard input") : read_png(name));
 }
 
-ExitStatus compare(const Options& options, const Typed& typed, const ThresholdOptions& thresholds,
+ExitStatus compare(const Options& options, const TypedCompare& typed, const ThresholdOptions& thresholds,
                    EndingReport& report) {
     if (typed.a.empty() || typed.b.empty()) options.refuse("two pictures are needed: A.png B.png");
     if (typed.a == "-" && typed.b == "-") options.refuse("A.png and B.png cannot both be standard input");
@@ -75,9 +75,9 @@ ExitStatus compare(const Options& options, const Typed& typed, const ThresholdOp
     return status;
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_compare(const Command& self, const Arguments& arguments) {
     Options options(self);
-    Typed typed;
+    TypedCompare typed;
     declare_pictures(options, typed);
     const ThresholdOptions thresholds(options);
     declare_outputs(options, typed);
@@ -111,6 +111,6 @@ constinit const Command compare_command{
     "compare mine.png reference.png --profile portable --mask 0,0,120,40 --json report.json\n"
     "snapshot --view camera -o - | viewing-sandbox compare - reference.png",
     "01289",
-    run};
+    run_compare};
 
 }  // namespace viewing

@@ -107,7 +107,7 @@ void add_depth(Examination& examination, const char* name, DepthFormat format, c
          is_as_named ? "" : "predictions go by what is stored, lists of codes by " + stored_as_text(wanted)});
 }
 
-Json as_json(const StoredDepth& stored) {
+Json depth_as_json(const StoredDepth& stored) {
     return {{"bits", stored.precision.bits},
             {"float", stored.precision.is_float},
             {"offset_unit_codes", *stored.unit_codes}};
@@ -125,7 +125,7 @@ void examine_depth(Examination& examination, const gl::Capabilities& capabilitie
           Asked{"float depth", "d32f", DepthFormat::d32f, gl::DepthKind::d32f_s8}}) {
         const StoredDepth stored = value_or_end(measure_stored_depth(capabilities, kind), ExitStatus::gl_error);
         add_depth(examination, name, format, stored);
-        examination.depth[key] = as_json(stored);
+        examination.depth[key] = depth_as_json(stored);
     }
 }
 
@@ -247,7 +247,7 @@ std::string as_text(const Examination& examination) {
     }
 }
 
-Json as_json(const Examination& examination) {
+Json examination_as_json(const Examination& examination) {
     Json steps = Json::array();
     for (const Step& step : examination.steps)
         steps.push_back({{"step", step.name},
@@ -262,7 +262,7 @@ Json as_json(const Examination& examination) {
     return json;
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_doctor(const Command& self, const Arguments& arguments) {
     Options options(self);
     bool json = false;
     options.flag("--json", json, "The same as JSON");
@@ -276,7 +276,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
         examination.status = ExitStatus::no_context;
     examine_surroundings(examination);
     examine_leftovers(examination);
-    print(json ? print_document(as_json(examination)) + "\n" : as_text(examination));
+    print(json ? print_document(examination_as_json(examination)) + "\n" : as_text(examination));
     return examination.status;
 }
 
@@ -295,6 +295,6 @@ constinit const Command doctor_command{
     "doctor\n"
     "doctor --json",
     "023489",
-    run};
+    run_doctor};
 
 }  // namespace viewing

@@ -21,7 +21,7 @@ namespace viewing {
 namespace {
 
 /// The options as they were typed.
-struct Typed {
+struct TypedExercises {
     std::vector<std::string> files;
     std::optional<std::string> student, course, set, format, language, device;
     bool solutions = false, test = false, deploy = false;
@@ -67,7 +67,7 @@ std::string as_text(const Question& question) {
     return text + "\n";
 }
 
-Json as_json(const Question& question) {
+Json question_as_json(const Question& question) {
     const Ask& ask = question.step.ask;
     Json json = {{"exercise", question.item.exercise}, {"variant", question.item.variant},
                  {"points", question.item.points},     {"values", constants_of(ask)},
@@ -78,7 +78,7 @@ Json as_json(const Question& question) {
     return json;
 }
 
-void print_sheet(const Options& options, const Typed& typed, const std::vector<Exercise>& exercises) {
+void print_sheet(const Options& options, const TypedExercises& typed, const std::vector<Exercise>& exercises) {
     constexpr std::array formats{"text", "json"};
     const bool is_json = choice_option(options, "--format", typed.format.value_or("text"), formats) == 1;
     Headless headless(device_option(options, typed.device));
@@ -92,7 +92,7 @@ void print_sheet(const Options& options, const Typed& typed, const std::vector<E
             typed.solutions ? answer_in_words(step.ask, value_or_end(numbers_at(step.start))) : "";
         const Question question{made.sheet->items[i], step, solution};
         if (is_json)
-            json["exercises"].push_back(as_json(question));
+            json["exercises"].push_back(question_as_json(question));
         else
             text += as_text(question);
     }
@@ -102,7 +102,7 @@ void print_sheet(const Options& options, const Typed& typed, const std::vector<E
 
 // ---- their own tests -----------------------------------------------------------------------------------------------
 
-Image picture_of(Headless& headless, const LoadedState& state) {
+Image camera_picture(Headless& headless, const LoadedState& state) {
     PictureRequest request;
     request.view = PictureView::camera;
     request.size_px = {640, 360};
@@ -116,7 +116,7 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
     const auto with = [&](const std::vector<std::string>& settings) {
         LoadedState state = step.start;
         state.params = value_or_end(apply_settings(state.params, settings));
-        return picture_of(headless, state);
+        return camera_picture(headless, state);
     };
     const Image right = with(step.ask.model);
     for (std::size_t fault = 0; fault < step.ask.model.size(); ++fault) {
@@ -162,7 +162,7 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
 }
 
 /// The variants as they go into a file, so that a later version of the program gives the same sheets.
-void print_deployed(const Typed& typed) {
+void print_deployed(const TypedExercises& typed) {
     for (const std::string& file : typed.files) {
         const std::string text = value_or_end(read_text_file(file));
         const std::vector<std::string> all = value_or_end(combinations(text, one_line(file)));
@@ -173,9 +173,9 @@ void print_deployed(const Typed& typed) {
     }
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_exercises(const Command& self, const Arguments& arguments) {
     Options options(self);
-    Typed typed;
+    TypedExercises typed;
     options.group("Exercises");
     options.positionals("FILE|DIR", typed.files, "A lecturer's own exercises; left out, the program's");
     options.text("--set", "NAME|ID,ID", typed.set,
@@ -230,6 +230,6 @@ constinit const Command exercises_command{
     "exercises --test\n"
     "exercises mine.json --test",
     "0123489",
-    run};
+    run_exercises};
 
 }  // namespace viewing

@@ -22,17 +22,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 3> format_names{"text", "csv", "json"};
+constexpr std::array<const char*, 3> grade_formats{"text", "csv", "json"};
 enum class Format { text, csv, json };
 
 /// The options as they were typed.
-struct Typed {
+struct TypedGrade {
     std::vector<std::string> files, exercises;
     std::optional<std::string> format, set, course, html, output, device;
     bool tags = false;
 };
 
-void declare(Options& options, Typed& typed) {
+void declare(Options& options, TypedGrade& typed) {
     options.group("Hand-ins");
     options.positionals("FILE|DIR", typed.files,
                         "What students handed in, or folders of it: the .json files in them and in their folders, "
@@ -64,7 +64,7 @@ std::vector<fs::path> files_of(const std::string& argument) {
     return files_in(argument, ".json");
 }
 
-std::vector<FileArgument> inputs_of(const Typed& typed, const HandInFiles& found) {
+std::vector<FileArgument> inputs_of(const TypedGrade& typed, const HandInFiles& found) {
     std::vector<FileArgument> inputs;
     for (const fs::path& file : found.files) inputs.push_back({"a hand-in", file.string()});
     for (const std::string& argument : typed.exercises)
@@ -79,7 +79,7 @@ StudentGrade not_read(const std::string& file, const std::string& why) {
     return grade;
 }
 
-std::vector<StudentGrade> graded(const Typed& typed, const HandInFiles& found, Grader& grader) {
+std::vector<StudentGrade> graded(const TypedGrade& typed, const HandInFiles& found, Grader& grader) {
     std::vector<StudentGrade> grades;
     for (const std::string& trouble : found.troubles) grades.push_back(not_read(trouble, trouble));
     for (const fs::path& path : found.files) {
@@ -129,9 +129,9 @@ void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped)
         throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " all right" + behind);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_grade(const Command& self, const Arguments& arguments) {
     Options options(self);
-    Typed typed;
+    TypedGrade typed;
     declare(options, typed);
     constexpr unsigned grace_s = 30;
     options.keep_what_is_done(grace_s,
@@ -141,7 +141,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
 
     if (typed.files.empty()) options.refuse("a hand-in is missing: " + std::string(self.synopsis));
     const auto format =
-        static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), format_names));
+        static_cast<Format>(choice_option(options, "--format", typed.format.value_or("text"), grade_formats));
     const std::string output = typed.output.value_or("-");
     std::vector<FileArgument> outputs{{"-o", output}};
     if (typed.html) outputs.push_back({"--html", *typed.html});
@@ -193,6 +193,6 @@ constinit const Command grade_command{
     "grade hand-ins --course viewing-2026 --format csv -o grades.csv --html report.html\n"
     "grade 32201234.json --exercises mine.json --format json",
     "0123489",
-    run};
+    run_grade};
 
 }  // namespace viewing

@@ -36,7 +36,7 @@ std::optional<std::string> pixel_of_state(const Params& params, const Derived& d
     return std::to_string(pixel->x) + "," + std::to_string(pixel->y);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_inspect(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
     std::vector<std::string> pixel_texts;
@@ -97,6 +97,6 @@ constinit const Command inspect_command{
     "inspect --pixel 640,360 --pixel 100,50\n"
     "inspect --set depth.format=d16 --pixel 100,50 --size 200x100",
     "023489",
-    run};
+    run_inspect};
 
 }  // namespace viewing

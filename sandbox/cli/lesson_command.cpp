@@ -19,7 +19,7 @@ namespace viewing {
 namespace {
 
 /// The options as they were typed.
-struct Typed {
+struct TypedLesson {
     std::vector<std::string> lessons;
     std::optional<std::string> device, step, notes, handout, language;
     bool check = false, names = false, list = false, presents = false, answers = false;
@@ -53,7 +53,7 @@ LessonFindings draw_step(const Lesson& lesson, const LessonStep& step, Headless&
     return findings;
 }
 
-ExitStatus check(const Typed& typed, const std::string& device) {
+ExitStatus check(const TypedLesson& typed, const std::string& device) {
     std::vector<std::string> wanted = typed.lessons;
     if (wanted.empty())
         for (const LessonFile& file : lessons()) wanted.push_back(file.path.string());
@@ -89,13 +89,13 @@ ExitStatus check(const Typed& typed, const std::string& device) {
 }
 
 /// Those that are no lessons of the program.
-std::vector<FileArgument> lesson_files(const Typed& typed) {
+std::vector<FileArgument> lesson_files(const TypedLesson& typed) {
     std::vector<FileArgument> files;
     for (const std::string& lesson : typed.lessons) add_file_if_there(files, "the lesson", lesson);
     return files;
 }
 
-ExitStatus write_handout(const Options& options, const Typed& typed) {
+ExitStatus write_handout(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() != 1) options.refuse("--handout needs one lesson");
     const FileArgument handout_file{"--handout", *typed.handout};
     check_outputs(options, {&handout_file, 1}, lesson_files(typed));
@@ -109,7 +109,7 @@ ExitStatus write_handout(const Options& options, const Typed& typed) {
 }
 
 /// The window in the lesson; without one named, with the page of all.
-ExitStatus show_lesson(const Options& options, const Typed& typed) {
+ExitStatus show_lesson(const Options& options, const TypedLesson& typed) {
     if (typed.lessons.size() > 1) options.refuse("the window shows one lesson; --check takes several");
     WindowMemory memory(remembered_file(), false);
     WindowStart start;
@@ -137,9 +137,9 @@ ExitStatus show_lesson(const Options& options, const Typed& typed) {
     return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_lesson(const Command& self, const Arguments& arguments) {
     Options options(self);
-    Typed typed;
+    TypedLesson typed;
     options.group("Lesson");
     options.positionals("ID|FILE", typed.lessons,
                         "A lesson's name (--list), or a file of one's own; --check takes several");
@@ -193,6 +193,6 @@ constinit const Command lesson_command{"lesson",
                                        "lesson --check mine.json\n"
                                        "lesson --names",
                                        "0123489",
-                                       run};
+                                       run_lesson};
 
 }  // namespace viewing

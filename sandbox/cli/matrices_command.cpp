@@ -15,20 +15,20 @@
 namespace viewing {
 namespace {
 
-constexpr std::array format_names{"json", "text", "latex", "glm", "glsl", "numpy", "matlab"};
+constexpr std::array matrix_formats{"json", "text", "latex", "glm", "glsl", "numpy", "matlab"};
 constexpr std::array formats{MatrixFormat::text, MatrixFormat::latex, MatrixFormat::glm,
                              MatrixFormat::glsl, MatrixFormat::numpy, MatrixFormat::matlab};
 
 constexpr int most_digits = 17;
 
 /// What is printed, and how.
-struct Wish {
+struct TypedMatrices {
     std::vector<ChosenMatrix> matrices;
     int digits = 0;  ///< significant ones; 0: all
     bool is_symbolic = false;
 };
 
-std::string listed_as_text(const Wish& wish, const std::vector<Problem>& problems, MatrixFormat format) {
+std::string listed_as_text(const TypedMatrices& wish, const std::vector<Problem>& problems, MatrixFormat format) {
     // What stands between $ and $ has no empty lines.
     const std::string between = format == MatrixFormat::latex ? "\\quad\n" : "\n";
     std::string text = format == MatrixFormat::numpy ? "import numpy as np\n\n" : "";
@@ -62,7 +62,7 @@ Json symbols_as_json(const MatrixSymbols& symbols) {
 }
 
 /// `all` is what is printed where nothing is chosen.
-Json listed_as_json(const Wish& wish, const Json& all, bool is_chosen) {
+Json listed_as_json(const TypedMatrices& wish, const Json& all, bool is_chosen) {
     Json json = is_chosen ? Json::object() : all;
     for (const ChosenMatrix& chosen : wish.matrices) {
         json[chosen.key] =
@@ -73,11 +73,11 @@ Json listed_as_json(const Wish& wish, const Json& all, bool is_chosen) {
     return rounded(std::move(json), wish.digits);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_matrices(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
     std::optional<std::string> size, format, only, digits;
-    Wish wish;
+    TypedMatrices wish;
     options.group("Output");
     options.text("--size", "WxH", size,
                  "Size of the picture in pixels, whose aspect the projection has; default 1280x720");
@@ -94,7 +94,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
                  "PV, and what was entered by hand");
     if (!options.parse(arguments)) return ExitStatus::done;
 
-    const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), format_names);
+    const std::size_t chosen = choice_option(options, "--format", format.value_or("json"), matrix_formats);
     if (digits) wish.digits = whole_option(options, "--digits", *digits, 1, most_digits);
     const Viewport viewport{size_option(options, size)};
     const LoadedState state = state_arguments.load();
@@ -124,6 +124,6 @@ constinit const Command matrices_command{
     "matrices mirrors-facing-once --only S[1,1],R[2] --symbolic --format text\n"
     "matrices --format numpy > matrices.py",
     "0289",
-    run};
+    run_matrices};
 
 }  // namespace viewing

@@ -23,15 +23,15 @@ namespace {
 
 constexpr std::array<const char*, 5> quantities{"visibility", "growth", "fighting", "mirror", "order"};
 constexpr std::array<const char*, 3> polygon_kinds{"small", "large", "scene"};
-constexpr std::array<const char*, 2> format_names{"json", "csv"};
+constexpr std::array<const char*, 2> measure_formats{"json", "csv"};
 
 /// The options as they were typed.
-struct Typed {
+struct TypedMeasure {
     std::optional<std::string> what, size, device, max, polygons, format;
     bool no_times = false;
 };
 
-void declare(Options& options, Typed& typed) {
+void declare(Options& options, TypedMeasure& typed) {
     options.group("Measurement");
     options.text(
         "--what", "QUANTITY", typed.what,
@@ -56,7 +56,7 @@ void declare(Options& options, Typed& typed) {
 }
 
 /// What only growth takes is refused elsewhere, and the other way round.
-void refuse_strangers(const Options& options, const Typed& typed) {
+void refuse_strangers(const Options& options, const TypedMeasure& typed) {
     const bool grows = typed.what == "growth", draws = !grows && typed.what != "order";
     if (!grows && typed.max) options.refuse("--max needs --what growth");
     if (!grows && typed.polygons) options.refuse("--polygons needs --what growth");
@@ -74,7 +74,7 @@ std::vector<int> counts_up_to(int max) {
     return counts;
 }
 
-GrowthRequest growth_request(const Options& options, const Typed& typed) {
+GrowthRequest growth_request(const Options& options, const TypedMeasure& typed) {
     GrowthRequest request;
     request.counts = counts_up_to(typed.max ? whole_option(options, "--max", *typed.max, 1, 1'000'000) : 10'000);
     const std::string kind = typed.polygons.value_or(polygon_kinds.front());
@@ -135,10 +135,10 @@ std::string growth_text(const LoadedState& state, const Scene& scene, GrowthRequ
                   : document(growth_as_json(state, request, rows, with_times), with_times);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_measure(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    Typed typed;
+    TypedMeasure typed;
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
 
@@ -147,7 +147,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     refuse_strangers(options, typed);
     const glm::ivec2 size_px = size_option(options, typed.size);
     const GrowthRequest growth = growth_request(options, typed);
-    const bool as_csv = choice_option(options, "--format", typed.format.value_or("json"), format_names) == 1;
+    const bool as_csv = choice_option(options, "--format", typed.format.value_or("json"), measure_formats) == 1;
     const LoadedState state = state_arguments.load();
     const Scene scene = scene_of(state);
 
@@ -213,6 +213,6 @@ constinit const Command measure_command{
     "measure --what growth --max 3000 --format csv > growth.csv\n"
     "measure teapot --what growth --polygons scene",
     "023489",
-    run};
+    run_measure};
 
 }  // namespace viewing

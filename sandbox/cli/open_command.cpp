@@ -24,7 +24,7 @@ ExitStatus show_hand_in(const Options& options, const StateArguments& arguments,
     return show_window(value_or_end(Session::begin(state, patience_s)), start, memory);
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_open(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
     bool is_fresh = false;
@@ -69,6 +69,6 @@ constinit const Command open_command{"open",
                                      "bunny.obj\n"
                                      "open 32201234.json --exercise E18 --replay",
                                      "023489",
-                                     run};
+                                     run_open};
 
 }  // namespace viewing

@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_params(const Command& self, const Arguments& arguments) {
     Options options(self);
     std::optional<std::string> format;
     options.text("--format", "FORMAT", format,
@@ -39,6 +39,6 @@ constinit const Command params_command{"params",
                                        "params --format schema > state.schema.json\n"
                                        "params | jq '.[].path'",
                                        "0289",
-                                       run};
+                                       run_params};
 
 }  // namespace viewing

@@ -13,11 +13,11 @@ std::string line(const NamedFile& file, const char* mark) {
     return file.name + mark + " — " + file.title + (file.about.empty() ? "" : ": " + file.about) + "\n";
 }
 
-Json as_json(const NamedFile& file, const char* kind) {
+Json preset_as_json(const NamedFile& file, const char* kind) {
     return {{"name", file.name}, {"title", file.title}, {"about", file.about}, {"group", file.group}, {"kind", kind}};
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_presets(const Command& self, const Arguments& arguments) {
     Options options(self);
     bool json = false;
     options.flag("--json", json, "The same as JSON: name, title, about, group and kind (preset or scene) of each");
@@ -29,7 +29,7 @@ ExitStatus run(const Command& self, const Arguments& arguments) {
     const auto add = [&](const std::vector<NamedFile>& files, const char* kind, const char* mark) {
         for (const NamedFile& file : files) {
             lines += line(file, mark);
-            list.push_back(as_json(file, kind));
+            list.push_back(preset_as_json(file, kind));
         }
     };
     add(presets(), "preset", "");
@@ -50,6 +50,6 @@ constinit const Command presets_command{
     "presets --json\n"
     "open --set scene=teapot",
     "0289",
-    run};
+    run_presets};
 
 }  // namespace viewing

@@ -15,7 +15,7 @@
 namespace viewing {
 namespace {
 
-void end_process(int) {
+void end_at_fault(int) {
     constexpr int status = static_cast<int>(ExitStatus::internal_error);
     for (const std::string_view part : {std::string_view(fault_sentence), std::string_view("\n")})
         [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, part.data(), part.size());
@@ -32,7 +32,7 @@ void catch_faults() {
     stack.ss_size = stack_bytes.size();
     ::sigaltstack(&stack, nullptr);
     struct sigaction action {};
-    action.sa_handler = end_process;
+    action.sa_handler = end_at_fault;
     action.sa_flags = SA_ONSTACK;
     for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::sigaction(fault, &action, nullptr);
 }

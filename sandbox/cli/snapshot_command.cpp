@@ -25,7 +25,7 @@ namespace viewing {
 namespace {
 
 /// The options as they were typed.
-struct Typed {
+struct TypedSnapshot {
     std::optional<std::string> output, view, size, samples, device, repeat, compare, diff, json;
     std::optional<std::string> lesson, step, exercise, student, course;
     std::optional<std::string> dpi;
@@ -33,7 +33,7 @@ struct Typed {
 };
 
 /// The same, checked.
-struct Wish {
+struct SnapshotWish {
     PictureRequest picture;
     std::string view;
     std::string device;
@@ -47,7 +47,7 @@ struct Drawn {
     std::string device, renderer, gl_version;
 };
 
-void declare(Options& options, Typed& typed) {
+void declare(Options& options, TypedSnapshot& typed) {
     options.group("Picture");
     options.text(
         "-o,--output", "OUT.png", typed.output,
@@ -92,7 +92,7 @@ void declare(Options& options, Typed& typed) {
     options.text("--diff", "D.png", typed.diff, "Writes the picture of the differences from it, as compare -o does");
 }
 
-std::vector<FileArgument> outputs_of(const Typed& typed) {
+std::vector<FileArgument> outputs_of(const TypedSnapshot& typed) {
     std::vector<FileArgument> outputs;
     if (typed.output) outputs.push_back({"-o", *typed.output});
     if (typed.diff) outputs.push_back({"--diff", *typed.diff});
@@ -100,7 +100,7 @@ std::vector<FileArgument> outputs_of(const Typed& typed) {
     return outputs;
 }
 
-std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& state_arguments,
+std::vector<FileArgument> inputs_of(const TypedSnapshot& typed, const StateArguments& state_arguments,
                                     const ThresholdOptions& thresholds, std::vector<FileArgument> inputs) {
     for (const auto& typed_files : {state_arguments.files(), thresholds.files()})
         inputs.insert(inputs.end(), typed_files.begin(), typed_files.end());
@@ -109,14 +109,14 @@ std::vector<FileArgument> inputs_of(const Typed& typed, const StateArguments& st
     return inputs;
 }
 
-Wish checked(const Options& options, const Typed& typed, const ThresholdOptions& thresholds,
+SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const ThresholdOptions& thresholds,
              const StateArguments& state_arguments) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
     if (thresholds.given() && !typed.compare)
         options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
     if (typed.diff && !typed.compare) options.refuse("--diff needs --compare REF.png");
 
-    Wish wish;
+    SnapshotWish wish;
     const std::size_t view = choice_option(options, "--view", typed.view.value_or("window"), picture_view_names);
     wish.view = picture_view_names[view];
     wish.picture.view = static_cast<PictureView>(view);
@@ -141,7 +141,7 @@ Wish checked(const Options& options, const Typed& typed, const ThresholdOptions&
 }
 
 /// The step that the options name, or STATE's link.
-std::optional<LinkedStep> step_of(const Options& options, const Typed& typed, const StateArguments& state_arguments) {
+std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments) {
     std::optional<LinkedStep> linked = typed.exercise ? std::nullopt : state_arguments.linked_step();
     if (linked && (typed.lesson || typed.step)) options.refuse("STATE links to a lesson's step already");
     if (!typed.lesson) return linked;
@@ -149,7 +149,7 @@ std::optional<LinkedStep> step_of(const Options& options, const Typed& typed, co
 }
 
 /// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
-LoadedState take_exercise(const Options& options, const Typed& typed, const StateArguments& arguments, Wish& wish) {
+LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, const StateArguments& arguments, SnapshotWish& wish) {
     if (typed.lesson) options.refuse("--lesson and --exercise cannot both be");
     HandIn hand_in{.program = {},
                    .course = typed.course.value_or(""),
@@ -172,7 +172,7 @@ LoadedState take_exercise(const Options& options, const Typed& typed, const Stat
     return state;
 }
 
-Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene, bool is_last) {
+Drawn draw_once(const SnapshotWish& wish, const LoadedState& state, const Scene& scene, bool is_last) {
     auto headless = std::make_unique<Headless>(wish.device);
     const auto drawn = [&](auto draw) {
         return headless->drawn(draw(headless->renderer(), state, scene, wish.picture),
@@ -191,7 +191,7 @@ Drawn draw_once(const Wish& wish, const LoadedState& state, const Scene& scene, 
     return result;
 }
 
-Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
+Drawn draw(const SnapshotWish& wish, const LoadedState& state, const Scene& scene) {
     Drawn first = draw_once(wish, state, scene, wish.repeat == 1);
     for (int i = 2; i <= wish.repeat; ++i) {
         const Drawn again = draw_once(wish, state, scene, i == wish.repeat);
@@ -204,13 +204,13 @@ Drawn draw(const Wish& wish, const LoadedState& state, const Scene& scene) {
     return first;
 }
 
-int samples_of(const Wish& wish, const Params& params) {
+int samples_of(const SnapshotWish& wish, const Params& params) {
     const bool is_buffer = wish.picture.view == PictureView::depth || wish.picture.view == PictureView::stencil;
     return is_buffer ? 0 : wish.picture.samples.value_or(params.view.samples);
 }
 
 /// What is wanted, and null for what is not known yet.
-void tell_typed(EndingReport& report, const Typed& typed, const StateArguments& state,
+void tell_typed(EndingReport& report, const TypedSnapshot& typed, const StateArguments& state,
                 const ThresholdOptions& thresholds) {
     report.tell("state", state.as_typed().empty() ? Json() : name_as_json(state.as_typed()));
     report.tell("output", name_as_json(typed.output));
@@ -223,7 +223,7 @@ void tell_typed(EndingReport& report, const Typed& typed, const StateArguments& 
     report.tell("compare", Json());
 }
 
-void tell_wish(EndingReport& report, const Wish& wish, const Params& params) {
+void tell_wish(EndingReport& report, const SnapshotWish& wish, const Params& params) {
     report.tell("view", wish.view);
     report.tell("size", as_json(wish.picture.size_px));
     report.tell("samples", samples_of(wish, params));
@@ -238,7 +238,7 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
 }
 
 /// The state that is shown, by whatever way it was named.
-LoadedState state_of(const Options& options, const Typed& typed, const StateArguments& state_arguments, Wish& wish) {
+LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments, SnapshotWish& wish) {
     LoadedState state;
     if (typed.exercise)
         state = take_exercise(options, typed, state_arguments, wish);
@@ -257,10 +257,10 @@ LoadedState state_of(const Options& options, const Typed& typed, const StateArgu
 }
 
 /// `scene_files` takes the files of the state's scene as they become known: none of them may be written.
-ExitStatus take(const Options& options, const Typed& typed, const StateArguments& state_arguments,
+ExitStatus take(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
                 const ThresholdOptions& thresholds, std::vector<FileArgument>& scene_files, EndingReport& report) {
     report.begin();
-    Wish wish = checked(options, typed, thresholds, state_arguments);
+    SnapshotWish wish = checked(options, typed, thresholds, state_arguments);
     std::optional<Reference> reference;
     if (typed.compare) reference.emplace(*typed.compare, thresholds, wish.picture.size_px);
     const LoadedState state = state_of(options, typed, state_arguments, wish);
@@ -294,10 +294,10 @@ ExitStatus take(const Options& options, const Typed& typed, const StateArguments
     return status;
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_snapshot(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    Typed typed;
+    TypedSnapshot typed;
     declare(options, typed);
     const ThresholdOptions thresholds(options);
     options.text("--json", "FILE|-", typed.json, ending_report_help);
@@ -330,6 +330,6 @@ constinit const Command snapshot_command{
     "snapshot --exercise E16 --student 32201234 -o question.png\n"
     "snapshot --repeat 3 --fail-if-blank --timeout 60 -o picture.png",
     "0123456789",
-    run};
+    run_snapshot};
 
 }  // namespace viewing

@@ -34,7 +34,7 @@ void print_link(const Linking& linking, const LoadedState& state, const Scene& s
         std::cerr << "state: the link only names the scene's files, it does not carry them; --bundle DIR does\n";
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_state(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
     std::optional<std::string> bundle, lesson, step_number;
@@ -96,6 +96,6 @@ constinit const Command state_command{
     "state --lesson depth-fighting --step 2 --link\n"
     "state --set light.position=[12,20,0,0] | viewing-sandbox snapshot - -o picture.png",
     "0289",
-    run};
+    run_state};
 
 }  // namespace viewing

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 /// The options as they were typed; the first word is what is done.
-struct Typed {
+struct TypedSuite {
     std::vector<std::string> words, only;
     std::optional<std::string> jobs, shard, times, entry_timeout, device;
     bool accept_new = false, cache = false, github = false, allow_outside = false;
@@ -43,7 +43,7 @@ struct Shard {
     int index = 1, of = 1;
 };
 
-void declare(Options& options, Typed& typed) {
+void declare(Options& options, TypedSuite& typed) {
     options.group("What to do");
     options.positionals(
         "run|accept|merge", typed.words,
@@ -91,7 +91,7 @@ std::map<std::string, double> times_of(const std::optional<std::string>& folder)
     return seconds;
 }
 
-std::vector<std::size_t> chosen_of(const Suite& suite, const Typed& typed, const Shard& shard) {
+std::vector<std::size_t> chosen_of(const Suite& suite, const TypedSuite& typed, const Shard& shard) {
     std::vector<std::string> known;
     for (const SuiteEntry& entry : suite.entries) known.push_back(entry.name);
     for (const std::string& name : typed.only)
@@ -115,7 +115,7 @@ std::map<std::string, std::string> known_keys(const Suite& suite) {
     return keys;
 }
 
-std::vector<std::string> worker_of(const Suite& suite, const Typed& typed) {
+std::vector<std::string> worker_of(const Suite& suite, const TypedSuite& typed) {
     if (own_program().empty())
         throw Failure(ExitStatus::internal_error,
                       "a suite starts this program again, whose file is not known: /proc is missing");
@@ -191,7 +191,7 @@ struct RunEnd {
     int ended_by = 0;  ///< the signal, where it ended early
 };
 
-RunEnd run_one(const Suite& whole, const Typed& typed, const Shard& shard, const RunWish& like) {
+RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, const RunWish& like) {
     const Suite suite = with_report_of(whole, shard);
     RunWish wish = like;
     wish.chosen = chosen_of(suite, typed, shard);
@@ -235,7 +235,7 @@ RunEnd run_one(const Suite& whole, const Typed& typed, const Shard& shard, const
 
 /// One suite after the other. A signal and the end of --timeout end it early, with reports of what was drawn; then the
 /// process ends as it would have without them.
-ExitStatus run_all(const std::vector<Suite>& suites, const Typed& typed, const Shard& shard, const RunWish& like) {
+ExitStatus run_all(const std::vector<Suite>& suites, const TypedSuite& typed, const Shard& shard, const RunWish& like) {
     RunEnd all;
     {
         const EndingNote note;
@@ -253,7 +253,7 @@ ExitStatus run_all(const std::vector<Suite>& suites, const Typed& typed, const S
     end_by_signal(all.ended_by);
 }
 
-ExitStatus run_suites(const Options& options, const Typed& typed, const std::vector<Suite>& suites) {
+ExitStatus run_suites(const Options& options, const TypedSuite& typed, const std::vector<Suite>& suites) {
     const Shard shard = shard_option(options, typed.shard);
     RunWish like;
     constexpr int most_jobs = 256;
@@ -290,7 +290,7 @@ ExitStatus merge(const Options& options, const Suite& suite, const std::vector<s
 }
 
 /// Not for people: run starts it.
-ExitStatus work(const Options& options, const Typed& typed, const Suite& whole) {
+ExitStatus work(const Options& options, const TypedSuite& typed, const Suite& whole) {
     const Suite suite = with_report_of(whole, shard_option(options, typed.shard));
     Headless headless(device_option(options, typed.device));
     // By the program's own bytes another build draws anew.
@@ -300,9 +300,9 @@ ExitStatus work(const Options& options, const Typed& typed, const Suite& whole) 
     return ExitStatus::done;
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_suite(const Command& self, const Arguments& arguments) {
     Options options(self);
-    Typed typed;
+    TypedSuite typed;
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
     constexpr std::array verbs{"run", "accept", "merge", "worker"};
@@ -348,6 +348,6 @@ constinit const Command suite_command{
     "suite run suite.json --shard 2/5 --times report\n"
     "suite merge suite.json report-1-of-2 report-2-of-2",
     "012389",
-    run};
+    run_suite};
 
 }  // namespace viewing

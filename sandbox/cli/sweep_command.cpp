@@ -39,7 +39,7 @@ constexpr std::size_t fewest_digits = 4;  // of a picture's number
 constexpr std::array film_endings{".mp4", ".gif", ".webp"};
 
 /// The options as they were typed.
-struct Typed {
+struct TypedSweep {
     std::optional<std::string> output, csv, view, size, samples, fps, ease, columns, device;
     std::vector<std::string> vary, values;
     bool together = false, back = false;
@@ -47,7 +47,7 @@ struct Typed {
 
 enum class Kind { film, sheet, folder, nothing };
 
-struct Wish {
+struct SweepPlan {
     std::vector<Variation> variations;
     Ease ease = Ease::linear;
     PictureRequest picture;
@@ -57,7 +57,7 @@ struct Wish {
     int columns = 1;
 };
 
-void declare(Options& options, Typed& typed) {
+void declare(Options& options, TypedSweep& typed) {
     options.group("Sweep");
     options.texts(
         "--vary", "PATH=FROM:TO:COUNT", typed.vary,
@@ -107,7 +107,7 @@ std::string file_of_picture(std::size_t index, std::size_t count) {
 }
 
 /// What is written beside a folder's pictures.
-std::vector<FileArgument> outputs_of(const Typed& typed, const Wish& wish) {
+std::vector<FileArgument> outputs_of(const TypedSweep& typed, const SweepPlan& wish) {
     std::vector<FileArgument> outputs;
     if (typed.output && wish.kind != Kind::folder) outputs.push_back({"-o", *typed.output});
     if (typed.csv) outputs.push_back({"--csv", *typed.csv});
@@ -124,7 +124,7 @@ bool is_own_picture(const fs::path& file) {
 }
 
 /// Refuses an output that is an input or another one; a folder of pictures takes the place of all that is in it.
-void keep_apart(const Options& options, const Typed& typed, const Wish& wish, std::vector<FileArgument> inputs) {
+void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish, std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
     if (wish.kind != Kind::folder) return;
     if (typed.csv) inputs.push_back({"--csv", *typed.csv});
@@ -136,7 +136,7 @@ void keep_apart(const Options& options, const Typed& typed, const Wish& wish, st
 }
 
 /// A flight goes its own way; everything else needs a field to vary.
-void check_way(const Options& options, const Typed& typed, bool is_flight) {
+void check_way(const Options& options, const TypedSweep& typed, bool is_flight) {
     if (!is_flight && (typed.vary.empty() || typed.vary.size() > 2))
         options.refuse("--vary PATH=FROM:TO:COUNT is wanted once or twice; only a flight needs none");
     if (is_flight && !typed.vary.empty())
@@ -144,8 +144,8 @@ void check_way(const Options& options, const Typed& typed, bool is_flight) {
     if (is_flight && (typed.ease || typed.back)) options.refuse("--ease and --back need --vary; STATE is a flight");
 }
 
-Wish checked(const Options& options, const Typed& typed, bool is_flight) {
-    Wish wish;
+SweepPlan checked(const Options& options, const TypedSweep& typed, bool is_flight) {
+    SweepPlan wish;
     check_way(options, typed, is_flight);
     for (const std::string& text : typed.vary) wish.variations.push_back(value_or_end(Variation::parse(text)));
     if (typed.together && wish.variations.size() != 2) options.refuse("--together needs two --vary");
@@ -180,14 +180,14 @@ struct Stop {
 };
 
 /// How many a variation has, which may be more than can be made.
-std::int64_t count_of(const Wish& wish, bool together, bool back) {
+std::int64_t count_of(const SweepPlan& wish, bool together, bool back) {
     std::int64_t count = wish.variations.front().count;
     if (wish.variations.size() == 2 && !together) count *= wish.variations.back().count;
     return back && count > 2 ? 2 * count - 2 : count;
 }
 
 /// Those of a variation, in order.
-std::vector<Stop> stops_of(const Wish& wish, bool together, bool back) {
+std::vector<Stop> stops_of(const SweepPlan& wish, bool together, bool back) {
     std::vector<Stop> all;
     const Variation& first = wish.variations.front();
     for (int i = 0; i < first.count; ++i) {
@@ -259,7 +259,7 @@ std::string cell(const Json& value) {
     return csv_quoted(value.is_string() ? value.get<std::string>() : value.dump());
 }
 
-std::string head(const Typed& typed, const Wish& wish) {
+std::string head(const TypedSweep& typed, const SweepPlan& wish) {
     std::string line;
     if (wish.variations.empty()) line = "t";
     for (const Variation& variation : wish.variations) line += (line.empty() ? "" : ",") + csv_quoted(variation.path);
@@ -267,7 +267,7 @@ std::string head(const Typed& typed, const Wish& wish) {
     return line + "\n";
 }
 
-std::string row(const Typed& typed, const std::vector<std::string>& settings, const LoadedState& state,
+std::string row(const TypedSweep& typed, const std::vector<std::string>& settings, const LoadedState& state,
                 const LoadedState& start, const Scene& scene, Renderer& renderer) {
     std::string line;
     for (const std::string& setting : settings)
@@ -295,20 +295,20 @@ std::vector<std::string> captions_of(const std::vector<std::string>& settings) {
     return captions;
 }
 
-int columns_of(const Options& options, const Typed& typed, const Wish& wish, std::size_t count) {
+int columns_of(const Options& options, const TypedSweep& typed, const SweepPlan& wish, std::size_t count) {
     if (typed.columns) return whole_option(options, "--columns", *typed.columns, 1, 1000);
     if (wish.variations.size() == 2 && !typed.together && !typed.back) return wish.variations.back().count;
     return static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
 }
 
-ExitStatus run(const Command& self, const Arguments& arguments) {
+ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     Options options(self);
     const StateArguments state_arguments(options);
-    Typed typed;
+    TypedSweep typed;
     declare(options, typed);
     if (!options.parse(arguments)) return ExitStatus::done;
     const LoadedState start = state_arguments.load();
-    Wish wish = checked(options, typed, start.flight != nullptr);
+    SweepPlan wish = checked(options, typed, start.flight != nullptr);
     if (!start.flight)
         if (const std::int64_t count = count_of(wish, typed.together, typed.back); count > Variation::most_frames)
             options.refuse("--vary: " + std::to_string(count) + " pictures are more than " +
@@ -395,6 +395,6 @@ constinit const Command sweep_command{
     "sweep --vary camera.position=[3.9,3,6.6]:[0,3,7]:[-4,2,6]:90 -o frames\n"
     "sweep flight-20260301-101500.json -o flight.mp4",
     "0234589",
-    run};
+    run_sweep};
 
 }  // namespace viewing

@@ -18,12 +18,12 @@
 namespace viewing {
 namespace {
 
-std::string line;  // made beforehand: a signal handler may not allocate
+std::string last_line;  // made beforehand: a signal handler may not allocate
 double limit_s = 0.0;
 volatile std::sig_atomic_t run_out = 0;
 volatile std::sig_atomic_t grace_left_s = 0;
 
-void end_process(int) {
+void end_at_time_limit(int) {
     run_out = 1;
     if (grace_left_s > 0) {
         ::alarm(static_cast<unsigned>(grace_left_s));
@@ -31,7 +31,7 @@ void end_process(int) {
         return;
     }
     constexpr int status = static_cast<int>(ExitStatus::out_of_time);
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, last_line.data(), last_line.size());
     say_last_words(status);
     remove_unfinished_files();
     ::_exit(status);
@@ -51,9 +51,9 @@ TimeLimit::TimeLimit(double seconds, unsigned grace_s) {
     limit_s = seconds;
     run_out = 0;
     grace_left_s = static_cast<int>(grace_s);
-    line = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
+    last_line = "out of time: not done within the " + format_number(seconds) + " s of --timeout\n";
     struct sigaction action {};
-    action.sa_handler = end_process;
+    action.sa_handler = end_at_time_limit;
     action.sa_flags = SA_RESTART;  // in the time of grace a file is read and written on
     ::sigaction(SIGALRM, &action, nullptr);
     sigset_t alarm;
@@ -72,7 +72,7 @@ bool TimeLimit::has_run_out() {
 }
 
 std::string TimeLimit::sentence() {
-    return line.substr(0, line.find('\n'));
+    return last_line.substr(0, last_line.find('\n'));
 }
 
 double TimeLimit::seconds() {

@@ -23,9 +23,8 @@ struct ChartPlot {
     LogScale x, y;
 };
 
-struct Box {
-    ImVec2 min, max;
-};
+/// Whether it overlaps none of them.
+bool IsFree(const Box& box, std::span<const Box> taken);
 
 float Distance(ImVec2 a, ImVec2 b);
 /// a where t = 0, b where t = 1.

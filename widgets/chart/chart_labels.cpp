@@ -23,10 +23,6 @@ const glm::dvec2* EndOf(const ChartPlot& plot, const ChartCurve& curve) {
     return nullptr;
 }
 
-bool IsFree(const Box& box, std::span<const Box> taken) {
-    return std::all_of(taken.begin(), taken.end(), [&](const Box& other) { return AreApart(box, other); });
-}
-
 /// What a name had better not cover: markers, and lines in small pieces.
 std::vector<Box> Obstacles(const ChartPlot& plot, std::span<const ChartCurve> curves) {
     std::vector<Box> boxes;
@@ -69,6 +65,10 @@ std::optional<Box> Nudged(const Box& wanted, const ChartPlot& plot, float most_p
 }
 
 }  // namespace
+
+bool IsFree(const Box& box, std::span<const Box> taken) {
+    return std::all_of(taken.begin(), taken.end(), [&](const Box& other) { return AreApart(box, other); });
+}
 
 std::vector<EndLabel> PlaceLabels(const ChartPlot& plot, std::span<const ChartCurve> curves, float right,
                                   std::vector<Box> taken) {

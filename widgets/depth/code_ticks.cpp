@@ -30,18 +30,18 @@ struct Rows {
     float At(double share) const { return static_cast<float>(left + share * (right - left)); }
 };
 
-struct Tick {
+struct CodeTick {
     std::size_t index;
     float upper_x, lower_x;
     bool is_joined;
 };
 
 /// Every so-manieth, so that they stand apart in the upper row, and the last.
-std::vector<Tick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
+std::vector<CodeTick> ReadableTicks(const Rows& rows, std::span<const double> eye_distances) {
     const std::size_t last = eye_distances.size() - 1;
     const std::size_t most = std::max<std::size_t>(static_cast<std::size_t>((rows.right - rows.left) / Px(6)), 1);
     const std::size_t stride = std::max<std::size_t>((last + most - 1) / most, 1);
-    std::vector<Tick> ticks;
+    std::vector<CodeTick> ticks;
     const auto add = [&](std::size_t index) {
         const double share = last > 0 ? static_cast<double>(index) / static_cast<double>(last) : 0.0;
         const double z = eye_distances[index];
@@ -54,12 +54,12 @@ std::vector<Tick> ReadableTicks(const Rows& rows, std::span<const double> eye_di
 }
 
 /// Whose line the pointer is on or next to.
-const Tick* TickAt(const Rows& rows, std::span<const Tick> ticks, ImVec2 pointer) {
+const CodeTick* TickAt(const Rows& rows, std::span<const CodeTick> ticks, ImVec2 pointer) {
     if (pointer.y < rows.upper - Px(10) || pointer.y > rows.lower + Px(10)) return nullptr;
     const float share = std::clamp((pointer.y - rows.upper) / (rows.lower - rows.upper), 0.0F, 1.0F);
-    const Tick* nearest = nullptr;
+    const CodeTick* nearest = nullptr;
     float nearest_px = Px(8);
-    for (const Tick& tick : ticks) {
+    for (const CodeTick& tick : ticks) {
         if (!tick.is_joined && share > 0.2F) continue;
         const float x = tick.is_joined ? tick.upper_x + share * (tick.lower_x - tick.upper_x) : tick.upper_x;
         if (const float away = std::abs(pointer.x - x); away < nearest_px) {
@@ -70,21 +70,21 @@ const Tick* TickAt(const Rows& rows, std::span<const Tick> ticks, ImVec2 pointer
     return nearest;
 }
 
-void DrawTicks(ImDrawList* draw, const Rows& rows, std::span<const Tick> ticks, const Tick* pointed) {
+void DrawTicks(ImDrawList* draw, const Rows& rows, std::span<const CodeTick> ticks, const CodeTick* pointed) {
     const Palette& palette = CurrentContext().palette;
     const float line = Px(1) * palette.stroke, tick_px = Px(6);
     const ImU32 axis = Shown(inner::Mix(palette.border, palette.quiet, 0.5F));
     for (const float y : {rows.upper, rows.lower}) {
         draw->AddLine(ImVec2(rows.left, y), ImVec2(rows.right, y), axis, line);
     }
-    const auto draw_tick = [&](const Tick& tick, ImU32 color, ImU32 joint, float width) {
+    const auto draw_tick = [&](const CodeTick& tick, ImU32 color, ImU32 joint, float width) {
         const ImVec2 above(tick.upper_x, rows.upper), below(tick.lower_x, rows.lower);
         draw->AddLine(ImVec2(above.x, above.y - tick_px), above, color, width);
         if (!tick.is_joined) return;
         draw->AddLine(above, below, joint, width);
         draw->AddLine(below, ImVec2(below.x, below.y + tick_px), color, width);
     };
-    for (const Tick& tick : ticks) {
+    for (const CodeTick& tick : ticks) {
         const ImU32 color = tick.is_joined ? palette.text : palette.quiet;
         draw_tick(tick, Shown(color), Shown(inner::Mix(palette.view_ground, palette.camera, 0.65F)), line);
     }
@@ -104,7 +104,7 @@ void DrawRowTexts(ImDrawList* draw, const Rows& rows, float y, const std::string
     face.Draw(draw, ImVec2(left, y), Shown(palette.quiet), title);
 }
 
-void DrawReadout(ImDrawList* draw, const inner::Box& area, ImVec2 at, const Tick& tick,
+void DrawReadout(ImDrawList* draw, const inner::Box& area, ImVec2 at, const CodeTick& tick,
                  std::span<const double> eye_distances, const CodeTicksStyle& style) {
     const std::size_t i = tick.index, count = eye_distances.size();
     const std::string heading = i < style.codes.size()
@@ -144,13 +144,13 @@ int CodeTicks(const char* id, std::span<const double> eye_distances, double near
                         .lower = std::floor(max.y - text - Px(18)) + 0.5F,
                         .near = near,
                         .far = far};
-        const std::vector<Tick> ticks = ReadableTicks(rows, eye_distances);
-        const Tick* pointed = ImGui::IsItemHovered() ? TickAt(rows, ticks, pointer) : nullptr;
+        const std::vector<CodeTick> ticks = ReadableTicks(rows, eye_distances);
+        const CodeTick* pointed = ImGui::IsItemHovered() ? TickAt(rows, ticks, pointer) : nullptr;
         DrawTicks(draw, rows, ticks, pointed);
         DrawRowTexts(draw, rows, min.y + Px(6), style.first_depth, style.last_depth, style.depth_title);
         DrawRowTexts(draw, rows, max.y - text - Px(6), say("near {z}", "z"_a = viewing::steady_figures(near)),
                      say("far {z}", "z"_a = viewing::steady_figures(far)), style.z_title);
-        for (const Tick& tick : ticks) {
+        for (const CodeTick& tick : ticks) {
             inner::RecordRect(("tick/" + std::to_string(tick.index)).c_str(), ImVec2(tick.upper_x, rows.upper),
                               ImVec2(tick.is_joined ? tick.lower_x : tick.upper_x, rows.lower),
                               viewing::steady_figures(eye_distances[tick.index]));

@@ -67,12 +67,6 @@ void DrawPlainCurve(ImDrawList* draw, const ChartPlot& plot, const ChartCurve& c
 
 namespace {
 
-bool IsFree(const Box& box, std::span<const Box> taken) {
-    return std::none_of(taken.begin(), taken.end(), [&box](const Box& other) {
-        return box.min.x < other.max.x && other.min.x < box.max.x && box.min.y < other.max.y && other.min.y < box.max.y;
-    });
-}
-
 bool CrossesLine(const Box& box, std::span<const LineName> lines) {
     return std::any_of(lines.begin(), lines.end(),
                        [&box](const LineName& line) { return line.x > box.min.x && line.x < box.max.x; });

@@ -81,13 +81,13 @@ void UnfoldTo(std::span<const TreeNode> nodes, int node, TreeDiagramState& state
     }
 }
 
-struct Pointed {
+struct PointedNode {
     int node = -1;
     bool on_triangle = false;
 };
 
-Pointed NodeAt(const TreeCamera& camera, std::span<const TreeNode> nodes, const TreeDiagramState& state, ImVec2 pointer,
-               int shown_count) {
+PointedNode NodeAt(const TreeCamera& camera, std::span<const TreeNode> nodes, const TreeDiagramState& state,
+                   ImVec2 pointer, int shown_count) {
     const TreeLayout& layout = state.layout;
     const double row = std::round(camera.LayoutLevel(pointer.y));
     if (row < 0.0 || row >= layout.LevelCount()) return {};
@@ -116,8 +116,8 @@ bool UseMouse(const TreeCamera& camera, std::span<const TreeNode> nodes, TreeDia
               const TreeDiagramStyle& style) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool hovered = ImGui::IsItemHovered();
-    const Pointed pointed =
-        hovered || ImGui::IsItemActive() ? NodeAt(camera, nodes, state, io.MousePos, style.shown_count) : Pointed{};
+    const PointedNode pointed =
+        hovered || ImGui::IsItemActive() ? NodeAt(camera, nodes, state, io.MousePos, style.shown_count) : PointedNode{};
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) state.hovered = pointed.node;
 
     if (hovered && io.MouseWheel != 0.0F && !ImGui::IsItemActive()) {

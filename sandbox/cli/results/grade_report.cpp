@@ -17,7 +17,7 @@
 namespace viewing {
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* report_style = R"(
 @page { size: A4; margin: 16mm }
 body { font: 11pt/1.4 Inter, "NanumBarunGothic", "Noto Sans KR", "DejaVu Sans", sans-serif; color: #15181d;
        max-width: 190mm; margin: 8mm auto; padding: 0 4mm }
@@ -156,7 +156,7 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
 // ---- exercises -----------------------------------------------------------------------------------------------------
 
 /// How an exercise went for somebody, as the bars tell it apart.
-enum class Outcome { at_once, later, partly, wrong, set_aside, missing };
+enum class AnswerFate { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
 };
@@ -168,21 +168,21 @@ constexpr std::array<OutcomeLook, 6> outcome_looks{{{"right at once", "#2e7d4f"}
                                                     {"missing", "#d5dae0"}}};
 using OutcomeCounts = std::array<int, outcome_looks.size()>;
 
-Outcome outcome_of(const ItemGrade& item) {
+AnswerFate outcome_of(const ItemGrade& item) {
     switch (item.standing) {
         case Standing::right:
-            return item.at_first_try ? Outcome::at_once : Outcome::later;
+            return item.at_first_try ? AnswerFate::at_once : AnswerFate::later;
         case Standing::partly:
-            return Outcome::partly;
+            return AnswerFate::partly;
         case Standing::wrong:
-            return Outcome::wrong;
+            return AnswerFate::wrong;
         case Standing::missing:
-            return Outcome::missing;
+            return AnswerFate::missing;
         case Standing::other_variant:
         case Standing::not_judged:
             break;
     }
-    return Outcome::set_aside;
+    return AnswerFate::set_aside;
 }
 
 std::string stacked_bar(const OutcomeCounts& counts, std::size_t students) {
@@ -325,7 +325,7 @@ std::string student_details(Grader& grader, const StudentGrade& grade) {
 // ---- what their matrices do ----------------------------------------------------------------------------------------
 
 constexpr std::size_t most_pictures = 24;
-constexpr glm::ivec2 picture_px{320, 180};
+constexpr glm::ivec2 answer_picture_px{320, 180};
 
 /// A wrong answer that a picture can be drawn with.
 struct WrongMatrix {
@@ -369,14 +369,14 @@ std::vector<std::pair<WrongMatrix, Givers>> wrong_matrices(Grader& grader, const
     return sorted;
 }
 
-std::string picture_of(Headless& headless, LoadedState state) {
+std::string answer_picture(Headless& headless, LoadedState state) {
     state.params.ui.theme = Theme::light;  // paper
     PictureRequest request;
     request.view = PictureView::camera;
-    request.size_px = picture_px;
+    request.size_px = answer_picture_px;
     const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
-    return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", picture_px.x,
-                       picture_px.y, base64(encode_png(image)));
+    return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", answer_picture_px.x,
+                       answer_picture_px.y, base64(encode_png(image)));
 }
 
 std::string captioned(const std::string& picture, const std::string& caption) {
@@ -394,10 +394,10 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         if (!typed) continue;  // its field refuses such numbers
         ++count;
         section += "<div class=\"pair\">" +
-                   captioned(picture_of(headless, *typed), escaped(exercise.short_id()) + ", variant " +
+                   captioned(answer_picture(headless, *typed), escaped(exercise.short_id()) + ", variant " +
                                                                std::to_string(wrong.variant) + ": typed by " +
                                                                counted(givers.students.size(), "student", "students")) +
-                   captioned(picture_of(headless, with_right_matrix(step)), "the right one") + "<div>" +
+                   captioned(answer_picture(headless, with_right_matrix(step)), "the right one") + "<div>" +
                    matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
     return section.empty() ? "" : heading("What their matrices do") + section;
@@ -410,7 +410,7 @@ std::string grade_report(Headless& headless, Grader& grader, const std::vector<S
     std::string page =
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Exercises, graded</title>\n"
         "<style>" +
-        std::string(style) + "</style>\n";
+        std::string(report_style) + "</style>\n";
     page += title(grader.exercises(), grades, files);
     page += heading("Points") + points_chart(grades);
     page += heading("Misconceptions") + misconceptions(tags);

@@ -10,9 +10,9 @@
 namespace viewing {
 namespace {
 
-constexpr glm::ivec2 picture_px{1600, 800};
+constexpr glm::ivec2 step_picture_px{1600, 800};
 
-constexpr const char* style = R"(
+constexpr const char* handout_style = R"(
 @page { size: A4; margin: 18mm }
 body { font: 12pt/1.4 Inter, "NanumBarunGothic", "DejaVu Sans", sans-serif; color: #15181d; max-width: 174mm; margin: auto }
 section { break-after: page }
@@ -47,11 +47,11 @@ std::string answer_of(const LessonStep& step) {
            "</strong><br>" + escaped(step.reveal.say.shown()) + "</div>\n";
 }
 
-std::string picture_of(Headless& headless, const Lesson& lesson, std::size_t index) {
+std::string step_picture(Headless& headless, const Lesson& lesson, std::size_t index) {
     LoadedState state = lesson.steps[index].start;
     state.params.ui = {.theme = Theme::light, .language = spoken_language()};  // paper
     PictureRequest request;
-    request.size_px = picture_px;
+    request.size_px = step_picture_px;
     request.lesson = std::make_shared<const LessonPicture>(LessonPicture{lesson, index, false, true, false});
     const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
     return "<img alt=\"\" src=\"data:image/png;base64," + base64(encode_png(image)) + "\">\n";
@@ -62,12 +62,12 @@ std::string picture_of(Headless& headless, const Lesson& lesson, std::size_t ind
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers) {
     const std::string title = escaped(lesson.title.shown());
     std::string page = "<!DOCTYPE html>\n<html lang=\"" + std::string(name_of(spoken_language())) +
-                       "\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" + style + "</style>\n";
+                       "\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" + handout_style + "</style>\n";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +
                 std::to_string(lesson.steps.size()) + "</h1>\n";
-        page += picture_of(headless, lesson, i);
+        page += step_picture(headless, lesson, i);
         page +=
             paragraph("say", step.say.shown()) + paragraph("question", step.ask.question.shown()) + answers(step.ask);
         if (with_answers) page += answer_of(step);

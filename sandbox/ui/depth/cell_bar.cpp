@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr float gap = 2.0F;
+constexpr float cell_gap = 2.0F;
 
 /// Equally wide whatever stands on it, in pixels.
 float button_width() {
@@ -72,7 +72,7 @@ void touch_buttons(DrawLimit& limit, const DepthData& data) {
     if (arrow("←□", previous.has_value(), marked("Back at this pixel"),
               marked("Back to the triangle before that touches the pixel."), why_not, touch_width()))
         limit = *previous;
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     if (arrow("□→", next.has_value(), marked("Next at this pixel"),
               marked("On to the next triangle that touches the pixel."), why_not, touch_width()))
         limit = *next;
@@ -80,19 +80,19 @@ void touch_buttons(DrawLimit& limit, const DepthData& data) {
 
 void call_row(DrawLimit& limit, const DepthData& data, const FramePlan& plan, const Scene& scene, const Rect& rect) {
     const std::vector<DrawCall>& calls = data.calls;
-    const float buttons = 2.0F * (button_width() + touch_width() + 2.0F * px(gap));
+    const float buttons = 2.0F * (button_width() + touch_width() + 2.0F * px(cell_gap));
 
     const widgets::Group group("calls");
     ImGui::SetCursorScreenPos(rect.min);
     const bool is_nothing = limit.call == 0 && limit.triangles == 0;
     if (arrow("←", !is_nothing, marked("Call before"), marked("One whole draw call back.")))
         limit = previous_call(limit, calls);
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     choose_call(limit, calls, plan, scene, std::max(rect.width() - buttons, px(40.0F)));
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     if (arrow("→", limit.call >= 0, marked("Next call"), marked("One whole draw call further.")))
         limit = next_call(limit, calls);
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     touch_buttons(limit, data);
 }
 
@@ -116,10 +116,10 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
     int reached = step < 0 ? count : step;
     ImGui::PushButtonRepeat(true);
     if (arrow("←", reached > 0, marked("Back"), marked("One triangle back; hold to go on."))) step = reached - 1;
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     double value = reached;
     const std::string of = " / " + std::to_string(count);
-    const float room = rect.width() - 3.0F * (button_width() + px(gap));
+    const float room = rect.width() - 3.0F * (button_width() + px(cell_gap));
     if (widgets::Number("##triangle", value,
                         {.min = 0.0,
                          .max = static_cast<double>(count),
@@ -131,11 +131,11 @@ void short_bar(int& step, int count, widgets::StepPlayer& player, const Rect& re
                         std::max(room, px(40.0F))))
         step = static_cast<int>(std::lround(value));
     widgets::Tooltip("Triangle", "How many triangles of the frame are drawn. Double-click to type, drag to change.");
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     if (arrow("→", reached < count, marked("On"), marked("One triangle further; hold to go on."))) step = reached + 1;
     ImGui::PopButtonRepeat();
     if (step != before) player.playing = false;
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(cell_gap));
     play_button(step, count, player);
 }
 

@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr int least_decimals = 2, widest_code_bits = 16;
+constexpr int least_code_decimals = 2, widest_code_bits = 16;
 constexpr const char* cleared_text = marked("clear");
 
 bool is_cleared(const BufferCell& cell, double cleared) {
@@ -47,7 +47,7 @@ CodeRange written_codes(const CellBlock& block, double cleared) {
 }  // namespace
 
 CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, double cleared, int room) {
-    const int most_decimals = std::max(room - 2, least_decimals);
+    const int most_decimals = std::max(room - 2, least_code_decimals);
     if (!precision.is_float && precision.bits <= widest_code_bits) {
         const auto greatest = static_cast<std::int64_t>(precision.greatest_code());
         CellTexts codes;
@@ -55,7 +55,7 @@ CellTexts cell_texts(const CellBlock& block, const DepthPrecision& precision, do
         codes.note = say("stored code, 0 … {greatest}", "greatest"_a = grouped_number(greatest));
         if (static_cast<int>(std::to_string(greatest).size()) <= room) return codes;
     }
-    for (int decimals = least_decimals; decimals <= most_decimals; ++decimals)
+    for (int decimals = least_code_decimals; decimals <= most_decimals; ++decimals)
         if (std::vector<std::string> texts = window_depths(block, decimals); tells_apart(block, texts))
             return {std::move(texts), tr("window depth")};
 

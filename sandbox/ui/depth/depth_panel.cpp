@@ -11,8 +11,6 @@
 namespace viewing {
 namespace {
 
-constexpr float second = 142.0F;  ///< column
-
 constexpr const char* format_names[] = {marked("4 bit"),  marked("5 bit"),  marked("6 bit"),  marked("7 bit"),
                                         marked("8 bit"),  marked("9 bit"),  marked("10 bit"), marked("11 bit"),
                                         marked("12 bit"), marked("16 bit"), marked("24 bit"), marked("32 bit float")};
@@ -21,7 +19,7 @@ constexpr const char* mapping_names[] = {marked("standard"), marked("reversed"),
 
 void mapping_switches(Params& params) {
     control(params, "depth.reversed_zero_to_one", {.label = marked("Clip range 0 … 1")});
-    beside(second, widgets::ToggleWidth("Clear to 0"));
+    beside(second_column, widgets::ToggleWidth("Clear to 0"));
     control(params, "depth.reversed_clear", {.label = marked("Clear to 0")});
     control(params, "depth.reversed_offset", {.label = marked("Turn the offset's sign")});
     control(params, "depth.logarithm_per_vertex", {.label = marked("Per vertex")});

@@ -15,13 +15,13 @@ namespace {
 
 constexpr float bar_room = 30.0F;  ///< design pixels
 
-enum Column { names, distance, gap, step, onset, predicted, trembling_mean, counted, pixels, column_count };
+enum FightingColumn { names, distance, gap, step, onset, predicted, trembling_mean, counted, pixels, fighting_columns };
 
 struct ColumnText {
     const char *title, *explanation;
     const char* target;  ///< its name for a lesson
 };
-constexpr std::array<ColumnText, column_count> columns = {{
+constexpr std::array<ColumnText, fighting_columns> columns = {{
     {marked("pair"),
      marked("Two flat surfaces that are nearly coplanar. What the formulas say of each pair stands beside what was "
             "counted in the picture: where GL shows another surface than exact visibility does."),
@@ -51,7 +51,7 @@ constexpr std::array<ColumnText, column_count> columns = {{
 }};
 
 struct PairRow {
-    std::array<std::string, column_count> texts;
+    std::array<std::string, fighting_columns> texts;
     float counted_share = 0.0F;
     bool is_below_onset = false, fights = false;
 };
@@ -94,7 +94,7 @@ PairRow row_of(const FightingReport::Row& row, const CountedPair& counted_pair) 
     return made;
 }
 
-bool is_covered(Column column) {
+bool is_covered(FightingColumn column) {
     return widgets::IsCovered(columns[column].target);
 }
 
@@ -122,12 +122,12 @@ std::vector<PairRow> rows_of(const FightingReport& report) {
     return rows;
 }
 
-using Widths = ColumnWidths<column_count>;
+using FightingWidths = ColumnWidths<fighting_columns>;
 
 /// What the columns need; where the names do not fit wholly, a row is told by its distance.
-Widths widths_of(const std::vector<PairRow>& rows, float room) {
+FightingWidths widths_of(const std::vector<PairRow>& rows, float room) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
-    Widths widths{};
+    FightingWidths widths{};
     for (std::size_t c = 0; c < widths.size(); ++c) {
         widths[c] = width_of(tr(columns[c].title), fonts.note);
         for (const PairRow& row : rows)
@@ -135,7 +135,7 @@ Widths widths_of(const std::vector<PairRow>& rows, float room) {
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
     widths[counted] = std::max(widths[counted], width_of("100.0 %", fonts.small_number)) + px(bar_room);
-    for (const Column left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
+    for (const FightingColumn left_out : {names, pixels, step, gap, predicted, trembling_mean, onset})
         if (widths.sum() > room) widths[left_out] = 0.0F;
     return widths;
 }
@@ -161,7 +161,7 @@ ImU32 color_of(const PairRow& row, std::size_t column, bool is_behind) {
     return palette().text;
 }
 
-void draw_row(const PairRow& row, const Widths& widths, bool is_behind) {
+void draw_row(const PairRow& row, const FightingWidths& widths, bool is_behind) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::TableNextRow();
     for (std::size_t c = 0; c < widths.size(); ++c) {
@@ -183,7 +183,7 @@ void draw_row(const PairRow& row, const Widths& widths, bool is_behind) {
     }
 }
 
-void draw_titles(const Widths& widths) {
+void draw_fighting_titles(const FightingWidths& widths) {
     ImGui::TableNextRow();
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
     for (std::size_t c = 0; c < widths.size(); ++c) {
@@ -203,14 +203,14 @@ void draw_titles(const Widths& widths) {
 void draw_table(const std::vector<PairRow>& rows, bool is_behind) {
     ImGui::PushFont(widgets::CurrentContext().fonts.note);
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {px(cell_padding_x), px(cell_padding_y)});
-    const Widths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
+    const FightingWidths widths = widths_of(rows, ImGui::GetContentRegionAvail().x);
     const int shown =
         static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     if (ImGui::BeginTable("pairs", shown, 0, {widths.sum(), 0.0F})) {
         for (std::size_t c = 0; c < widths.size(); ++c)
             if (widths[c] > 0.0F)
                 ImGui::TableSetupColumn(columns[c].title, ImGuiTableColumnFlags_WidthFixed, widths[c]);
-        draw_titles(widths);
+        draw_fighting_titles(widths);
         for (const PairRow& row : rows) draw_row(row, widths, is_behind);
         ImGui::EndTable();
     }
@@ -224,7 +224,7 @@ struct LinePart {
 };
 
 /// Parts in a line, or in several: none is broken that fits into one.
-void line(const std::vector<LinePart>& parts) {
+void draw_parts(const std::vector<LinePart>& parts) {
     ImGui::PushFont(widgets::CurrentContext().fonts.small_number);
     const float left = ImGui::GetCursorScreenPos().x, right = left + ImGui::GetContentRegionAvail().x;
     const float between = px(14.0F);
@@ -263,10 +263,10 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     const FightingCounts& counts = report.counts;
     ImGui::Dummy({0.0F, px(2.0F)});
     if (report.counts_are_behind) {
-        line({{tr("counting…"), palette().quiet}});
+        draw_parts({{tr("counting…"), palette().quiet}});
     } else if (!is_count_covered()) {
         const std::int64_t vanished = counts.vanished();
-        line({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
+        draw_parts({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
                    counts.wrong_fraction() > 0.0),
               elsewhere(counts),
               vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
@@ -281,17 +281,17 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     } else if (is_covered(onset) || is_covered(step)) {
         // It would be told by the minimum gap.
     } else if (report.gap_is_behind || !report.minimum_gap) {
-        line({{tr("searching for the minimum gap…"), palette().quiet}});
+        draw_parts({{tr("searching for the minimum gap…"), palette().quiet}});
     } else {
         const MinimumGap& found = *report.minimum_gap;
-        line(
+        draw_parts(
             {told(say("minimum gap at the target, z {z}", "z"_a = number_text(found.distance, 2)), false),
              told(say("predicted {gap}", "gap"_a = found.predicted.is_reachable ? figures(found.predicted.gap()) : "–"),
                   false),
              told(say("counted {gap}", "gap"_a = found.gap ? figures(*found.gap) : "–"), false)});
         if (!found.problem.empty()) widgets::Note(found.problem.c_str());
     }
-    if (!report.problem.empty()) line({told(report.problem, true)});
+    if (!report.problem.empty()) draw_parts({told(report.problem, true)});
 }
 
 /// A cure's button and, below it, what is counted with it: the share of the pairs' wrong pixels, and how many are wrong
@@ -332,7 +332,7 @@ void draw_cures(Session& session, const FightingReport& report) {
     const widgets::Fonts& fonts = widgets::CurrentContext().fonts;
     ImGui::Dummy({0.0F, px(2.0F)});
     ImGui::PushFont(fonts.note);
-    line({{tr("each of these by itself: wrong in the pairs, and elsewhere"), palette().quiet}});
+    draw_parts({{tr("each of these by itself: wrong in the pairs, and elsewhere"), palette().quiet}});
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x, between = px(5.0F);
     float end = right;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {between, px(2.0F)});

@@ -16,18 +16,18 @@ namespace {
 
 constexpr float least_name = 64.0F, swatch_room = 16.0F;  ///< design pixels
 
-enum Column { number, object, eye_z, facing, stored, compared, result, column_count };
-constexpr std::array<const char*, column_count> titles = {
+enum FragmentColumn { number, object, eye_z, facing, stored, compared, result, fragment_columns };
+constexpr std::array<const char*, fragment_columns> fragment_titles = {
     "", marked("object"), marked("eye z"), marked("facing"), marked("stored"), marked("compare"), marked("test")};
 
 /// Their names for a lesson.
-constexpr std::array<const char*, column_count> targets = {
+constexpr std::array<const char*, fragment_columns> fragment_targets = {
     "column:pixel.number", "column:pixel.object",  "column:pixel.eye_z", "column:pixel.facing",
     "column:pixel.stored", "column:pixel.compare", "column:pixel.test"};
 
 /// A row's texts, and how it is told.
 struct FragmentRow {
-    std::array<std::string, column_count> texts;
+    std::array<std::string, fragment_columns> texts;
     std::string explanation;
     ImU32 swatch = 0;
     bool is_seen = false, is_drawn = false;
@@ -36,10 +36,10 @@ struct FragmentRow {
 
 /// What is covered says nothing, and neither do colours or the explanation.
 void cover(FragmentRow& row) {
-    for (std::size_t c = 0; c < targets.size(); ++c)
-        if (widgets::IsCovered(targets[c])) row.texts[c] = "?";
+    for (std::size_t c = 0; c < fragment_targets.size(); ++c)
+        if (widgets::IsCovered(fragment_targets[c])) row.texts[c] = "?";
     if (widgets::IsPartCovered("column:pixel")) row.explanation.clear();
-    if (!widgets::IsCovered(targets[compared]) && !widgets::IsCovered(targets[result])) return;
+    if (!widgets::IsCovered(fragment_targets[compared]) && !widgets::IsCovered(fragment_targets[result])) return;
     row.is_seen = row.is_close = false;
     row.is_drawn = true;
 }
@@ -93,24 +93,24 @@ bool is_number(int column) {
     return column == number || column == eye_z || column == stored || column == compared;
 }
 
-using Widths = ColumnWidths<column_count>;
+using FragmentWidths = ColumnWidths<fragment_columns>;
 
 /// What the columns need; names get what is left.
-Widths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, float room) {
-    Widths widths{};
-    for (int column = 0; column < column_count; ++column) {
+FragmentWidths widths_of(const std::vector<FragmentRow>& rows, const TableFonts& fonts, float room) {
+    FragmentWidths widths{};
+    for (int column = 0; column < fragment_columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
-        widths[c] = width_of(tr(titles[c]), fonts.text);
+        widths[c] = width_of(tr(fragment_titles[c]), fonts.text);
         for (const FragmentRow& row : rows)
             widths[c] = std::max(widths[c], width_of(row.texts[c], is_number(column) ? fonts.number : fonts.text));
         widths[c] = std::ceil(widths[c]) + 1.0F;
     }
     const float whole_names = widths[object] + px(swatch_room);
     widths[object] = px(least_name);
-    const Widths wanted = widths;
-    constexpr std::array<Column, 4> by_importance = {compared, eye_z, stored, facing};
-    for (const Column column : by_importance) widths[column] = 0.0F;
-    for (const Column column : by_importance) {
+    const FragmentWidths wanted = widths;
+    constexpr std::array<FragmentColumn, 4> by_importance = {compared, eye_z, stored, facing};
+    for (const FragmentColumn column : by_importance) widths[column] = 0.0F;
+    for (const FragmentColumn column : by_importance) {
         widths[column] = wanted[column];
         if (widths.sum() > room) widths[column] = 0.0F;
     }
@@ -155,12 +155,12 @@ ImU32 color_of(const FragmentRow& row, int column) {
     return row.is_drawn ? palette().text : palette().quiet;
 }
 
-bool draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fonts, float height,
+bool draw_row(const FragmentRow& row, const FragmentWidths& widths, const TableFonts& fonts, float height,
               const std::string& on_click) {
     bool is_clicked = false;
     ImGui::TableNextRow(0, height);
     if (row.is_seen) ImGui::TableSetBgColor(ImGuiTableBgTarget_RowBg0, with_alpha(palette().accent, 45U));
-    for (int column = 0; column < column_count; ++column) {
+    for (int column = 0; column < fragment_columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
         if (widths[c] <= 0.0F) continue;
         ImGui::TableNextColumn();
@@ -173,25 +173,25 @@ bool draw_row(const FragmentRow& row, const Widths& widths, const TableFonts& fo
             text_at_right(row.texts[c]);
         else
             ImGui::TextUnformatted(row.texts[c].c_str());
-        widgets::MarkTarget(targets[c]);
+        widgets::MarkTarget(fragment_targets[c]);
         ImGui::PopStyleColor();
         ImGui::PopFont();
     }
     return is_clicked;
 }
 
-void draw_titles(const Widths& widths) {
+void draw_fragment_titles(const FragmentWidths& widths) {
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     ImGui::PushStyleColor(ImGuiCol_Text, palette().quiet);
-    for (int column = 0; column < column_count; ++column) {
+    for (int column = 0; column < fragment_columns; ++column) {
         const auto c = static_cast<std::size_t>(column);
         if (widths[c] <= 0.0F) continue;
         ImGui::TableNextColumn();
         if (is_number(column))
-            text_at_right(tr(titles[c]));
+            text_at_right(tr(fragment_titles[c]));
         else
-            ImGui::TextUnformatted(tr(titles[c]));
-        widgets::MarkTarget(targets[c]);
+            ImGui::TextUnformatted(tr(fragment_titles[c]));
+        widgets::MarkTarget(fragment_targets[c]);
     }
     ImGui::PopStyleColor();
 }
@@ -207,7 +207,7 @@ std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& frag
     ImGui::PushFont(fonts.text);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float row_height = ImGui::GetTextLineHeight() + 2.0F * px(cell_padding_y);
-    const Widths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
+    const FragmentWidths widths = widths_of(rows, fonts, room.x - ImGui::GetStyle().ScrollbarSize);
     const int shown =
         static_cast<int>(std::count_if(widths.begin(), widths.end(), [](float width) { return width > 0.0F; }));
     const bool scrolls = room.y >= 4.0F * row_height;
@@ -216,12 +216,12 @@ std::optional<std::size_t> draw_fragment_table(const std::vector<Fragment>& frag
     ImGui::PushStyleColor(ImGuiCol_TableHeaderBg, palette().view_ground);
     if (ImGui::BeginTable("fragments", shown, scrolls ? ImGuiTableFlags_ScrollY : 0, size)) {
         ImGui::TableSetupScrollFreeze(0, 1);
-        for (int column = 0; column < column_count; ++column) {
+        for (int column = 0; column < fragment_columns; ++column) {
             const auto c = static_cast<std::size_t>(column);
             if (widths[c] <= 0.0F) continue;
-            ImGui::TableSetupColumn(titles[c], ImGuiTableColumnFlags_WidthFixed, widths[c]);
+            ImGui::TableSetupColumn(fragment_titles[c], ImGuiTableColumnFlags_WidthFixed, widths[c]);
         }
-        draw_titles(widths);
+        draw_fragment_titles(widths);
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(rows.size()), row_height);
         while (clipper.Step())

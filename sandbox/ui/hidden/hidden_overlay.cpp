@@ -31,7 +31,7 @@ void outline(Overlay& overlay, const Polygon& polygon, ImU32 color, float thickn
         overlay.line(polygon.vertices[last], polygon.vertices[i], color, thickness);
 }
 
-void marked(Overlay& overlay, const Polygon& polygon, ImU32 color) {
+void outline_filled(Overlay& overlay, const Polygon& polygon, ImU32 color) {
     for (std::size_t corner = 2; corner < polygon.vertices.size(); ++corner)
         overlay.fill(
             {polygon.vertices[0], polygon.vertices[corner - 1], polygon.vertices[corner], polygon.vertices[corner]},
@@ -96,7 +96,7 @@ void numbers(Overlay& overlay, const HiddenResult& result) {
     }
 }
 
-std::string decimals(double depth) {
+std::string depth_decimals(double depth) {
     return depth < 1e300 ? number_text(depth, 5) : "∞";
 }
 
@@ -112,15 +112,15 @@ void step_in_camera(Overlay& overlay, const HiddenResult& result) {
     if (result.step < 0) return;
     if (result.newell && result.step > 0) {
         const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
-        if (const Polygon* q = polygon_at(result, step.q)) marked(overlay, *q, palette().mirror);
-        if (const Polygon* p = polygon_at(result, step.p)) marked(overlay, *p, palette().light);
+        if (const Polygon* q = polygon_at(result, step.q)) outline_filled(overlay, *q, palette().mirror);
+        if (const Polygon* p = polygon_at(result, step.p)) outline_filled(overlay, *p, palette().light);
         if (const Polygon* p = polygon_at(result, step.p)) overlay.label(centroid(*p), "A", palette().light);
         if (const Polygon* q = polygon_at(result, step.q)) overlay.label(centroid(*q), "B", palette().mirror);
         return;
     }
     if (result.compare && result.compare->polygon >= 0) {
         const RasterStep& step = *result.compare;
-        const std::string depth = decimals(step.depth), stored = decimals(step.stored_depth);
+        const std::string depth = depth_decimals(step.depth), stored = depth_decimals(step.stored_depth);
         draw_pixel_of_step(overlay, result, {step.x, step.y},
                            step.written
                                ? say("{depth} < {stored}: written", "depth"_a = depth, "stored"_a = stored)
@@ -227,7 +227,7 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
             sentence_over_picture(overlay.draw(), overlay.rect(), palette().text, progress.c_str(), progress.c_str()));
     }
     draw_raster_depths(overlay, result);
-    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) outline_filled(overlay, *polygon, palette().accent);
 }
 
 void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, Overlay& overlay) {
@@ -249,7 +249,7 @@ void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, O
             overlay.dot(traced.ray.at(hit.t), &hit == traced.hits.data() ? palette().accent : palette().quiet,
                         &hit == traced.hits.data() ? 5.0F : 3.5F);
     }
-    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) marked(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) outline_filled(overlay, *polygon, palette().accent);
 }
 
 }  // namespace viewing

@@ -16,7 +16,7 @@ namespace viewing {
 namespace {
 
 constexpr glm::ivec2 first_raster{24, 16};
-constexpr float gap = 2.0F, slider_width = 124.0F;  // design pixels
+constexpr float step_gap = 2.0F, slider_width = 124.0F;  // design pixels
 
 /// What the levels of a method's steps are called.
 struct LevelWords {
@@ -51,7 +51,7 @@ void step_button(const char* id, const char* sign, std::optional<int> to, int& s
     ImGui::EndDisabled();
     ImGui::PopID();
     widgets::Tooltip(title, to ? explanation : why_not);
-    ImGui::SameLine(0.0F, px(gap));
+    ImGui::SameLine(0.0F, px(step_gap));
 }
 
 /// To the steps of the followed pixel.
@@ -98,7 +98,7 @@ void level_rows(int& step, const HiddenResult& result, const StepPlace& place) {
     int group = place.group;
     if (level_slider(words.group, group, 1, place.groups)) step = end_of_group(result, group);
     // Below the group's, whose buttons have no partner here: the bar above goes by single steps.
-    const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(gap));
+    const float indent = 2.0F * (std::round(1.15F * ImGui::GetFrameHeight()) + px(step_gap));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
     int within = place.within;
     if (level_slider(words.within, within, 0, place.size)) step = place.first + within;

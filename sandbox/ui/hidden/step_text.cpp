@@ -17,7 +17,7 @@ int source_of(const HiddenResult& result, int fragment) {
     return (*result.fragments)[static_cast<std::size_t>(fragment)].source;
 }
 
-std::string polygon_at(const HiddenResult& result, int fragment) {
+std::string name_at(const HiddenResult& result, int fragment) {
     return polygon_name(result.surface.get(), source_of(result, fragment));
 }
 
@@ -94,8 +94,8 @@ std::optional<Ladder> newell_ladder(const HiddenResult& result) {
     if (!result.newell || result.step <= 0 || result.step > static_cast<int>(result.newell->steps.size()))
         return std::nullopt;
     const NewellStep& step = result.newell->steps[static_cast<std::size_t>(result.step - 1)];
-    Ladder ladder{.p = polygon_at(result, step.p),
-                  .q = step.q >= 0 ? polygon_at(result, step.q) : "",
+    Ladder ladder{.p = name_at(result, step.p),
+                  .q = step.q >= 0 ? name_at(result, step.q) : "",
                   .action = action_sentence(result, step)};
     const auto decided = static_cast<std::size_t>(step.decided_by);
     for (std::size_t rung = 0; rung < ladder.rungs.size(); ++rung)
@@ -113,7 +113,7 @@ std::string compare_sentence(const HiddenResult& result) {
     const std::string depth = number_text(step.depth, decimals);
     const std::string stored = number_text(step.stored_depth, decimals);
     const char* relation = depth == stored ? "=" : step.depth < step.stored_depth ? "<" : ">";
-    const std::string pixel = pixel_text({step.x, step.y}), polygon = polygon_at(result, step.polygon);
+    const std::string pixel = pixel_text({step.x, step.y}), polygon = name_at(result, step.polygon);
     return step.written
                ? say("{pixel}: {polygon}, depth {depth} {relation} stored {stored} → written", "pixel"_a = pixel,
                      "polygon"_a = polygon, "depth"_a = depth, "relation"_a = relation, "stored"_a = stored)

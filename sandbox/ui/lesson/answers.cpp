@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-constexpr float padding_x = 10.0F, padding_y = 4.0F, gap = 5.0F;  ///< design pixels
+constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
 constexpr float letter_room = 24.0F;                              ///< in front of a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
 constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
@@ -20,15 +20,15 @@ int columns_of_choices(float width, float scale) {
     return width >= 2.0F * least_half * scale ? 2 : 1;
 }
 
-float choice_width(float width, float scale) {
+float choices_width(float width, float scale) {
     const int columns = columns_of_choices(width, scale);
-    return std::floor((width - gap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    return std::floor((width - entry_gap * scale * static_cast<float>(columns - 1)) / static_cast<float>(columns));
 }
 
 Paragraph choice_text(const LessonText& say, float width, const widgets::Context& context, bool presents) {
     const float scale = context.scale;
     return paragraph(say.shown(), presents ? context.fonts.caption : context.fonts.text,
-                     choice_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
+                     choices_width(width, scale) - (2.0F * padding_x + letter_room) * scale);
 }
 
 /// Of the rows of choices: each as high as its highest one.
@@ -69,7 +69,7 @@ float tile_extra(const Ask& ask, const widgets::Context& context) {
 template <typename Place>
 float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, const widgets::Context& context,
                     const Place& place) {
-    const float scale = context.scale, height = frame_height(context) + gap * scale;
+    const float scale = context.scale, height = frame_height(context) + entry_gap * scale;
     float x = 0.0F, y = 0.0F;
     for (const int item : order) {
         const float tile =
@@ -79,7 +79,7 @@ float lay_out_tiles(const Ask& ask, const std::vector<int>& order, float width, 
             y += height;
         }
         place(item, x, y, tile);
-        x += tile + gap * scale;
+        x += tile + entry_gap * scale;
     }
     return y + height;
 }
@@ -122,7 +122,7 @@ void draw_votes(ImVec2 min, ImVec2 max, int votes, int most) {
 bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     const Ask& ask = run.step().ask;
     const widgets::Context& context = widgets::CurrentContext();
-    const float scale = context.scale, one = choice_width(width, scale);
+    const float scale = context.scale, one = choices_width(width, scale);
     const int columns = columns_of_choices(width, scale);
     const std::vector<float> rows = row_heights(ask, width, context, style.presents);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -133,7 +133,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
     for (std::size_t i = 0; i < ask.choices.size(); ++i) {
         const int column = static_cast<int>(i) % columns;
         const float height = rows[i / static_cast<std::size_t>(columns)];
-        const ImVec2 min(corner.x + static_cast<float>(column) * (one + gap * scale), y);
+        const ImVec2 min(corner.x + static_cast<float>(column) * (one + entry_gap * scale), y);
         const ImVec2 max(min.x + one, min.y + height);
         ImGui::SetCursorScreenPos(min);
         const std::string name = "choice " + std::to_string(i + 1);
@@ -157,7 +157,7 @@ bool draw_choices(LessonRun& run, const AnswerStyle& style, float width) {
             run.forget_verdict();
             given = true;
         }
-        if (column == columns - 1 || i + 1 == ask.choices.size()) y += height + gap * scale;
+        if (column == columns - 1 || i + 1 == ask.choices.size()) y += height + entry_gap * scale;
     }
     ImGui::SetCursorScreenPos({corner.x, y});
     ImGui::Dummy({0.0F, 0.0F});
@@ -293,10 +293,10 @@ float answers_height(const Ask& ask, float width, const widgets::Context& contex
     const float scale = context.scale;
     float height = 0.0F;
     if (ask.kind == AskKind::choice) {
-        for (const float row : row_heights(ask, width, context, presents)) height += row + gap * scale;
+        for (const float row : row_heights(ask, width, context, presents)) height += row + entry_gap * scale;
     } else if (is_typed(ask.kind)) {
         const std::size_t count = static_cast<std::size_t>(ask.rows * ask.columns), in_a_row = numbers_in_a_row(ask);
-        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (frame_height(context) + gap * scale);
+        height = static_cast<float>((count + in_a_row - 1) / in_a_row) * (frame_height(context) + entry_gap * scale);
     } else if (ask.kind != AskKind::goal) {
         height = lay_out_tiles(ask, as_written(ask), width, context, [](int, float, float, float) {});
     }

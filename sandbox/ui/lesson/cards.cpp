@@ -9,7 +9,7 @@
 namespace viewing {
 namespace {
 
-constexpr float least_card = 232.0F, gap = 14.0F, inset = 8.0F;  ///< design pixels
+constexpr float least_card = 232.0F, card_gap = 14.0F, inset = 8.0F;  ///< design pixels
 
 struct CardSize {
     float width = 0.0F, picture = 0.0F;
@@ -55,7 +55,7 @@ void draw_card(const Card& card, ImVec2 min, const CardSize& size, ImTextureID t
 
 int card_columns() {
     const float width = ImGui::GetIO().DisplaySize.x - px(2.0F * page_margin) - ImGui::GetStyle().ScrollbarSize;
-    return std::max(1, static_cast<int>((width + px(gap)) / px(least_card + gap)));
+    return std::max(1, static_cast<int>((width + px(card_gap)) / px(least_card + card_gap)));
 }
 
 int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(const std::string&)>& texture_of,
@@ -64,7 +64,7 @@ int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(c
     const float width = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     const int columns = card_columns();
     CardSize size;
-    size.width = std::floor((width - px(gap) * static_cast<float>(columns - 1)) / static_cast<float>(columns));
+    size.width = std::floor((width - px(card_gap) * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     size.picture = std::floor(size.width * 9.0F / 16.0F);
     int clicked = -1;
     const float left = ImGui::GetCursorPosX();
@@ -76,7 +76,7 @@ int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(c
                 size.height, std::ceil(size.picture + text_height(cards[i], size.width, context) + px(3.0F * inset)));
         const float top = ImGui::GetCursorPosY();
         for (std::size_t i = row; i < end; ++i) {
-            ImGui::SetCursorPos({left + static_cast<float>(i - row) * (size.width + px(gap)), top});
+            ImGui::SetCursorPos({left + static_cast<float>(i - row) * (size.width + px(card_gap)), top});
             const ImVec2 min = ImGui::GetCursorScreenPos();
             const std::string name = "card " + std::to_string(i + 1);
             if (ImGui::InvisibleButton(name.c_str(), {size.width, size.height})) clicked = static_cast<int>(i);
@@ -85,7 +85,7 @@ int draw_cards(const std::vector<Card>& cards, const std::function<ImTextureID(c
             if (is_chosen) ImGui::SetScrollHereY(0.5F);
             draw_card(cards[i], min, size, texture_of(cards[i].key), is_chosen, ImGui::IsItemHovered());
         }
-        ImGui::SetCursorPos({left, top + size.height + px(gap)});
+        ImGui::SetCursorPos({left, top + size.height + px(card_gap)});
         ImGui::Dummy({0.0F, 0.0F});
     }
     return clicked;

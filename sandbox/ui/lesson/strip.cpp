@@ -11,7 +11,7 @@
 namespace viewing {
 namespace {
 
-constexpr float margin = 14.0F, between = 26.0F, line_gap = 6.0F;  ///< design pixels
+constexpr float strip_margin = 14.0F, between = 26.0F, line_gap = 6.0F;  ///< design pixels
 constexpr float button_gap = 8.0F;
 constexpr float least_two_columns = 760.0F;
 constexpr float left_share = 0.36F;
@@ -22,7 +22,7 @@ struct Columns {
 };
 
 Columns columns_of(float width, float scale) {
-    const float inner = width - 2.0F * margin * scale;
+    const float inner = width - 2.0F * strip_margin * scale;
     if (width < least_two_columns * scale) return {false, inner, inner};
     const float left = std::floor((inner - between * scale) * left_share);
     return {true, left, inner - between * scale - left};
@@ -281,7 +281,7 @@ float strip_height(const LessonRun& run, float width, const widgets::Context& co
     const Columns columns = columns_of(width, context.scale);
     const float left = left_height(run, columns.left, context, presents);
     const float right = right_height(run, columns.right, context, presents);
-    const float frame = 2.0F * margin * context.scale;
+    const float frame = 2.0F * strip_margin * context.scale;
     return std::ceil((columns.are_two ? std::max(left, right) : left + right + line_gap * context.scale) + frame);
 }
 
@@ -294,7 +294,7 @@ StripWishes draw_strip(LessonRun& run, const Rect& rect, const StripLook& look) 
     draw->AddRectFilled(rect.min, {rect.max.x, rect.min.y + px(2.0F)}, palette().accent);
     const Columns columns = columns_of(rect.width(), context.scale);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {px(8.0F), px(line_gap)});
-    const ImVec2 corner(rect.min.x + px(margin), rect.min.y + px(margin));
+    const ImVec2 corner(rect.min.x + px(strip_margin), rect.min.y + px(strip_margin));
     ImGui::SetCursorScreenPos(corner);
     ImGui::BeginGroup();
     draw_left(run, look, columns.left, wishes);

@@ -15,7 +15,7 @@ ImU32 color_of(const DisplayLine& line) {
 }
 
 /// Its name for a lesson.
-std::string target_of(const DisplayLine& line) {
+std::string target_of_line(const DisplayLine& line) {
     return line.part.empty() ? "code:display" : "code:display." + line.part;
 }
 
@@ -31,7 +31,7 @@ void draw_display_code(const Params& params, const Derived& derived) {
         return ImGui::PopFont();
     }
     for (const DisplayLine& line : lines) {
-        const std::string target = target_of(line);
+        const std::string target = target_of_line(line);
         ImGui::PushStyleColor(ImGuiCol_Text, color_of(line));
         if (widgets::IsCovered(target))
             widgets::Plate("code", line_size);
@@ -60,7 +60,7 @@ void draw_display_code_view(const Params& params, const Derived& derived, const 
         const char* const code = line.code.c_str();
         const ImVec2 at(rect.min.x + margin, rect.min.y + margin + size * spacing * static_cast<float>(row));
         const ImVec2 end(at.x + font->CalcTextSizeA(size, FLT_MAX, 0.0F, code).x, at.y + size);
-        const std::string target = target_of(line);
+        const std::string target = target_of_line(line);
         if (widgets::IsCovered(target)) {
             widgets::DrawPlate(draw, at, {std::max(end.x, rect.max.x - margin), end.y});
         } else {

@@ -22,9 +22,9 @@ int take_character(std::string_view& text) {
     return static_cast<int>(character);
 }
 
-class Face {
+class CaptionFace {
 public:
-    explicit Face(int height_px) {
+    explicit CaptionFace(int height_px) {
         const std::span<const std::byte> file = embedded_font("JetBrainsMono-Regular.ttf");
         stbtt_InitFont(&font_, reinterpret_cast<const unsigned char*>(file.data()), 0);
         scale_ = stbtt_ScaleForPixelHeight(&font_, static_cast<float>(height_px));
@@ -73,11 +73,11 @@ private:
 }  // namespace
 
 int caption_width_px(const std::string& text, int height_px) {
-    return static_cast<int>(std::ceil(Face(height_px).walk(text, [](int, float) {})));
+    return static_cast<int>(std::ceil(CaptionFace(height_px).walk(text, [](int, float) {})));
 }
 
 void draw_caption(Image& image, const std::string& text, int left_px, int top_px, int height_px, std::uint8_t level) {
-    const Face face(height_px);
+    const CaptionFace face(height_px);
     face.walk(text, [&](int character, float x_px) {
         face.draw(image, character, static_cast<float>(left_px) + x_px, top_px, level);
     });

@@ -22,6 +22,8 @@ inline std::string troubles(const std::vector<Problem>& problems, std::initializ
     return sentences;
 }
 
+constexpr float second_column = 142.0F;  ///< design pixels
+
 /// Places the cursor for a second control `width` pixels wide: in the same row, at a fixed column; below where the
 /// first one reaches into that column or the second has no room there.
 inline void beside(float design_x, float width) {

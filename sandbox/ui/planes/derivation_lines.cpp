@@ -13,10 +13,10 @@ namespace {
 
 using Lines = std::vector<DerivationLine>;
 
-void result(Lines& lines, std::vector<std::string> parts) {
+void add_result(Lines& lines, std::vector<std::string> parts) {
     lines.push_back({DerivationLine::Kind::equation, std::move(parts), "", false});
 }
-void step(Lines& lines, std::vector<std::string> parts) {
+void add_step(Lines& lines, std::vector<std::string> parts) {
     lines.push_back({DerivationLine::Kind::equation, std::move(parts), "", true});
 }
 void heading(Lines& lines, const char* text, bool is_step = true) {
@@ -75,48 +75,48 @@ void blinn_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec3 &l = found.light_world, &p = found.point_world, &s = *found.shadow_world;
     const glm::dvec4 sum = projected(found);
     heading(lines, marked("Similar triangles give the same"));
-    step(lines, {"(s_x − l_x)/(p_x − l_x)", "= l_y/(l_y − p_y)", equals(found.t)});
+    add_step(lines, {"(s_x − l_x)/(p_x − l_x)", "= l_y/(l_y − p_y)", equals(found.t)});
     heading(lines, marked("Coordinate by coordinate"));
-    step(lines, {"s_x", "= l_x + l_y/(l_y − p_y) (p_x − l_x)"});
-    step(lines, {"s_x", "= (l_x (l_y − p_y) + l_y (p_x − l_x))/(l_y − p_y)"});
-    step(lines, {"s_x", "= (l_y p_x − l_x p_y)/(l_y − p_y)", divided(sum.x, sum.w), equals(s.x)});
-    step(lines, {"s_y", "= 0"});
-    step(lines, {"s_z", "= (l_y p_z − l_z p_y)/(l_y − p_y)", divided(sum.z, sum.w), equals(s.z)});
+    add_step(lines, {"s_x", "= l_x + l_y/(l_y − p_y) (p_x − l_x)"});
+    add_step(lines, {"s_x", "= (l_x (l_y − p_y) + l_y (p_x − l_x))/(l_y − p_y)"});
+    add_step(lines, {"s_x", "= (l_y p_x − l_x p_y)/(l_y − p_y)", divided(sum.x, sum.w), equals(s.x)});
+    add_step(lines, {"s_y", "= 0"});
+    add_step(lines, {"s_z", "= (l_y p_z − l_z p_y)/(l_y − p_y)", divided(sum.z, sum.w), equals(s.z)});
     introduce_w(lines);
-    step(lines, {"S p", "= (l_y p_x − l_x p_y, 0, l_y p_z − l_z p_y)"});
-    step(lines, {"S p", "= " + derivation_vector(glm::dvec3(sum))});
-    step(lines, {"w", "= −p_y + l_y", "= " + signed_sum(std::array{-p.y, l.y}), equals(sum.w)});
+    add_step(lines, {"S p", "= (l_y p_x − l_x p_y, 0, l_y p_z − l_z p_y)"});
+    add_step(lines, {"S p", "= " + derivation_vector(glm::dvec3(sum))});
+    add_step(lines, {"w", "= −p_y + l_y", "= " + signed_sum(std::array{-p.y, l.y}), equals(sum.w)});
 }
 
 /// The rows of the slide "Projection Shadow", for any plane.
 void general_rows(Lines& lines, const ShadowDerivation& found) {
     const glm::dvec4 sum = projected(found);
     heading(lines, marked("Coordinate by coordinate"));
-    step(lines, {"s_x", "= l_x + (n·l + d)/(n·l − n·p) (p_x − l_x)"});
-    step(lines, {"s_x", "= (l_x (n·l − n·p) + (n·l + d) (p_x − l_x))/(n·l − n·p)"});
-    step(lines, {"s_x", "= ((n·l + d − l_x n_x) p_x", "− l_x n_y p_y − l_x n_z p_z − l_x d)/(n·l − n·p)"});
-    step(lines, {"s_x", divided(sum.x, sum.w), equals(found.shadow_world->x)});
-    step(lines, {"s_y", divided(sum.y, sum.w), equals(found.shadow_world->y)});
-    step(lines, {"s_z", divided(sum.z, sum.w), equals(found.shadow_world->z)});
+    add_step(lines, {"s_x", "= l_x + (n·l + d)/(n·l − n·p) (p_x − l_x)"});
+    add_step(lines, {"s_x", "= (l_x (n·l − n·p) + (n·l + d) (p_x − l_x))/(n·l − n·p)"});
+    add_step(lines, {"s_x", "= ((n·l + d − l_x n_x) p_x", "− l_x n_y p_y − l_x n_z p_z − l_x d)/(n·l − n·p)"});
+    add_step(lines, {"s_x", divided(sum.x, sum.w), equals(found.shadow_world->x)});
+    add_step(lines, {"s_y", divided(sum.y, sum.w), equals(found.shadow_world->y)});
+    add_step(lines, {"s_z", divided(sum.z, sum.w), equals(found.shadow_world->z)});
     introduce_w(lines);
-    step(lines, {"S p", "= (n·l + d) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
-    step(lines, {"w", "= −n_x p_x − n_y p_y − n_z p_z + n·l", equals(sum.w)});
+    add_step(lines, {"S p", "= (n·l + d) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
+    add_step(lines, {"w", "= −n_x p_x − n_y p_y − n_z p_z + n·l", equals(sum.w)});
 }
 
 void point_light_lines(Lines& lines, const ShadowDerivation& found, bool is_blinn) {
-    result(lines, {"s", "= l + t (p − l)"});
-    result(lines, {"n·s + d", "= 0"});
-    step(lines, {"n·(l + t (p − l)) + d", "= 0"});
-    step(lines, {"t (n·p − n·l)", "= −d − n·l"});
+    add_result(lines, {"s", "= l + t (p − l)"});
+    add_result(lines, {"n·s + d", "= 0"});
+    add_step(lines, {"n·(l + t (p − l)) + d", "= 0"});
+    add_step(lines, {"t (n·p − n·l)", "= −d − n·l"});
     if (!found.shadow_world) return;
-    result(lines, {"t", "= (n·l + d)/(n·l − n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p),
+    add_result(lines, {"t", "= (n·l + d)/(n·l − n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p),
                    equals(found.t)});
     if (is_blinn)
-        result(lines,
+        add_result(lines,
                {"t", "= l_y/(l_y − p_y)", quotient(found.light_world.y, found.light_world.y, found.point_world.y),
                 equals(found.t), marked("for y = 0")});
-    result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
-    result(lines, {"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
+    add_result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
+    add_result(lines, {"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
                    "= " + derivation_number(std::abs(found.t)) + "·" + derivation_number(found.light_to_point),
                    equals(found.light_to_shadow)});
     if (is_blinn)
@@ -126,18 +126,18 @@ void point_light_lines(Lines& lines, const ShadowDerivation& found, bool is_blin
 }
 
 void parallel_light_lines(Lines& lines, const ShadowDerivation& found) {
-    result(lines, {"s", "= p + τ l", marked("for l_w = 0")});
-    result(lines, {"n·s + d", "= 0"});
-    step(lines, {"n·(p + τ l) + d", "= 0"});
+    add_result(lines, {"s", "= p + τ l", marked("for l_w = 0")});
+    add_result(lines, {"n·s + d", "= 0"});
+    add_step(lines, {"n·(p + τ l) + d", "= 0"});
     if (!found.shadow_world) return;
-    result(lines, {"τ", "= −(n·p + d)/(n·l)",
+    add_result(lines, {"τ", "= −(n·p + d)/(n·l)",
                    "= −" + in_brackets(found.point_height) + "/" + in_brackets(found.n_dot_l), equals(found.t)});
-    result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
-    result(lines, {"|s − p|", equals(found.point_to_shadow)});
+    add_result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
+    add_result(lines, {"|s − p|", equals(found.point_to_shadow)});
     const glm::dvec4 sum = projected(found);
     heading(lines, marked("The common denominator becomes w"));
-    step(lines, {"S p", "= (n·l) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
-    step(lines, {"w", "= n·l", equals(sum.w), marked("for every point")});
+    add_step(lines, {"S p", "= (n·l) p − (n·p + d) l", "= " + derivation_vector(glm::dvec3(sum))});
+    add_step(lines, {"w", "= n·l", equals(sum.w), marked("for every point")});
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ std::vector<DerivationLine> shadow_lines(const ShadowDerivation& found, bool is_
         point_light_lines(lines, found, is_blinn);
     if (found.shadow_world) {
         const glm::dvec4 sum = projected(found);
-        step(lines, {"s", "= S p ÷ w", "= " + derivation_vector(glm::dvec3(sum) / sum.w)});
+        add_step(lines, {"s", "= S p ÷ w", "= " + derivation_vector(glm::dvec3(sum) / sum.w)});
     }
     for (DerivationLine& line : lines) line.target = "text:shadow_derivation.lines";
     return lines;
@@ -160,7 +160,7 @@ std::vector<DerivationLine> shadow_lines(const ShadowDerivation& found, bool is_
 std::vector<DerivationLine> mirror_lines(const MirrorDerivation& found) {
     Lines lines;
     const auto named = [&lines](const char* target, std::vector<std::string> parts) {
-        result(lines, std::move(parts));
+        add_result(lines, std::move(parts));
         lines.back().target = target;
     };
     named("text:mirror_derivation.k", {"k", "= n·q + d", equals(found.k)});

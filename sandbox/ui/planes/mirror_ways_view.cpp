@@ -12,7 +12,7 @@
 namespace viewing {
 namespace {
 
-constexpr float gap = 6.0F, margin = 6.0F;
+constexpr float picture_gap = 6.0F, picture_margin = 6.0F;
 
 const char* explanation_of(MirrorWay way) {
     switch (way) {
@@ -64,18 +64,18 @@ void captions(ImDrawList* draw, const Rect& place, const char* name, std::span<c
     float room = 0.6F * place.height();
     const auto fits = [&](const char* text, const ImFont* font) {
         const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0F, text).x;
-        return width + px(2.0F * margin) <= place.width() && font->FontSize <= room;
+        return width + px(2.0F * picture_margin) <= place.width() && font->FontSize <= room;
     };
     const auto write = [&](const char* text, ImFont* font, float top) {
-        widgets::HaloText(draw, {place.min.x + px(margin), top}, palette().text, text, font);
+        widgets::HaloText(draw, {place.min.x + px(picture_margin), top}, palette().text, text, font);
         room -= font->FontSize;
     };
     ImFont* const head = fits(name, fonts.text) ? fonts.text : fonts.note;
-    if (fits(name, head)) write(name, head, place.min.y + px(0.5F * margin));
+    if (fits(name, head)) write(name, head, place.min.y + px(0.5F * picture_margin));
     ImFont* const small = place.height() < px(200.0F) ? fonts.small_number : fonts.number;
     const auto fitting = static_cast<float>(
         std::min<std::size_t>(numbers.size(), static_cast<std::size_t>(std::max(room, 0.0F) / small->FontSize)));
-    float top = place.max.y - px(0.5F * margin) - fitting * small->FontSize;
+    float top = place.max.y - px(0.5F * picture_margin) - fitting * small->FontSize;
     for (const std::string& number : numbers) {
         if (!fits(number.c_str(), small)) break;
         write(number.c_str(), small, top);
@@ -116,11 +116,11 @@ void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysS
     // Two by two, each with the shape of the camera's picture.
     const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
     const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
-    const float width = std::min(0.5F * (rect.width() - px(gap)), 0.5F * (rect.height() - px(gap)) * aspect);
+    const float width = std::min(0.5F * (rect.width() - px(picture_gap)), 0.5F * (rect.height() - px(picture_gap)) * aspect);
     const ImVec2 size(std::max(width, 1.0F), std::max(width / aspect, 1.0F));
     for (std::size_t index = 0; index < mirror_way_count; ++index) {
-        const ImVec2 min(rect.min.x + static_cast<float>(index % 2) * (size.x + px(gap)),
-                         rect.min.y + static_cast<float>(index / 2) * (size.y + px(gap)));
+        const ImVec2 min(rect.min.x + static_cast<float>(index % 2) * (size.x + px(picture_gap)),
+                         rect.min.y + static_cast<float>(index / 2) * (size.y + px(picture_gap)));
         way_picture(session, {min, {min.x + size.x, min.y + size.y}}, static_cast<MirrorWay>(index), shown);
     }
 }

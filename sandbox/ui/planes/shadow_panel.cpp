@@ -13,8 +13,6 @@
 namespace viewing {
 namespace {
 
-constexpr float second = 142.0F;  ///< column
-
 /// Where no light is yet: the first one's place on other sides of the y axis.
 LightParams another_light(const Params& params) {
     const glm::dvec4& first = params.lights.front().position;
@@ -109,9 +107,9 @@ void plane_controls(Params& params, std::size_t index) {
         explain(field(path), label, why_not);
     };
     toggle("plane.receives_shadow", marked("Receiver"), plane.receives_shadow, defaults.receives_shadow);
-    beside(second, widgets::ToggleWidth("Mirrors"));
+    beside(second_column, widgets::ToggleWidth("Mirrors"));
     toggle("plane.mirrors", marked("Mirrors"), plane.mirrors, defaults.mirrors);
-    beside(second + 76.0F, widgets::ToggleWidth("Gloss"));
+    beside(second_column + 76.0F, widgets::ToggleWidth("Gloss"));
     toggle("plane.gloss", marked("Gloss"), plane.gloss, defaults.gloss);
 }
 
@@ -148,7 +146,7 @@ void shadow_style(Params& params) {
 
 void shadow_switches(Params& params) {
     control(params, "shadow.clip_at_light", {.label = marked("Clip at light")});
-    beside(second, widgets::ToggleWidth("Own stencil"));
+    beside(second_column, widgets::ToggleWidth("Own stencil"));
     control(params, "shadow.own_stencil", {.label = marked("Own stencil")});
     static constexpr const char* signs[] = {"sign(Π·L)", marked("none"), marked("forced")};
     control(params, "shadow.sign", {.width = 150.0F, .names = signs, .label = marked("sign of S")});
@@ -167,7 +165,7 @@ void mirror_switches(Params& params) {
     };
     for (const Row& row : rows) {
         control(params, row.left, {.label = row.left_label});
-        beside(second, widgets::ToggleWidth(row.right_label));
+        beside(second_column, widgets::ToggleWidth(row.right_label));
         control(params, row.right, {.label = row.right_label});
     }
     control(params, "reflection.mask_writes_depth", {.label = marked("Mask writes depth")});
@@ -221,7 +219,7 @@ void draw_shadow_and_reflection_section(Session& session, const std::vector<Prob
             const widgets::Group group("shadow");
             control(params, row.shadow, {.label = row.shadow_label});
         }
-        beside(second, widgets::ToggleWidth(row.reflection_label));
+        beside(second_column, widgets::ToggleWidth(row.reflection_label));
         const widgets::Group group("reflection");
         control(params, row.reflection, {.label = row.reflection_label});
     }

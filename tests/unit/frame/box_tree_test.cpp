@@ -43,7 +43,7 @@ SceneObject placed(const std::string& name, Mesh mesh, Random& random) {
     return object;
 }
 
-Scene random_scene(Random& random) {
+Scene random_boxes(Random& random) {
     std::vector<SceneObject> objects;
     for (const int triangles : {1, 40, 700})
         objects.push_back(placed("mesh of " + std::to_string(triangles), random_mesh(random, triangles), random));
@@ -138,7 +138,7 @@ TEST(ObjectReach, SaysWhatLookingAtEveryVertexSays) {
     Random random(seed + 2);
     int some = 0, across = 0;
     for (int i = 0; i < 300; ++i) {
-        const Scene scene = random_scene(random);
+        const Scene scene = random_boxes(random);
         glm::dvec4 plane = cutting_plane(random);
         double limit = random.number(0, 1) < 0.5 ? 0.0 : -standing;
         if (i % 3 == 0) {  // exactly through a vertex
@@ -169,7 +169,7 @@ TEST(ObjectReach, LandsWhereEveryVertexIsSent) {
     Random random(seed + 3);
     int beyond = 0, inside = 0;
     for (int i = 0; i < 400; ++i) {
-        const Scene scene = random_scene(random);
+        const Scene scene = random_boxes(random);
         const glm::dvec4 plane = cutting_plane(random);
         const PlanePatch patch = plane_patch(plane, random.number(0.5, 30.0));
         const glm::dvec4 light(6.0 * random.direction(), i % 4 == 0 ? 0.0 : 1.0);
@@ -216,7 +216,7 @@ TEST(SeenThings, AreThoseOfEveryTriangleCut) {
     Random random(seed + 4);
     int seen_at_all = 0;
     for (int i = 0; i < 200; ++i) {
-        const Scene scene = random_scene(random);
+        const Scene scene = random_boxes(random);
         Params params;
         params.camera.position = random.vec3(4.0);
         params.camera.yaw = random.number(-180, 180);

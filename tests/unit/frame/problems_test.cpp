@@ -17,7 +17,7 @@ using testing::says;
 using testing::scene_of;
 using Settings = std::vector<std::string>;
 
-std::vector<Problem> problems_of(const Settings& settings, const Scene& scene) {
+std::vector<Problem> problems_with(const Settings& settings, const Scene& scene) {
     return testing::problems_of(params_with(settings), scene);
 }
 
@@ -275,34 +275,34 @@ TEST(Problems, EachSwitchIsToldWhereItShowsAndOnlyThere) {
             return text;
         };
         SCOPED_TRACE(each.words + " | " + trace(each.told) + "| " + trace(each.not_told));
-        const std::vector<Problem> told = problems_of(each.told, each.scene());
+        const std::vector<Problem> told = problems_with(each.told, each.scene());
         EXPECT_TRUE(says(told, each.group, each.words)) << all_of(told);
         const auto other_scene = each.scene_of_not_told ? each.scene_of_not_told : each.scene;
-        const std::vector<Problem> not_told = problems_of(each.not_told, other_scene());
+        const std::vector<Problem> not_told = problems_with(each.not_told, other_scene());
         EXPECT_FALSE(says(not_told, each.group, each.words)) << all_of(not_told);
     }
 }
 
 TEST(Problems, TheDefaultsTellNothing) {
-    EXPECT_EQ(all_of(problems_of({}, box_scene())), "");
-    EXPECT_EQ(all_of(problems_of({"plane.equation=[0,-2,0,0]"}, box_scene())), "");
-    EXPECT_EQ(all_of(problems_of({"light.position=[2.6,5.2,2.2,0]", "shadow.style=missing_light"}, box_scene())), "");
+    EXPECT_EQ(all_of(problems_with({}, box_scene())), "");
+    EXPECT_EQ(all_of(problems_with({"plane.equation=[0,-2,0,0]"}, box_scene())), "");
+    EXPECT_EQ(all_of(problems_with({"light.position=[2.6,5.2,2.2,0]", "shadow.style=missing_light"}, box_scene())), "");
 }
 
 TEST(Problems, WhatIsMissingFromThePictureIsNotExplained) {
     const Settings broken = {"shadow.stencil_once=false",      "shadow.offset=none",   "reflection.stencil=false",
                              "reflection.reflect_light=false", "reflection.clip=none", "plane.extent=1.2"};
-    EXPECT_GE(problems_of(broken, crossing_scene()).size(), 5U);
+    EXPECT_GE(problems_with(broken, crossing_scene()).size(), 5U);
     for (const char* hides : {"visibility.step=3", "view.shows=overdraw", "view.shows=fighting"}) {
         Settings hidden = broken;
         hidden.emplace_back(hides);
-        EXPECT_EQ(all_of(problems_of(hidden, crossing_scene())), "") << hides;
+        EXPECT_EQ(all_of(problems_with(hidden, crossing_scene())), "") << hides;
     }
 }
 
 TEST(Problems, ASwitchThatBreaksThePictureIsToldOverIt) {
     const auto breaks = [](const Settings& settings) {
-        const std::vector<Problem> problems = problems_of(settings, high_scene());
+        const std::vector<Problem> problems = problems_with(settings, high_scene());
         return std::ranges::count(problems, true, &Problem::breaks_picture);
     };
     EXPECT_EQ(breaks({}), 0);  // a tower above the light is no broken switch
