@@ -27,7 +27,7 @@ struct Pair {
     Image a, b;
 };
 
-class CompareTable : public Program {
+class CompareTableSlowTest : public Program {
 protected:
     /// Of the camera at 640 x 360 with 4 samples, unless `more` says otherwise.
     Image drawn(const Words& more) const {
@@ -108,7 +108,7 @@ bool agree(const std::string& published, const std::string& found) {
     return std::abs(actual - expected) <= 0.05 * expected + (published.find("shift") == std::string::npos ? 5.0 : 0.05);
 }
 
-TEST_F(CompareTable, OfTheReadmeHolds) {
+TEST_F(CompareTableSlowTest, OfTheReadmeHolds) {
     std::ifstream stream(std::string(std::getenv("TEST_SOURCE_DIR")) + "/../README.md");
     const std::string readme{std::istreambuf_iterator<char>(stream), {}};
     const char* const kept = std::getenv("VIEWING_COMPARE_TABLE");

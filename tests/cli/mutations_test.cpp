@@ -133,7 +133,7 @@ private:
     int misses_ = 0;
 };
 
-class Mutations : public Program {
+class MutationsSlowTest : public Program {
 protected:
     Image drawn(const std::string& preset, const std::string& setting = "") const {
         Words words{"snapshot", preset, "--view", "camera", "--size", "320x180", "-o", "drawn.png"};
@@ -162,7 +162,7 @@ protected:
     }
 };
 
-TEST_F(Mutations, AreAllFound) {
+TEST_F(MutationsSlowTest, AreAllFound) {
     constexpr unsigned seeds = 6;
     std::map<std::string, int> count;
     for (unsigned p = 0; p < presets.size(); ++p) {
@@ -261,7 +261,7 @@ Image of_few_colours(const Image& image) {
     return changed(image, all_of(image), [](int, double level) { return 63.0 * std::floor(level / 63.0); });
 }
 
-TEST_F(Mutations, NoneIsFoundInAnotherKindOfFile) {
+TEST_F(MutationsSlowTest, NoneIsFoundInAnotherKindOfFile) {
     const std::vector<Kind> coloured{{8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_FILTER_NONE, 0},
                                      {8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_FILTER_SUB, 1},
                                      {8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_FILTER_UP, 3},
