@@ -62,6 +62,8 @@ public:
     /// Waits for all of that; for pictures without a window.
     void finish_loading();
     std::optional<float> loading_fraction() const;
+    /// Whether a state or a scene is on its way: `params` are still those before it.
+    bool is_loading() const { return wanted_.has_value(); }
     std::string loading_name() const;
     void cancel_loading();
 

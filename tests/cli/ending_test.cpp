@@ -19,8 +19,9 @@ protected:
     /// Everything below the folder.
     std::vector<std::string> names() const {
         std::vector<std::string> names;
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder()))
-            names.push_back(fs::relative(entry.path(), folder()).string());
+        std::error_code gone;  // what is there may go while it is looked at
+        for (fs::recursive_directory_iterator at(folder(), gone), end; !gone && at != end; at.increment(gone))
+            names.push_back(at->path().lexically_relative(folder()).string());
         return names;
     }
     void expect_nothing_unfinished() const {

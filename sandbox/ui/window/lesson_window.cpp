@@ -156,7 +156,8 @@ void Workbench::follow_exercises(Session& session) {
         }
         wanted_exercise_.clear();
     }
-    if (guide.is_shown() && guide.is_sheet() && !replay.is_playing()) {
+    // While an exercise's own state is on its way, what is there is no answer to it.
+    if (guide.is_shown() && guide.is_sheet() && !replay.is_playing() && !session.is_loading()) {
         const bool is_at_rest = !ImGui::IsAnyItemActive() && !session.is_moving() && !guide.is_revealing();
         exercises.follow(*guide.run(), session.params, is_at_rest, ImGui::GetTime());
         if (guide.run()->reached() != session.params) guide.run()->reached() = session.params;
