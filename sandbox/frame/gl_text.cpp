@@ -14,7 +14,7 @@ std::string number(double value) {
     return text;
 }
 
-std::string bit_count_text(int value) {
+std::string mask_text(int value) {
     static constexpr const char* digits = "0123456789ABCDEF";
     return std::string("0x") + digits[value >> 4 & 15] + digits[value & 15];
 }
@@ -64,7 +64,7 @@ std::string truth(bool is_true) {
 std::string stencil_func(const Pass& pass) {
     return "glStencilFunc(" + gl_name(pass.stencil.func) + ", " +
            (pass.marks_objects ? tr("mark of each object") : std::to_string(pass.stencil.reference)) + ", " +
-           bit_count_text(pass.stencil.read_bits) + ")";
+           mask_text(pass.stencil.read_bits) + ")";
 }
 
 std::string stencil_op(const Pass& pass) {
@@ -101,8 +101,8 @@ void stencil_calls(Calls& calls, const Pass& pass, const Pass& before) {
     const bool is_known = before.stencil.test;
     calls.change(stencil_func(pass), stencil_func(before), is_known);
     calls.change(stencil_op(pass), stencil_op(before), is_known);
-    calls.change("glStencilMask(" + bit_count_text(pass.stencil.write_bits) + ")",
-                 "glStencilMask(" + bit_count_text(before.stencil.write_bits) + ")", is_known);
+    calls.change("glStencilMask(" + mask_text(pass.stencil.write_bits) + ")",
+                 "glStencilMask(" + mask_text(before.stencil.write_bits) + ")", is_known);
 }
 
 void blend_calls(Calls& calls, const Pass& pass, const Pass& before) {
@@ -165,7 +165,7 @@ void take_back(Calls& calls, const std::vector<Pass>& passes) {
     const auto told_stencil =
         std::find_if(passes.rbegin(), passes.rend(), [](const Pass& pass) { return pass.stencil.test; });
     if (told_stencil != passes.rend() && told_stencil->stencil.write_bits != StencilState{}.write_bits)
-        calls.add("glStencilMask(" + bit_count_text(StencilState{}.write_bits) + ")");
+        calls.add("glStencilMask(" + mask_text(StencilState{}.write_bits) + ")");
 }
 
 }  // namespace

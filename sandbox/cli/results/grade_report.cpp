@@ -156,7 +156,7 @@ std::string misconceptions(const std::vector<TagCount>& tags) {
 // ---- exercises -----------------------------------------------------------------------------------------------------
 
 /// How an exercise went for somebody, as the bars tell it apart.
-enum class AnswerFate { at_once, later, partly, wrong, set_aside, missing };
+enum class AnswerOutcome { at_once, later, partly, wrong, set_aside, missing };
 struct OutcomeLook {
     const char *name, *color;
 };
@@ -168,21 +168,21 @@ constexpr std::array<OutcomeLook, 6> outcome_looks{{{"right at once", "#2e7d4f"}
                                                     {"missing", "#d5dae0"}}};
 using OutcomeCounts = std::array<int, outcome_looks.size()>;
 
-AnswerFate outcome_of(const ItemGrade& item) {
+AnswerOutcome outcome_of(const ItemGrade& item) {
     switch (item.standing) {
         case Standing::right:
-            return item.at_first_try ? AnswerFate::at_once : AnswerFate::later;
+            return item.at_first_try ? AnswerOutcome::at_once : AnswerOutcome::later;
         case Standing::partly:
-            return AnswerFate::partly;
+            return AnswerOutcome::partly;
         case Standing::wrong:
-            return AnswerFate::wrong;
+            return AnswerOutcome::wrong;
         case Standing::missing:
-            return AnswerFate::missing;
+            return AnswerOutcome::missing;
         case Standing::other_variant:
         case Standing::not_judged:
             break;
     }
-    return AnswerFate::set_aside;
+    return AnswerOutcome::set_aside;
 }
 
 std::string stacked_bar(const OutcomeCounts& counts, std::size_t students) {
@@ -375,8 +375,8 @@ std::string answer_picture(Headless& headless, LoadedState state) {
     request.view = PictureView::camera;
     request.size_px = answer_picture_px;
     const Image image = headless.drawn(draw_picture(headless.renderer(), state, scene_of(state), request));
-    return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">", answer_picture_px.x,
-                       answer_picture_px.y, base64(encode_png(image)));
+    return fmt::format("<img alt=\"\" width=\"{}\" height=\"{}\" src=\"data:image/png;base64,{}\">",
+                       answer_picture_px.x, answer_picture_px.y, base64(encode_png(image)));
 }
 
 std::string captioned(const std::string& picture, const std::string& caption) {
@@ -394,9 +394,9 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         if (!typed) continue;  // its field refuses such numbers
         ++count;
         section += "<div class=\"pair\">" +
-                   captioned(answer_picture(headless, *typed), escaped(exercise.short_id()) + ", variant " +
-                                                               std::to_string(wrong.variant) + ": typed by " +
-                                                               counted(givers.students.size(), "student", "students")) +
+                   captioned(answer_picture(headless, *typed),
+                             escaped(exercise.short_id()) + ", variant " + std::to_string(wrong.variant) +
+                                 ": typed by " + counted(givers.students.size(), "student", "students")) +
                    captioned(answer_picture(headless, with_right_matrix(step)), "the right one") + "<div>" +
                    matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
