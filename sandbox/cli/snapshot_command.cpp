@@ -110,7 +110,7 @@ std::vector<FileArgument> inputs_of(const TypedSnapshot& typed, const StateArgum
 }
 
 SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const ThresholdOptions& thresholds,
-             const StateArguments& state_arguments) {
+                     const StateArguments& state_arguments) {
     if (!typed.output && !typed.compare) options.refuse("-o OUT.png is missing (or --compare REF.png)");
     if (thresholds.given() && !typed.compare)
         options.refuse("--profile, --worst, --share and --mask need --compare REF.png");
@@ -141,7 +141,8 @@ SnapshotWish checked(const Options& options, const TypedSnapshot& typed, const T
 }
 
 /// The step that the options name, or STATE's link.
-std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments) {
+std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& typed,
+                                  const StateArguments& state_arguments) {
     std::optional<LinkedStep> linked = typed.exercise ? std::nullopt : state_arguments.linked_step();
     if (linked && (typed.lesson || typed.step)) options.refuse("STATE links to a lesson's step already");
     if (!typed.lesson) return linked;
@@ -149,7 +150,8 @@ std::optional<LinkedStep> step_of(const Options& options, const TypedSnapshot& t
 }
 
 /// The state of a student's exercise with its question, or of its end where a hand-in stands for STATE.
-LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, const StateArguments& arguments, SnapshotWish& wish) {
+LoadedState take_exercise(const Options& options, const TypedSnapshot& typed, const StateArguments& arguments,
+                          SnapshotWish& wish) {
     if (typed.lesson) options.refuse("--lesson and --exercise cannot both be");
     HandIn hand_in{.program = {},
                    .course = typed.course.value_or(""),
@@ -238,7 +240,8 @@ void tell_drawn(EndingReport& report, const Drawn& drawn) {
 }
 
 /// The state that is shown, by whatever way it was named.
-LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments, SnapshotWish& wish) {
+LoadedState state_of(const Options& options, const TypedSnapshot& typed, const StateArguments& state_arguments,
+                     SnapshotWish& wish) {
     LoadedState state;
     if (typed.exercise)
         state = take_exercise(options, typed, state_arguments, wish);

@@ -124,7 +124,8 @@ bool is_own_picture(const fs::path& file) {
 }
 
 /// Refuses an output that is an input or another one; a folder of pictures takes the place of all that is in it.
-void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish, std::vector<FileArgument> inputs) {
+void keep_apart(const Options& options, const TypedSweep& typed, const SweepPlan& wish,
+                std::vector<FileArgument> inputs) {
     check_apart(options, outputs_of(typed, wish), inputs);
     if (wish.kind != Kind::folder) return;
     if (typed.csv) inputs.push_back({"--csv", *typed.csv});

@@ -62,7 +62,8 @@ std::string step_picture(Headless& headless, const Lesson& lesson, std::size_t i
 std::string handout(Headless& headless, const Lesson& lesson, bool with_answers) {
     const std::string title = escaped(lesson.title.shown());
     std::string page = "<!DOCTYPE html>\n<html lang=\"" + std::string(name_of(spoken_language())) +
-                       "\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" + handout_style + "</style>\n";
+                       "\">\n<meta charset=\"utf-8\">\n<title>" + title + "</title>\n<style>" + handout_style +
+                       "</style>\n";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         page += "<section>\n<h1>" + title + " · " + std::to_string(i + 1) + " / " +

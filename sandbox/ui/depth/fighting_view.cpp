@@ -267,14 +267,14 @@ void draw_totals(const FightingReport& report, bool is_brief) {
     } else if (!is_count_covered()) {
         const std::int64_t vanished = counts.vanished();
         draw_parts({told(say("all pairs {percent} wrong", "percent"_a = percent(counts.wrong_fraction())),
-                   counts.wrong_fraction() > 0.0),
-              elsewhere(counts),
-              vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
-                           : LinePart{},
-              is_brief ? LinePart{}
-                       : LinePart{say("in {width} × {height} pixels", "width"_a = report.size_px.x,
-                                      "height"_a = report.size_px.y),
-                                  palette().quiet}});
+                         counts.wrong_fraction() > 0.0),
+                    elsewhere(counts),
+                    vanished > 0 ? told(say("{count} show the background", "count"_a = grouped_number(vanished)), true)
+                                 : LinePart{},
+                    is_brief ? LinePart{}
+                             : LinePart{say("in {width} × {height} pixels", "width"_a = report.size_px.x,
+                                            "height"_a = report.size_px.y),
+                                        palette().quiet}});
     }
     if (is_brief) {
         // No step asks for a minimum gap.

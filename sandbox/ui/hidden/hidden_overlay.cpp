@@ -227,7 +227,8 @@ void draw_hidden_overlay(const PolygonLink& link, const Session& session, const 
             sentence_over_picture(overlay.draw(), overlay.rect(), palette().text, progress.c_str(), progress.c_str()));
     }
     draw_raster_depths(overlay, result);
-    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) outline_filled(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment()))
+        outline_filled(overlay, *polygon, palette().accent);
 }
 
 void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, Overlay& overlay) {
@@ -249,7 +250,8 @@ void draw_hidden_observer(const PolygonLink& link, const HiddenStatus& hidden, O
             overlay.dot(traced.ray.at(hit.t), &hit == traced.hits.data() ? palette().accent : palette().quiet,
                         &hit == traced.hits.data() ? 5.0F : 3.5F);
     }
-    if (const Polygon* polygon = polygon_at(result, link.shown_fragment())) outline_filled(overlay, *polygon, palette().accent);
+    if (const Polygon* polygon = polygon_at(result, link.shown_fragment()))
+        outline_filled(overlay, *polygon, palette().accent);
 }
 
 }  // namespace viewing

@@ -12,7 +12,7 @@ namespace viewing {
 namespace {
 
 constexpr float padding_x = 10.0F, padding_y = 4.0F, entry_gap = 5.0F;  ///< design pixels
-constexpr float letter_room = 24.0F;                              ///< in front of a choice, for its letter
+constexpr float letter_room = 24.0F;                                    ///< in front of a choice, for its letter
 constexpr float number_width = 92.0F, widest_matrix = 460.0F;
 constexpr float least_half = 330.0F;  ///< two choices stand beside each other from twice this width on
 

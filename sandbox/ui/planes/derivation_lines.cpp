@@ -110,15 +110,15 @@ void point_light_lines(Lines& lines, const ShadowDerivation& found, bool is_blin
     add_step(lines, {"t (n·p − n·l)", "= −d − n·l"});
     if (!found.shadow_world) return;
     add_result(lines, {"t", "= (n·l + d)/(n·l − n·p)", quotient(found.light_height, found.n_dot_l, found.n_dot_p),
-                   equals(found.t)});
+                       equals(found.t)});
     if (is_blinn)
         add_result(lines,
-               {"t", "= l_y/(l_y − p_y)", quotient(found.light_world.y, found.light_world.y, found.point_world.y),
-                equals(found.t), marked("for y = 0")});
+                   {"t", "= l_y/(l_y − p_y)", quotient(found.light_world.y, found.light_world.y, found.point_world.y),
+                    equals(found.t), marked("for y = 0")});
     add_result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
     add_result(lines, {"|s − l|", found.t < 0.0 ? "= |t| |p − l|" : "= t |p − l|",
-                   "= " + derivation_number(std::abs(found.t)) + "·" + derivation_number(found.light_to_point),
-                   equals(found.light_to_shadow)});
+                       "= " + derivation_number(std::abs(found.t)) + "·" + derivation_number(found.light_to_point),
+                       equals(found.light_to_shadow)});
     if (is_blinn)
         blinn_rows(lines, found);
     else
@@ -131,7 +131,7 @@ void parallel_light_lines(Lines& lines, const ShadowDerivation& found) {
     add_step(lines, {"n·(p + τ l) + d", "= 0"});
     if (!found.shadow_world) return;
     add_result(lines, {"τ", "= −(n·p + d)/(n·l)",
-                   "= −" + in_brackets(found.point_height) + "/" + in_brackets(found.n_dot_l), equals(found.t)});
+                       "= −" + in_brackets(found.point_height) + "/" + in_brackets(found.n_dot_l), equals(found.t)});
     add_result(lines, {"s", "= " + derivation_vector(*found.shadow_world)});
     add_result(lines, {"|s − p|", equals(found.point_to_shadow)});
     const glm::dvec4 sum = projected(found);

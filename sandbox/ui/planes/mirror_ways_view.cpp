@@ -116,7 +116,8 @@ void draw_mirror_ways_view(Session& session, const Rect& rect, const MirrorWaysS
     // Two by two, each with the shape of the camera's picture.
     const glm::ivec2 made = shown.ways ? shown.ways->size_px : glm::ivec2(16, 9);
     const float aspect = static_cast<float>(made.x) / static_cast<float>(std::max(made.y, 1));
-    const float width = std::min(0.5F * (rect.width() - px(picture_gap)), 0.5F * (rect.height() - px(picture_gap)) * aspect);
+    const float width =
+        std::min(0.5F * (rect.width() - px(picture_gap)), 0.5F * (rect.height() - px(picture_gap)) * aspect);
     const ImVec2 size(std::max(width, 1.0F), std::max(width / aspect, 1.0F));
     for (std::size_t index = 0; index < mirror_way_count; ++index) {
         const ImVec2 min(rect.min.x + static_cast<float>(index % 2) * (size.x + px(picture_gap)),

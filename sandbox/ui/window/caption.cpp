@@ -10,7 +10,7 @@ namespace viewing {
 namespace {
 
 constexpr float arrow_room = 20.0F;  ///< design pixels left of the text, for the sign that it folds
-constexpr float part_gap = 10.0F;         ///< between the parts of a line
+constexpr float part_gap = 10.0F;    ///< between the parts of a line
 
 float width_in(const ImFont& font, const char* text) {
     return font.CalcTextSizeA(font.FontSize, FLT_MAX, 0.0F, text).x;
@@ -83,7 +83,8 @@ void draw_caption(const NamedFile& preset, Session& session, const Rect& rect, b
     const float y = rect.min.y + std::floor((line_height(context) - context.fonts.heading->FontSize) * 0.5F);
     const float x = rect.max.x - marks + px(part_gap);
     draw->AddText(context.fonts.heading, context.fonts.heading->FontSize, {x, y}, palette().accent, tr("changed"));
-    ImGui::SetCursorScreenPos({x + width_in(*context.fonts.heading, tr("changed")) + px(part_gap), rect.min.y + px(1.0F)});
+    ImGui::SetCursorScreenPos(
+        {x + width_in(*context.fonts.heading, tr("changed")) + px(part_gap), rect.min.y + px(1.0F)});
     if (widgets::SmallButton("as it was")) session.return_to_preset();
     widgets::Tooltip("as it was", marked("Brings back everything as the preset has it. Ctrl+Z takes that back."));
 }
