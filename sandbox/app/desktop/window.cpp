@@ -100,7 +100,7 @@ Result<Window> make_window(bool checks_gl) {
     return window;
 }
 
-/// What is typed in a window that is closed counts: one more frame, which nobody sees.
+/// What is typed in a window that is closed counts: two more frames, which nobody sees.
 void keep_what_is_typed(GLFWwindow* window, Studio& studio, WindowMemory& memory, bool keeps_answers) {
     if (!widgets::IsTyping(studio.workbench.widgets)) return;
     widgets::EndTyping(studio.workbench.widgets);
