@@ -40,7 +40,7 @@ void declare(Options& options, TypedMeasure& typed) {
         "mirror image in four ways, compared; order: who hides whom, and whether whole polygons have an order");
     options.text(
         "--size", "WxH", typed.size,
-        "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default "
+        "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 16 million pixels; default "
         "1280x720, for growth 320x240");
     options.flag("--no-times", typed.no_times,
                  "Leave out what a clock says: the same numbers whenever they are measured, byte for byte");

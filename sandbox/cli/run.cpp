@@ -42,7 +42,7 @@ std::string main_help() {
     text += "\n" +
             wrapped(
                 "Limits: a state or scene has 16 MiB, a mesh file 4 GiB, a scene 50 million triangles of which "
-                "the hidden-surface methods take 1 million and the BSP tree 500,000; a picture has 64 million pixels. "
+                "the hidden-surface methods take 1 million and the BSP tree 500,000; a picture has 16 million pixels. "
                 "What is "
                 "beyond is refused before it is begun. A state names scenes and meshes in its own folder and among the "
                 "program's; others need --allow-outside, or a yes in the window.",

@@ -325,9 +325,9 @@ ExitStatus run_sweep(const Command& self, const Arguments& arguments) {
     if (wish.kind == Kind::sheet) {
         wish.columns = columns_of(options, typed, wish, stops.size());
         const glm::ivec2 sheet_px = contact_sheet_size_px(size_px, static_cast<int>(stops.size()), wish.columns);
-        if (!is_image_size(sheet_px.x, sheet_px.y))
+        if (!is_image_size(sheet_px.x, sheet_px.y, most_image_pixels))
             options.refuse("--size: the sheet would be " + std::to_string(sheet_px.x) + " × " +
-                           std::to_string(sheet_px.y) + " pixels; " + image_size_rule());
+                           std::to_string(sheet_px.y) + " pixels; " + image_size_rule(most_image_pixels));
     }
     keep_apart(options, typed, wish, state_arguments.files());
     Steps steps(start, stops);

@@ -14,7 +14,7 @@ namespace viewing {
 /// The size of a picture when --size is left out.
 inline constexpr glm::ivec2 default_size_px{1280, 720};
 
-/// "1280x720": sides 1 … 16384, at most 64 million pixels. Left out: the default.
+/// "1280x720": sides 1 … 16384, at most 16 million pixels. Left out: the default.
 glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text);
 
 /// "X,Y" inside a picture of that size.
@@ -43,6 +43,6 @@ std::optional<Language> language_option(const Options& options, const std::optio
 /// What --help says about --samples and --size.
 inline constexpr const char* samples_help = "Multisampling; default: view.samples of the state";
 inline constexpr const char* size_help =
-    "Width and height of the picture in pixels, 1x1 to 16384x16384 and at most 64 million pixels; default 1280x720";
+    "Width and height of the picture in pixels, 1x1 to 16384x16384 and at most 16 million pixels; default 1280x720";
 
 }  // namespace viewing

@@ -8,13 +8,17 @@
 
 namespace viewing {
 
-/// Whether a picture of this size can be drawn, written and read again.
-constexpr bool is_image_size(int width, int height) {
+/// What is drawn takes up to 60 bytes a pixel, with four samples and the views beside it: about 1 GB.
+constexpr int most_drawn_pixels = 4096 * 4096;
+
+/// Whether a picture of this size can be drawn, written and read again. What is put
+/// together from pictures, as a contact sheet is, may have most_image_pixels.
+constexpr bool is_image_size(int width, int height, int most_pixels = most_drawn_pixels) {
     return width >= 1 && height >= 1 && width <= largest_image_side && height <= largest_image_side &&
-           std::int64_t{width} * height <= most_image_pixels;
+           std::int64_t{width} * height <= most_pixels;
 }
 
-/// "each side must be from 1 to 16384 and the picture at most 64 million pixels"
-std::string image_size_rule();
+/// "each side must be from 1 to 16384 and the picture at most 16 million pixels"
+std::string image_size_rule(int most_pixels = most_drawn_pixels);
 
 }  // namespace viewing

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include "cli/program.h"
+#include "platform/sanitized.h"
 
 namespace cli_tests {
 namespace {
@@ -51,6 +52,16 @@ TEST_F(Limits, ShortMemoryEndsWithAStatusOfTheTable) {
         EXPECT_LE(ended.status, 9) << megabytes << " MB: " << ended.told();
         EXPECT_EQ(ended.status == 0, exists("a.png")) << megabytes << " MB: " << ended.told();
     }
+}
+
+/// Four samples a pixel, and an observer's picture beside the camera's: no other view takes more.
+TEST_F(Limits, TheLargestPictureTakesNoMoreThanAGigabyte) {
+    const Ended ended =
+        expect(0, {"snapshot", "--view", "observer", "--samples", "4", "--size", "4096x4096", "-o", "a.png"});
+    if (!viewing::is_sanitized) {
+        EXPECT_LT(ended.peak_bytes, 1'000'000'000);
+    }
+    EXPECT_GT(ended.peak_bytes, 4 * 4096 * 4096) << "that is the picture alone";
 }
 
 }  // namespace

@@ -56,10 +56,12 @@ std::map<std::string, std::string> environment_for(const Surroundings& surroundi
     ::_exit(127);
 }
 
-int wait_for(pid_t child, const Surroundings& surroundings) {
+/// Status and memory of the child when it has ended.
+Ended wait_for(pid_t child, const Surroundings& surroundings) {
     const Clock::time_point latest = Clock::now() + longest_run;
     int state = 0, signal = surroundings.signal;
-    while (::waitpid(child, &state, WNOHANG) == 0) {
+    rusage usage{};
+    while (::wait4(child, &state, WNOHANG, &usage) == 0) {
         if (signal != 0 && surroundings.signal_when()) ::kill(child, std::exchange(signal, 0));
         if (Clock::now() > latest) {
             ::kill(child, SIGKILL);
@@ -69,7 +71,8 @@ int wait_for(pid_t child, const Surroundings& surroundings) {
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    return WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state);
+    return {.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state),
+            .peak_bytes = std::int64_t{usage.ru_maxrss} * 1024};
 }
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
@@ -124,8 +127,7 @@ Ended Program::run(const std::vector<std::string>& arguments, const Surroundings
         become(program, const_cast<char**>(argument_pointers.data()), const_cast<char**>(variable_pointers.data()),
                where.c_str(), in, out, err, surroundings.limits);
 
-    Ended result;
-    result.status = wait_for(child, surroundings);
+    Ended result = wait_for(child, surroundings);
     for (const int descriptor : {in, out, err, open_pipe[1]})
         if (descriptor >= 0) ::close(descriptor);
     result.out = contents(captured / "out");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -28,10 +29,11 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 /// A mesh file.
 inline constexpr const char* tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// How a run ended: exit status (128 + signal when killed), standard output, standard error.
+/// How a run ended: exit status (128 + signal when killed), standard output, standard error, the most memory that it had.
 struct Ended {
     int status = -1;
     std::string out, err;
+    std::int64_t peak_bytes = 0;
 
     /// What went wrong, for a failed expectation.
     std::string told() const { return "exit " + std::to_string(status) + "\nout: " + out + "\nerr: " + err; }

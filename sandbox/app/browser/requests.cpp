@@ -11,6 +11,7 @@
 #include "app/browser/open_page.h"
 #include "app/picture.h"
 #include "gl/gl.h"
+#include "image/image_size.h"
 #include "image/png.h"
 #include "measure/camera_picture.h"
 #include "platform/file.h"
@@ -51,9 +52,6 @@ std::optional<PictureView> asked_view(std::string_view name) {
     return at != asked_views.end() ? std::optional(*at) : std::nullopt;
 }
 
-/// Pixels of a picture that is asked for: drawn with four samples it has half a gigabyte, as much as a browser gives.
-constexpr std::int32_t most_asked_pixels = 16'777'216;
-
 /// The longest side that this driver draws.
 int longest_side() {
     int longest = largest_image_side;
@@ -69,9 +67,9 @@ int longest_side() {
 std::string size_trouble(glm::dvec2 size_px) {
     const int longest = longest_side();
     const bool fits = size_px.x >= 1.0 && size_px.y >= 1.0 && size_px.x <= longest && size_px.y <= longest;
-    if (fits && size_px.x * size_px.y <= double{most_asked_pixels}) return "";
+    if (fits && size_px.x * size_px.y <= double{most_drawn_pixels}) return "";
     return "picture: size must be two sides from 1 to " + std::to_string(longest) + " pixels and at most " +
-           grouped_number(most_asked_pixels) + " pixels in all, got " + shortest_number(size_px.x) + " and " +
+           grouped_number(most_drawn_pixels) + " pixels in all, got " + shortest_number(size_px.x) + " and " +
            shortest_number(size_px.y);
 }
 

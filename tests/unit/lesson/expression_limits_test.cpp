@@ -224,8 +224,9 @@ TEST(ExpressionLimits, EveryRandomValueEndsWithinThemOrWithOneSentence) {
     }
     EXPECT_GT(failed, 120) << "most of them are hostile";
     EXPECT_GT(known, 80) << "and many have a value that is known";
-    if (!is_sanitized)  // which keeps what is freed for a while, and puts zones around it
+    if (!is_sanitized) {  // a sanitizer keeps freed memory for a while, and puts zones around it
         EXPECT_LT(peak_megabytes() - before_mb, 200) << "each may have 1 MB in Lua and as much outside";
+    }
 }
 
 TEST(ExpressionLimits, WhatIsCopiedOutIsCountedOnceForEachPlaceWhereItStands) {
