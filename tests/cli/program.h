@@ -29,7 +29,7 @@ inline std::vector<std::string> lines_of(const std::string& text) {
 /// A mesh file.
 inline constexpr const char* tetrahedron = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-/// How a run ended: exit status (128 + signal when killed), standard output, standard error, the most memory that it had.
+/// How a run ended: exit status (128 + signal when killed), standard output, standard error, its memory at most.
 struct Ended {
     int status = -1;
     std::string out, err;
