@@ -94,7 +94,8 @@ ExitStatus dispatch(const Arguments& arguments) {
 }
 
 int end(ExitStatus status, const char* sentence) {
-    std::fprintf(stderr, "%s\n", printable(sentence).c_str());
+    constexpr std::size_t longest_sentence = 2'000;
+    std::fprintf(stderr, "%s\n", without_middle(printable(sentence), longest_sentence).c_str());
     return static_cast<int>(status);
 }
 

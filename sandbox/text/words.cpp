@@ -38,6 +38,14 @@ bool is_deceptive(char32_t c) {
            (c & 0xfffeU) == 0xfffeU;
 }
 
+/// At or before this place.
+std::size_t begin_of_character(std::string_view text, std::size_t at) {
+    while (at > 0 && at < text.size() && continues_character(text[at])) {
+        --at;
+    }
+    return at;
+}
+
 }  // namespace
 
 std::size_t character_count(std::string_view text) {
@@ -86,11 +94,15 @@ std::string excerpt(std::string_view text) {
     return printable(text.substr(0, end)) + (end < text.size() ? "…" : "");
 }
 
+std::string without_middle(std::string_view text, std::size_t most_bytes) {
+    if (text.size() <= most_bytes) return std::string(text);
+    const std::size_t begin = begin_of_character(text, most_bytes / 2),
+                      end = begin_of_character(text, text.size() - most_bytes / 2);
+    return std::string(text.substr(0, begin)) + " … " + std::string(text.substr(end));
+}
+
 std::string one_line(std::string_view text) {
-    std::size_t length = std::min<std::size_t>(text.size(), 200);
-    while (length < text.size() && length > 0 && continues_character(text[length])) {
-        --length;
-    }
+    const std::size_t length = begin_of_character(text, std::min<std::size_t>(text.size(), 200));
     return printable(text.substr(0, length)) + (length < text.size() ? "…" : "");
 }
 

@@ -31,6 +31,9 @@ std::string printable(std::string_view text);
 /// A text of the person's own, fit for a message: printable, and cut between two characters beyond 200 bytes.
 std::string one_line(std::string_view text);
 
+/// A message with a name of thousands of bytes: beyond `most_bytes` its beginning and its end, where the reason is.
+std::string without_middle(std::string_view text, std::size_t most_bytes);
+
 bool is_utf8(std::string_view text);
 
 /// A word of a file, fit for a message: printable, and not more than 20 characters of it.

@@ -101,6 +101,13 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
+TEST_F(Usage, AVeryLongNameLeavesRoomForTheReason) {
+    const Ended ended = expect(2, {"state", std::string(50'000, '[') + "/x.json"});
+    EXPECT_LT(ended.err.size(), 2'100U);
+    EXPECT_TRUE(has(ended.err, "[[[ … [[[")) << ended.told();
+    EXPECT_TRUE(has(ended.err, "x.json: ")) << ended.told();
+}
+
 TEST_F(Usage, MeasureSaysWhatItTakes) {
     refused({"measure"}, {"--what is missing", "visibility, growth, fighting"});
     refused({"measure", "--what", "fighting", "--max", "10"}, {"--max needs --what growth"});

@@ -27,6 +27,12 @@ TEST(Words, InAMessageAreCutBetweenCharacters) {
     EXPECT_EQ(line, "x" + std::string(198, 'y') + "…");
 }
 
+TEST(Words, OfALongMessageKeepBeginningAndEnd) {
+    EXPECT_EQ(without_middle("a/b.png: no such folder", 23), "a/b.png: no such folder");
+    EXPECT_EQ(without_middle("[[[[[[[[: no folder", 10), "[[[[[ … older");
+    EXPECT_EQ(without_middle("그림자그림자", 10), "그 … 림자") << "between characters, of three bytes each";
+}
+
 TEST(Words, InAMessageShowWhatWouldHideOrTurnText) {
     EXPECT_EQ(printable("é 그 🙂 a"), "é 그 🙂 a");
     EXPECT_EQ(printable("a\nb\x1b[31m\x7f"), "a\\u000ab\\u001b[31m\\u007f");
