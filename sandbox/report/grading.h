@@ -75,7 +75,7 @@ std::vector<std::size_t> order_of_judging(const std::vector<const Attempt*>& ans
 
 /// What one file may cost: 1 for each different answer, more for one that pictures are measured for. The last and the
 /// first answer of each exercise are judged beyond it.
-inline constexpr int budget_of_file = 2048, cost_of_measured = 64;
+inline constexpr int budget_of_file = 2048, cost_of_measured = 100;
 
 class Grader {
 public:
