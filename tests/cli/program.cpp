@@ -72,6 +72,8 @@ Ended wait_for(pid_t child, const Surroundings& surroundings) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return {.status = WIFEXITED(state) ? WEXITSTATUS(state) : 128 + WTERMSIG(state),
+            .out = {},
+            .err = {},
             .peak_bytes = std::int64_t{usage.ru_maxrss} * 1024};
 }
 
