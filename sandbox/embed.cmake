@@ -108,12 +108,17 @@ namespace viewing {
     target_include_directories(${target} PUBLIC ${folder})
 endfunction()
 
-# find_font(RESULT FILE FOLDER PACKAGE): the path of a font as Debian's PACKAGE installs it, else an error that names it.
-function(find_font result file folder package)
-    find_file(VIEWING_FONT_${file} ${file} PATHS /usr/share/fonts /usr/local/share/fonts PATH_SUFFIXES ${folder} NO_CMAKE_FIND_ROOT_PATH)
+# find_font(RESULT FILE PACKAGE): the path of a font, in whatever folder of the system's fonts, else an error that names Debian's
+# PACKAGE of it.
+function(find_font result file package)
+    file(GLOB_RECURSE fonts /usr/share/fonts/${file} /usr/local/share/fonts/${file})
+    list(APPEND fonts NOTFOUND)
+    list(GET fonts 0 font)
+    set(VIEWING_FONT_${file} "${font}" CACHE FILEPATH "The font ${file}")
     mark_as_advanced(VIEWING_FONT_${file})
     if(NOT VIEWING_FONT_${file})
-        message(FATAL_ERROR "The font ${file} is missing: install Debian's package ${package} (apt-get install ${package}), "
+        unset(VIEWING_FONT_${file} CACHE)  # looked for again at the next try
+        message(FATAL_ERROR "The font ${file} is missing: install it (Debian's package ${package}), "
                             "or pass -DVIEWING_FONT_${file}=/path/to/${file}")
     endif()
     set(${result} ${VIEWING_FONT_${file}} PARENT_SCOPE)
@@ -126,12 +131,12 @@ function(embed_shaders)
 endfunction()
 
 function(embed_fonts)
-    find_font(regular Inter-Regular.otf opentype/inter fonts-inter)
-    find_font(semibold Inter-SemiBold.otf opentype/inter fonts-inter)
-    find_font(mono JetBrainsMono-Regular.ttf truetype/jetbrains-mono fonts-jetbrains-mono)
-    find_font(signs DejaVuSans.ttf truetype/dejavu fonts-dejavu-core)
-    find_font(korean NanumBarunGothic.ttf truetype/nanum fonts-nanum)
-    find_font(korean_bold NanumBarunGothicBold.ttf truetype/nanum fonts-nanum)
+    find_font(regular Inter-Regular.otf fonts-inter)
+    find_font(semibold Inter-SemiBold.otf fonts-inter)
+    find_font(mono JetBrainsMono-Regular.ttf fonts-jetbrains-mono)
+    find_font(signs DejaVuSans.ttf fonts-dejavu-core)
+    find_font(korean NanumBarunGothic.ttf fonts-nanum)
+    find_font(korean_bold NanumBarunGothicBold.ttf fonts-nanum)
     set(fonts ${regular} ${semibold} ${mono} ${signs} ${korean} ${korean_bold})
     if(EMSCRIPTEN)
         smaller_fonts(fonts ${fonts})
