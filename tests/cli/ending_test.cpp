@@ -93,15 +93,17 @@ TEST_F(Ending, OfASuiteLeavesItsReportWithTheRestAsNotDrawn) {
 }
 
 TEST_F(Ending, OfASuiteByItsTimeoutLeavesItsReport) {
-    write("suite.json", R"({"suite": 1, "entries": [{"name": "small"},
-        {"name": "large", "size": [7000, 7000], "samples": 4}, {"name": "after"}]})");
+    std::string large;  // a second or more each
+    for (const char* const name : {"a", "b", "c", "d", "e", "f"})
+        large += R"({"name": ")" + std::string(name) + R"(", "size": [4096, 4096], "samples": 4}, )";
+    write("suite.json", R"({"suite": 1, "entries": [{"name": "small"}, )" + large + R"({"name": "after"}]})");
     const Ended ended = expect(8, {"suite", "run", "suite.json", "--timeout", "3"});
     EXPECT_TRUE(has(ended.err, "--timeout")) << ended.err;
     expect_nothing_unfinished();
     expect_nobody_left();
-    EXPECT_EQ(report()["entries"].size(), 3U);
-    EXPECT_EQ(report()["entries"][2]["outcome"], "not drawn");
-    EXPECT_TRUE(has(report()["entries"][2]["reasons"][0], "--timeout"));
+    EXPECT_EQ(report()["entries"].size(), 8U);
+    EXPECT_EQ(report()["entries"][7]["outcome"], "not drawn");
+    EXPECT_TRUE(has(report()["entries"][7]["reasons"][0], "--timeout"));
 }
 
 /// What an early end has not drawn keeps its key.
