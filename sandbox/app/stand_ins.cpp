@@ -11,12 +11,6 @@ namespace {
 
 constexpr std::size_t large = 150'000, most_of_stand_in = 30'000;  // triangles
 
-std::size_t triangles_of(const Scene& scene) {
-    std::size_t count = 0;
-    for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
-    return count;
-}
-
 bool is_large(const SceneObject& object) {
     return object.mesh->triangle_count() > large;
 }
@@ -39,7 +33,7 @@ void StandIns::follow(const Scene& scene, int version) {
     if (auto made = task_.take(); made && *made) {
         scene_ = **std::move(made);
         sentence_ = say("coarser while it moves: {drawn} of {all} triangles",
-                        "drawn"_a = grouped_number(static_cast<std::int64_t>(triangles_of(*scene_))),
+                        "drawn"_a = grouped_number(static_cast<std::int64_t>(scene_->triangle_count())),
                         "all"_a = grouped_number(static_cast<std::int64_t>(triangles_)));
     }
     if (version == version_) return;
@@ -48,7 +42,7 @@ void StandIns::follow(const Scene& scene, int version) {
     scene_.reset();
     was_slow_ = false;
     if (std::none_of(scene.objects.begin(), scene.objects.end(), is_large)) return;
-    triangles_ = triangles_of(scene);
+    triangles_ = scene.triangle_count();
     task_.start([scene](WorkProgress&) -> Result<Scene> { return with_stand_ins(scene); });
 }
 

@@ -12,7 +12,7 @@ namespace viewing {
 /// Keeps everybody else who has such a lock on the folder waiting while it lives: other processes and other threads. A
 /// folder that is missing is made. Where the folder cannot be locked, or a stopped process has held the lock for ten
 /// seconds, the work goes on without: to write without a lock loses less than not to write. In a browser nothing is
-/// locked here: the page locks around the call.
+/// locked: the page merges what another tab has written since (kept.js).
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);

@@ -22,6 +22,7 @@ public:
 
     static constexpr glm::ivec2 size_px{1280, 720};            ///< of what is measured
     static constexpr glm::ivec2 visibility_size_px{640, 360};  ///< of visibility_counts()
+    static constexpr int most_counted_polygons = 20'000;       ///< of a scene in visibility_counts(): about a second
     static constexpr std::size_t most_measured = 64;           ///< different ones, each of which may take a second
 
 private:

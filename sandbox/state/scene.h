@@ -1,6 +1,7 @@
 // A scene as the rest of the program sees it: its description with the meshes made or loaded.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,6 +31,8 @@ struct Scene {
     std::vector<std::string> notes = {};           ///< of its mesh files, with the places that errors name
 
     const SceneObject* find(std::string_view name) const;
+    /// Of all its objects.
+    std::uint64_t triangle_count() const;
 };
 
 /// Where presets and scenes live: $VIEWING_SANDBOX_ASSETS, else `assets` beside the program, else

@@ -59,6 +59,20 @@ TEST_F(LessonCommand, AnExpressionOfSomebodyElseEndsHoweverItIsHidden) {
     }
 }
 
+/// One call costs what its scene costs, whatever the expression does otherwise.
+TEST_F(LessonCommand, WhatIsMeasuredOfALargeSceneIsRefusedBeforeItIsBegun) {
+    std::string spheres;
+    for (int i = 0; i < 200; ++i)
+        spheres += std::string(i == 0 ? "" : ", ") + R"({"name": "s)" + std::to_string(i) + R"(", "shape": "sphere"})";
+    std::string text = lesson_with("visibility_counts() ~= 1");
+    const std::string set = R"("projection.near": 2)";
+    text.replace(text.find(set), set.size(), R"("scene": {"objects": [)" + spheres + "]}");
+    write("mine.json", text);
+    const Ended ended = expect(1, {"lesson", "--check", "mine.json"}, {.limits = {{RLIMIT_CPU, 10}}});
+    EXPECT_TRUE(has(ended.out, "visibility_counts() takes scenes of at most 20,000 polygons, this one has "))
+        << ended.told();
+}
+
 TEST_F(LessonCommand, AStepIsAPictureBeforeAndAfterItsAnswer) {
     write("mine.json", lesson_with("true"));
     const auto draw = [&](const std::string& file, std::vector<std::string> more) {

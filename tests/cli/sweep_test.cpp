@@ -76,7 +76,8 @@ TEST_F(Sweep, MakesASheet) {
 }
 
 TEST_F(Sweep, MakesFilmsWhereThereIsFfmpeg) {
-    if (std::system("command -v ffmpeg ffprobe >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+    if (std::system("command -v ffmpeg ffprobe >/dev/null") != 0)
+        GTEST_SKIP() << "no ffmpeg: Debian's package of that name has it";
     for (const std::string film : {"a.mp4", "a.gif", "a.webp"}) {
         expect(0, small({"--vary", "camera.yaw=0:30:7", "--fps", "10", "-o", film}));
         EXPECT_GT(read(film).size(), 500U) << film;

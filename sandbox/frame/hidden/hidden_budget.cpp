@@ -5,8 +5,7 @@
 namespace viewing {
 
 Status check_hidden_budget(const Scene& scene, bool builds_tree) {
-    std::uint64_t count = 0;
-    for (const SceneObject& object : scene.objects) count += object.mesh->triangle_count();
+    const std::uint64_t count = scene.triangle_count();
     const std::uint64_t most = builds_tree ? most_bsp_polygons : most_hidden_polygons;
     if (count <= most) return std::monostate{};
     return Error{builds_tree ? say("The scene has {count} polygons, and a BSP tree is built of at most {most}: leave "

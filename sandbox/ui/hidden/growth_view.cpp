@@ -48,12 +48,6 @@ const std::vector<GrowthRow>& shown_rows(const GrowthViewState& state) {
     return state.rows[static_cast<std::size_t>(state.scene)];
 }
 
-int triangle_count(const Scene& scene) {
-    std::size_t count = 0;
-    for (const SceneObject& object : scene.objects) count += object.mesh ? object.mesh->triangle_count() : 0;
-    return static_cast<int>(std::min<std::size_t>(count, 1'000'000'000));
-}
-
 /// Everything is made on the worker's thread; the scene shares its meshes.
 void start(GrowthViewState& state, const Scene& scene) {
     state.log = std::make_shared<BackgroundLog<GrowthRow>>();
@@ -169,7 +163,7 @@ Rect draw_chart(const GrowthViewState& state, const Scene& scene, float height) 
     widgets::LogChart("chart", curves.get(),
                       {.x = {.title = marked("polygons"), .min = is_own ? 0.0 : 10.0, .max = is_own ? 0.0 : 100'000.0},
                        .y = {.title = state.shows_operations ? marked("operations") : marked("time in ms")},
-                       .marker_x = static_cast<double>(triangle_count(scene)),
+                       .marker_x = static_cast<double>(scene.triangle_count()),
                        .marker_label = marked("this scene"),
                        .size = {width, height}});
     const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
