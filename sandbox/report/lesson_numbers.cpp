@@ -75,7 +75,7 @@ Result<Json> LessonNumbers::measured(const std::string& name, std::span<const do
     if (!arguments.empty()) return wants_arguments(name + "()");
     if (name == "fighting") return fighting_as_json(*renderer_, now_, scene_, size_px, true);
     if (name == "mirror_ways") return mirror_as_json(*renderer_, now_, scene_, size_px);
-    if (const std::uint64_t count = scene_.triangle_count(); count > most_counted_polygons)
+    if (const std::size_t count = scene_.triangle_count(); count > most_counted_polygons)
         return Error{"visibility_counts() takes scenes of at most " + grouped_number(most_counted_polygons) +
                      " polygons, this one has " + grouped_number(static_cast<std::int64_t>(count))};
     Result<Json> counts = visibility_as_json(*renderer_, now_, scene_, visibility_size_px);

@@ -121,8 +121,8 @@ const SceneObject* Scene::find(std::string_view name) const {
     return found == objects.end() ? nullptr : &*found;
 }
 
-std::uint64_t Scene::triangle_count() const {
-    std::uint64_t count = 0;
+std::size_t Scene::triangle_count() const {
+    std::size_t count = 0;
     for (const SceneObject& object : objects) count += object.mesh ? object.mesh->triangle_count() : 0;
     return count;
 }

@@ -1,7 +1,7 @@
 // A scene as the rest of the program sees it: its description with the meshes made or loaded.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -32,7 +32,7 @@ struct Scene {
 
     const SceneObject* find(std::string_view name) const;
     /// Of all its objects.
-    std::uint64_t triangle_count() const;
+    std::size_t triangle_count() const;
 };
 
 /// Where presets and scenes live: $VIEWING_SANDBOX_ASSETS, else `assets` beside the program, else
