@@ -136,24 +136,17 @@ const T& typed_last(const T& kept, const T& known, const T& now) {
     return now == T{} && kept != known ? kept : changed_or_kept(kept, known, now);
 }
 
-/// As often in `all` as `wanted`, at most.
-void thin_out(std::vector<Attempt>& all, const Attempt& attempt, std::ptrdiff_t wanted) {
-    for (auto more = std::count(all.begin(), all.end(), attempt) - wanted; more > 0; --more)
-        all.erase(std::find(all.begin(), all.end(), attempt));
-}
-
-/// What the window has dropped is dropped: an attempt that it replaced by its next one.
-std::vector<Attempt> merged_attempts(std::vector<Attempt> kept, const std::vector<Attempt>& known,
-                                     const std::vector<Attempt>& now) {
-    if (now == known) return kept;
+/// Each once, in the order of their times. A window may write without having seen what another wrote just before: an
+/// attempt that is not in `kept` is never taken as dropped.
+std::vector<Attempt> united(std::vector<Attempt> kept, const std::vector<Attempt>& now) {
     const auto count = [](const std::vector<Attempt>& attempts, const Attempt& attempt) {
         return std::count(attempts.begin(), attempts.end(), attempt);
     };
-    for (const Attempt& attempt : known)
-        if (const auto left = count(now, attempt); left < count(known, attempt)) thin_out(kept, attempt, left);
     for (const Attempt& attempt : now)
         if (count(kept, attempt) < count(now, attempt)) kept.push_back(attempt);
     std::stable_sort(kept.begin(), kept.end(), [](const Attempt& a, const Attempt& b) { return a.at < b.at; });
+    for (std::size_t i = 1; i < kept.size(); ++i)
+        if (replaces(kept[i], kept[i - 1])) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(--i));
     if (kept.size() > most_attempts) kept.erase(kept.begin(), kept.end() - most_attempts);
     return kept;
 }
@@ -161,7 +154,7 @@ std::vector<Attempt> merged_attempts(std::vector<Attempt> kept, const std::vecto
 /// An exercise as two windows have it. Answers to other numbers than the window's are given up where it goes on.
 HandInItem merged_item(HandInItem kept, const HandInItem& known, const HandInItem& now) {
     if (kept.variant != now.variant) return changed_or_kept(kept, known, now);
-    kept.attempts = merged_attempts(std::move(kept.attempts), known.attempts, now.attempts);
+    kept.attempts = united(std::move(kept.attempts), now.attempts);
     // Where both went on, the longer way is kept.
     if (kept.replay == known.replay || (now.replay != known.replay && now.replay.size() >= kept.replay.size()))
         kept.replay = now.replay;
@@ -180,6 +173,10 @@ HandInItem* HandIn::find(const std::string& exercise) {
 
 const HandInItem* HandIn::find(const std::string& exercise) const {
     return const_cast<HandIn*>(this)->find(exercise);
+}
+
+bool replaces(const Attempt& attempt, const Attempt& before) {
+    return attempt.is_goal && before.is_goal && attempt.told != "right" && attempt.told == before.told;
 }
 
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source) {

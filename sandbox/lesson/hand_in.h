@@ -53,6 +53,9 @@ inline constexpr std::size_t most_replay_steps = 200, most_attempts = 1000;
 Result<HandIn> parse_hand_in(std::string_view json, const std::string& source);
 Result<HandIn> load_hand_in(const std::filesystem::path& file);
 
+/// A goal is watched: the same mistake twice, on the way to it, is one attempt, the latter.
+bool replaces(const Attempt& attempt, const Attempt& before);
+
 std::string hand_in_as_text(const HandIn& hand_in);
 
 /// An attempt's answer as judge() takes it; none where it cannot be one to this question: places beyond the list.

@@ -356,10 +356,7 @@ void ExerciseDesk::record(const LessonRun& run, const Verdict& verdict, const Pa
     } else {
         attempt.answer = answer_numbers(run.answer());
     }
-    // A goal is watched: the same mistake on the way is one attempt.
-    const bool is_same_mistake = attempt.is_goal && !verdict.right && !item.attempts.empty() &&
-                                 item.attempts.back().is_goal && item.attempts.back().told == attempt.told;
-    if (is_same_mistake) item.attempts.pop_back();
+    if (!item.attempts.empty() && replaces(attempt, item.attempts.back())) item.attempts.pop_back();
     add(item, std::move(attempt));
     item.draft.reset();
 }

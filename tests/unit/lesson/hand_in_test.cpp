@@ -212,14 +212,33 @@ TEST(MergedHandIn, KeepsWhateverEitherWindowDid) {
     }
 }
 
-TEST(MergedHandIn, AnAttemptThatItsWindowReplacedIsGone) {
+TEST(MergedHandIn, TheSameMistakeOnTheWayToAGoalIsOneAttemptThoughTwoWindowsWatch) {
+    const auto mistake = [](const std::string& at, const std::string& tag) {
+        Attempt attempt;
+        attempt.at = at;
+        attempt.is_goal = true;
+        attempt.told = tag;
+        return attempt;
+    };
     HandIn known;
-    known.items = {{"E18", 0, {attempt_of("1", 1), attempt_of("2", 2)}, {}, {}, {}}};
+    known.items = {{"E18", 0, {mistake("1", "too-near"), mistake("2", "")}, {}, {}, {}}};
     HandIn now = known, kept = known;
-    now.items.front().attempts.back() = attempt_of("3", 2);
-    kept.items.front().attempts.push_back(attempt_of("4", 4));
-    const std::vector<Attempt> wanted{attempt_of("1", 1), attempt_of("3", 2), attempt_of("4", 4)};
+    now.items.front().attempts.back() = mistake("3", "");
+    kept.items.front().attempts.push_back(mistake("4", "right"));
+    kept.items.front().attempts.push_back(mistake("5", "right"));
+    const std::vector<Attempt> wanted{mistake("1", "too-near"), mistake("3", ""), mistake("4", "right"),
+                                      mistake("5", "right")};
     EXPECT_EQ(merged(kept, known, now).items.front().attempts, wanted);
+    EXPECT_EQ(merged(now, kept, kept).items.front().attempts, wanted);
+}
+
+/// Where writes of two tabs cross, what this window has written is overwritten by what does not have it.
+TEST(MergedHandIn, AnAttemptThatWasOverwrittenComesBack) {
+    HandIn own, other;
+    own.items = {{"E01", 0, {attempt_of("1", 1), attempt_of("2", 2)}, {}, {}, {}}};
+    other.items = {{"E01", 0, {attempt_of("1", 1), attempt_of("2", 5)}, {}, {}, {}}};
+    const std::vector<Attempt> both{attempt_of("1", 1), attempt_of("2", 5), attempt_of("2", 2)};
+    EXPECT_EQ(merged(other, own, own).items.front().attempts, both);
 }
 
 TEST(MergedHandIn, WhatIsTypedElsewhereOutlivesACheckHere) {

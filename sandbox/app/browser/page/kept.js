@@ -15,6 +15,24 @@ const kept = (() => {
     seen.set(path, text);
   };
 
+  const read = (path) => {
+    try {
+      return localStorage.getItem(net.kept + path);
+    } catch {
+      return null;  // no storage is allowed here
+    }
+  };
+
+  const unmerged = [];  // [path, text] that other tabs have written
+  let is_open = false;
+
+  /// The program reads a text of another tab and adds what this tab has; where that is more, it writes.
+  const take = (path, text) => {
+    if (text === seen.get(path)) return;
+    put(path, text);
+    Module._page_read_again();
+  };
+
   /// The program's folder before it starts.
   const restore = () => {
     try {
@@ -78,20 +96,46 @@ const kept = (() => {
     });
   };
 
-  const store = (path, text) => {
+  const write = (path, text) => {
     try {
-      const there = localStorage.getItem(net.kept + path);
-      if (there !== null && there !== text && there !== seen.get(path)) hear(path, there);
       localStorage.setItem(net.kept + path, text);
       seen.set(path, text);
       net.unkept.delete(path);
     } catch (error) {
       is_full = error.name === 'QuotaExceededError' || error.name === 'NS_ERROR_DOM_QUOTA_REACHED';
-      net.unkept.set(path, text);
       if (isAnswers(path)) since ||= new Date().toLocaleTimeString([], {hour: '2-digit', minute: '2-digit', hour12: false});
       askBeforeItGoes();
     }
+  };
+
+  /// What another tab has written meanwhile is merged first: a tab that ends between two writes has overwritten nothing.
+  const flush = () => {
+    for (const [path, own] of [...net.unkept]) {
+      const other = read(path);
+      if (other !== null && other !== own && other !== seen.get(path)) {
+        if (net.hasEnded()) continue;  // nobody can merge: offered as a file instead
+        net.unkept.delete(path);
+        try {
+          take(path, other);
+        } finally {  // the program has nothing to add where it stops, or where these are answers of who has left this tab
+          if (!net.unkept.has(path)) net.unkept.set(path, own);
+        }
+      }
+      write(path, net.unkept.get(path));
+    }
     show();
+  };
+
+  /// One tab reads and writes at a time: under a lock, where the browser gives one within this time.
+  const lock_wait_ms = 1000;
+  const flushUnderLock = () => {
+    if (!navigator.locks) return flush();
+    navigator.locks.request(net.kept, {signal: AbortSignal.timeout(lock_wait_ms)}, flush).catch(flush);
+  };
+
+  const store = (path, text) => {
+    net.unkept.set(path, text);
+    flushUnderLock();
     if (!isAnswers(path) || has_asked) return;
     has_asked = true;
     navigator.storage?.persist?.().catch(() => {});  // else a browser may drop it when its disk is full
@@ -111,31 +155,29 @@ const kept = (() => {
 
   // ---- Other tabs
 
-  const unmerged = [];  // [path, text], in the order in which they were written
-  let is_merging = false;
-
-  /// A text that another tab has written.
-  const hear = (path, text) => {
-    unmerged.push([path, text]);
-    if (unmerged.length === 1) setTimeout(merge);
-  };
-
-  /// The program reads each and adds what this tab has; where that is more, it writes, and the other tabs hear of it.
+  /// Each text of another tab, in the order in which they were written.
   const merge = () => {
-    if (is_merging || net.hasEnded()) return;
-    is_merging = true;
-    while (unmerged.length) {
-      put(...unmerged.shift());
-      Module._page_read_again();
-    }
-    is_merging = false;
+    if (!is_open || net.hasEnded()) return;
+    while (unmerged.length) take(...unmerged.shift());
   };
 
   window.addEventListener('storage', ({key, newValue}) => {
     if (!key?.startsWith(net.kept + net.settings) || newValue === null) return;
-    const path = key.slice(net.kept.length);
-    if (newValue !== seen.get(path)) hear(path, newValue);
+    unmerged.push([key.slice(net.kept.length), newValue]);
+    if (unmerged.length === 1) setTimeout(merge);
   });
 
-  return {restore, keep, merge, beSilent: () => { is_silent = true; }};
+  /// The program has started: what other tabs wrote while it was loading is merged.
+  const start = () => {
+    is_open = true;
+    merge();
+  };
+
+  /// The page may not come back: what is not kept yet is written now, without the lock.
+  const leave = () => {
+    merge();
+    flush();
+  };
+
+  return {restore, keep, start, leave, beSilent: () => { is_silent = true; }};
 })();

@@ -37,7 +37,7 @@ const net = (() => {
   // What the browser keeps: names of files of the program, behind this.
   const kept = 'viewing-sandbox:', settings = '/home/web_user/.config/viewing-sandbox/';
   const answers_folder = settings + 'answers/';
-  const unkept = new Map();  // path: text, which the browser refused to keep
+  const unkept = new Map();  // path: text, which the browser has not kept yet, or refused to
 
   const isKorean = () => {
     if (is_open) return document.documentElement.lang === 'ko';

@@ -84,7 +84,7 @@ const page = (() => {
     const most_frames = 8;
     for (let i = 0; i < most_frames && Module._page_frame(canvas.width, canvas.height, scale()) === 0; ++i);
     Module._page_keep();
-    kept.merge();
+    kept.leave();
   };
 
   // ---- What the page shows of the program's state beside the picture
@@ -443,6 +443,7 @@ const page = (() => {
     if (net.hasEnded() || !Module._page_is_open()) return;
     is_open = true;
     net.opened();
+    kept.start();
     listenToPointer();
     listenToKeys();
     listenToFiles();
