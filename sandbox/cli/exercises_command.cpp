@@ -29,20 +29,16 @@ struct TypedExercises {
 
 // ---- the list ------------------------------------------------------------------------------------------------------
 
-std::string points_text(int points) {
-    return std::to_string(points) + (points == 1 ? " point" : " points");
-}
-
 std::string list_of(const std::vector<Exercise>& exercises) {
     std::string lines;
     int points = 0;
     for (const Exercise& exercise : exercises) {
         points += exercise.points;
         lines += exercise.id + " — " + exercise.title.in_english() + " (" + joined(exercise.sets) + "; slides " +
-                 joined(exercise.slides) + "; " + points_text(exercise.points) + "; " +
-                 std::to_string(exercise.variants.size()) + " variants)\n";
+                 joined(exercise.slides) + "; " + counted(exercise.points, "point") + "; " +
+                 counted(std::ssize(exercise.variants), "variant") + ")\n";
     }
-    return lines + std::to_string(exercises.size()) + " exercises, " + points_text(points) + "\n";
+    return lines + counted(std::ssize(exercises), "exercise") + ", " + counted(points, "point") + "\n";
 }
 
 // ---- a student's sheet ---------------------------------------------------------------------------------------------
@@ -56,8 +52,8 @@ struct Question {
 
 std::string as_text(const Question& question) {
     const Ask& ask = question.step.ask;
-    std::string text =
-        question.item.exercise + " · " + question.item.title.shown() + " · " + points_text(question.item.points) + "\n";
+    std::string text = question.item.exercise + " · " + question.item.title.shown() + " · " +
+                       counted(question.item.points, "point") + "\n";
     text += wrapped(question.step.say.shown(), 2);
     text += wrapped(ask.question.shown(), 2);
     for (std::size_t i = 0; i < ask.choices.size(); ++i)
@@ -134,11 +130,11 @@ LessonFindings check_visible(const Exercise& exercise, const LessonStep& step, H
 ExitStatus test(const std::vector<Exercise>& exercises, const std::string& device) {
     Headless headless(device);
     std::string lines;
-    std::size_t variants = 0, failures = 0;
+    std::int64_t variants = 0, failures = 0;
     for (const Exercise& exercise : exercises) {
         std::string found;
         int wrong_answers = 0;
-        std::size_t failed = 0;
+        std::int64_t failed = 0;
         for (std::size_t variant = 0; variant < exercise.variants.size(); ++variant) {
             VariantCheck check = check_variant(exercise, variant, headless.renderer());
             if (exercise.visible_px > 0 && check.findings.empty())
@@ -149,15 +145,16 @@ ExitStatus test(const std::vector<Exercise>& exercises, const std::string& devic
             failed += check.findings.empty() ? 0 : 1;
         }
         lines += found + exercise.id + ": " + std::to_string(exercise.variants.size()) + " deployed, " +
-                 std::to_string(wrong_answers) + " wrong answers told apart, " + std::to_string(failed) +
-                 " variants fail\n";
-        variants += exercise.variants.size();
+                 counted(wrong_answers, "wrong answer") + " told apart, " +
+                 counted(failed, "variant fails", "variants fail") + "\n";
+        variants += std::ssize(exercise.variants);
         failures += failed;
     }
     print(lines);
     if (failures > 0)
-        throw Failure(ExitStatus::different, "exercises --test: " + std::to_string(failures) + " variants fail");
-    print(std::to_string(variants) + " variants: right accepted, wrong ones refused and told apart\n");
+        throw Failure(ExitStatus::different,
+                      "exercises --test: " + counted(failures, "variant fails", "variants fail"));
+    print(counted(variants, "variant") + ": right accepted, wrong ones refused and told apart\n");
     return ExitStatus::done;
 }
 

@@ -121,10 +121,15 @@ void end_by(const std::vector<StudentGrade>& grades, const std::string& skipped)
     if (std::any_of(grades.begin(), grades.end(), is_cut))
         throw Failure(ExitStatus::out_of_time, TimeLimit::sentence() + "; " + how_many(grades, is_cut) +
                                                    " not judged to the end, and marked" + behind);
-    std::string broken;
-    for (const StudentGrade& grade : grades)
-        if (!grade.error.empty()) broken += (broken.empty() ? "" : "; ") + grade.error;
-    if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken + behind);
+    const auto is_broken = [](const StudentGrade& grade) { return !grade.error.empty(); };
+    const auto first = std::find_if(grades.begin(), grades.end(), is_broken);
+    if (first != grades.end()) {
+        const auto more = std::count_if(std::next(first), grades.end(), is_broken);
+        throw Failure(ExitStatus::bad_input,
+                      first->error +
+                          (more > 0 ? "; " + std::to_string(more) + " more cannot be read, as the table says" : "") +
+                          behind);
+    }
     if (!std::all_of(grades.begin(), grades.end(), is_all_right))
         throw Failure(ExitStatus::different, "grade: " + how_many(grades, is_all_right) + " all right" + behind);
 }

@@ -29,7 +29,7 @@ std::string list_of_lessons() {
     std::string lines;
     for (const LessonFile& file : lessons()) {
         lines += file.id + " — " + file.title.in_english() + " (slides " + joined(file.slides) + "; " +
-                 std::to_string(file.minutes) + " min; " + std::to_string(file.steps) + " steps)\n";
+                 std::to_string(file.minutes) + " min; " + counted(file.steps, "step") + ")\n";
     }
     return lines;
 }
@@ -69,23 +69,23 @@ ExitStatus check(const TypedLesson& typed, const std::string& device) {
     if (!broken.empty()) throw Failure(ExitStatus::bad_input, broken);
     Headless headless(device);
     std::string findings;
-    std::size_t steps = 0;
+    std::int64_t steps = 0;
     for (const Lesson& lesson : read) {
         for (const LessonStep& step : lesson.steps) {
             for (const std::string& found : check_step(lesson, step, headless.renderer())) findings += found + "\n";
             for (const std::string& found : draw_step(lesson, step, headless)) findings += found + "\n";
             headless.require_no_errors();
         }
-        steps += lesson.steps.size();
+        steps += std::ssize(lesson.steps);
     }
     if (findings.empty()) {
-        print(std::to_string(read.size()) + " lessons, " + std::to_string(steps) +
-              " steps: claims hold, answers are judged right, all are drawn\n");
+        print(counted(std::ssize(read), "lesson") + ", " + counted(steps, "step") +
+              ": claims hold, answers are judged right, all are drawn\n");
         return ExitStatus::done;
     }
     print(findings);
     const auto count = std::count(findings.begin(), findings.end(), '\n');
-    throw Failure(ExitStatus::different, "lesson --check: " + std::to_string(count) + " things fail");
+    throw Failure(ExitStatus::different, "lesson --check: " + counted(count, "finding"));
 }
 
 /// Those that are no lessons of the program.

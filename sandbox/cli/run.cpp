@@ -42,7 +42,7 @@ std::string main_help() {
     text += "\n" +
             wrapped(
                 "Limits: a state or scene has 16 MiB, a mesh file 4 GiB, a scene 50 million triangles of which "
-                "the hidden-surface methods take 1 million and the BSP tree 500,000; a picture has 16 million pixels. "
+                "the hidden-surface methods take 400,000 and the BSP tree 100,000; a picture has 16 million pixels. "
                 "What is "
                 "beyond is refused before it is begun. A state names scenes and meshes in its own folder and among the "
                 "program's; others need --allow-outside, or a yes in the window.",
@@ -73,6 +73,14 @@ void refuse_misspelt_command(const std::string& word) {
     throw Failure(
         ExitStatus::bad_input,
         one_line(word) + ": neither a command, a file nor a preset; did you mean the command " + *meant + "?");
+}
+
+/// What is named here is named in results as well, and these are UTF-8.
+void refuse_what_is_not_utf8(const Arguments& arguments) {
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+        if (!is_utf8(arguments[i]))
+            throw Failure(ExitStatus::bad_input, "argument " + std::to_string(i + 1) + ": " + one_line(arguments[i]) +
+                                                     ": not UTF-8, as all results are; give a file another name");
 }
 
 ExitStatus dispatch(const Arguments& arguments) {
@@ -114,6 +122,7 @@ const Command* find_command(const std::string& name) {
 int run_command_line(const Arguments& arguments) {
     gl::keep_no_cache_without_a_home();
     try {
+        refuse_what_is_not_utf8(arguments);
         return static_cast<int>(dispatch(arguments));
     } catch (const Failure& failure) {
         return end(failure.status, failure.what());

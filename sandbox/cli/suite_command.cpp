@@ -187,7 +187,7 @@ Suite with_report_of(Suite suite, const Shard& shard) {
 /// How one suite's run ended.
 struct RunEnd {
     bool is_good = true;
-    std::size_t not_drawn = 0;
+    std::int64_t not_drawn = 0;
     int ended_by = 0;  ///< the signal, where it ended early
 };
 
@@ -230,7 +230,7 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
               " to no entry: " + one_line(joined(strays)) + "\n");
     const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
     print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
-    return {run.is_good(typed.accept_new), run.count(Outcome::not_drawn), gathered.ended_by};
+    return {run.is_good(typed.accept_new), static_cast<std::int64_t>(run.count(Outcome::not_drawn)), gathered.ended_by};
 }
 
 /// One suite after the other. A signal and the end of --timeout end it early, with reports of what was drawn; then the
@@ -245,8 +245,7 @@ ExitStatus run_all(const std::vector<Suite>& suites, const TypedSuite& typed, co
         }
     }
     if (all.ended_by == 0) return all.is_good ? ExitStatus::done : ExitStatus::different;
-    const std::string rest =
-        ": " + std::to_string(all.not_drawn) + (all.not_drawn == 1 ? " entry is not drawn" : " entries are not drawn");
+    const std::string rest = ": " + counted(all.not_drawn, "entry is not drawn", "entries are not drawn");
     if (const std::string out_of_time = TimeLimit::sentence(); is_timeout(all.ended_by))
         throw Failure(ExitStatus::out_of_time, out_of_time + rest);
     std::fputs(("ended by " + std::string(name_of_ending_signal(all.ended_by)) + rest + "\n").c_str(), stderr);

@@ -287,15 +287,18 @@ StudentGrade Grader::grade(HandIn hand_in, const std::string& file, const std::o
     for (std::size_t exercise = 0; exercise < exercises_.size(); ++exercise)
         grade.items.push_back(before_judging(exercise, grade.hand_in, of_course));
     judge_by_turns(grade);
+    std::string over_budget;
     for (ItemGrade& item : grade.items) {
         sum_up(item, grade.is_cut);
         grade.is_cut = grade.is_cut || (!item.trouble.empty() && item.trouble == why_over_);
         if (item.trouble.empty() && item.judged() < item.verdicts.size())
-            grade.notes.push_back(item.exercise + ": " + std::to_string(item.judged()) + " of " +
-                                  std::to_string(item.verdicts.size()) +
-                                  " answers judged, the last, the first, then the latest that the file calls right: "
-                                  "more than one file may cost");
+            over_budget += (over_budget.empty() ? "" : ", ") + item.exercise + ": " + std::to_string(item.judged()) +
+                           " of " + std::to_string(item.verdicts.size());
     }
+    if (!over_budget.empty())
+        grade.notes.push_back(over_budget +
+                              " answers judged, the last, the first, then the latest that the file calls right: more "
+                              "than one file may cost");
     for (const HandInItem& item : grade.hand_in.items)
         if (std::none_of(exercises_.begin(), exercises_.end(),
                          [&](const Exercise& exercise) { return exercise.id == item.exercise; }) &&

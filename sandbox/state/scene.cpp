@@ -129,6 +129,8 @@ std::size_t Scene::triangle_count() const {
 
 Result<Scene> load_scene(const SceneSource& source, const fs::path& base, const CoplanarParams& coplanar,
                          const SceneReading& reading) {
+    if (const auto* name = std::get_if<std::string>(&source); name && !is_utf8(*name))
+        return Error{one_line(*name) + ": the file's name is not UTF-8, as states are; give it another name"};
     Gate gate(reading);
     Result<Described> from = described(source, base, reading, gate);
     if (!from) {

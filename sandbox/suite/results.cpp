@@ -129,8 +129,7 @@ Result<RunResult> read_run(const fs::path& folder) {
 }
 
 std::string summary_of(const RunResult& run) {
-    std::string text = grouped_number(static_cast<std::int64_t>(run.entries.size())) +
-                       (run.entries.size() == 1 ? " entry:" : " entries:");
+    std::string text = counted(std::ssize(run.entries), "entry:", "entries:");
     const char* separator = " ";
     for (int i = 0; i < outcome_count; ++i) {
         const std::size_t count = run.count(static_cast<Outcome>(i));

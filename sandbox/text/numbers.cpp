@@ -203,6 +203,7 @@ std::string format_number(double value) {
     if (value == 0.0) {
         return std::signbit(value) ? "-0.0" : "0";
     }
+    if (std::isnan(value)) return "NaN";
     const auto digits = [value](std::chars_format format) {
         std::array<char, 64> buffer;
         return std::string(buffer.data(),

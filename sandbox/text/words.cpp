@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "text/numbers.h"
+
 namespace viewing {
 namespace {
 
@@ -104,6 +106,10 @@ std::string without_middle(std::string_view text, std::size_t most_bytes) {
 std::string one_line(std::string_view text) {
     const std::size_t length = begin_of_character(text, std::min<std::size_t>(text.size(), 200));
     return printable(text.substr(0, length)) + (length < text.size() ? "…" : "");
+}
+
+std::string counted(std::int64_t count, const std::string& one, const std::string& many) {
+    return grouped_number(count) + ' ' + (count == 1 ? one : many.empty() ? one + "s" : many);
 }
 
 std::string in_lines(const std::string& text, std::size_t width, const std::string& first, std::size_t indent) {

@@ -1,6 +1,7 @@
 // The small pieces that messages are made of, and the characters of UTF-8.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -51,6 +52,9 @@ std::string percent_encoded(char byte);
 
 /// At each `sign` that stands in no brackets and no quotes; one part at least.
 std::vector<std::string> split_outside_brackets(std::string_view text, char sign);
+
+/// "1 entry", "1,024 entries"; `many` is left out where it is `one` with an s. For what commands print, in English.
+std::string counted(std::int64_t count, const std::string& one, const std::string& many = "");
 
 /// "never, less, equal".
 std::string joined(std::span<const char* const> names);

@@ -176,7 +176,7 @@ TEST_F(ExercisesCommand, AWrongAnswerThatIsRightFailsTheTest) {
     EXPECT_TRUE(has(failed.err, "2 variants fail")) << failed.told();
     EXPECT_FALSE(has(failed.out, "2 wrong answers told apart")) << failed.told();
     write("mine.json", exercise_with("\"=80 * n\""));  // 40 where n is 0.5 alone
-    EXPECT_TRUE(has(expect(1, {"exercises", "mine.json", "--test"}).err, "1 variants fail"));
+    EXPECT_TRUE(has(expect(1, {"exercises", "mine.json", "--test"}).err, "1 variant fails"));
 }
 
 TEST_F(ExercisesCommand, SomeOfTheProgramsOwnPassTheirTest) {

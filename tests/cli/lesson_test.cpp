@@ -28,7 +28,7 @@ TEST_F(LessonCommand, ListsTheLecture) {
 
 TEST_F(LessonCommand, ACheckThatFailsNamesLessonStepAndValues) {
     write("mine.json", lesson_with("projection.near == 2"));
-    EXPECT_TRUE(has(expect(0, {"lesson", "--check", "mine.json"}).out, "1 lessons, 1 steps"));
+    EXPECT_TRUE(has(expect(0, {"lesson", "--check", "mine.json"}).out, "1 lesson, 1 step: "));
     write("mine.json", lesson_with("projection.near == 3"));
     const std::string found = expect(1, {"lesson", "--check", "mine.json"}).out;
     EXPECT_TRUE(has(found, "mine, step one: claims[0]: projection.near == 3 does not hold; it is 2.0 and 3.0"))

@@ -64,10 +64,10 @@ TEST_F(Outside, ScenesTooLargeForAMethodAreRefusedBeforeTheyAreSorted) {
         objects +=
             (i == 0 ? "" : ", ") + std::string(R"({"name": "t)") + std::to_string(i) + R"(", "shape": "teapot"})";
     write("own/teapots.json", R"({"scene": {"objects": [)" + objects + R"(]}, "visibility": {"method": "bsp"}})");
-    refused({"snapshot", "own/teapots.json", "-o", "a.png"}, {"polygons", "500000", "leave objects out"});
-    refused({"inspect", "own/teapots.json", "--pixel", "0,0"}, {"polygons", "500000"});
-    refused({"measure", "own/teapots.json", "--what", "visibility"}, {"polygons", "500000"});
-    refused({"snapshot", "own/teapots.json", "-o", "a.png", "--set", "visibility.method=painter"}, {"1000000"});
+    refused({"snapshot", "own/teapots.json", "-o", "a.png"}, {"polygons", "100,000", "leave objects out"});
+    refused({"inspect", "own/teapots.json", "--pixel", "0,0"}, {"polygons", "100,000"});
+    refused({"measure", "own/teapots.json", "--what", "visibility"}, {"polygons", "100,000"});
+    refused({"snapshot", "own/teapots.json", "-o", "a.png", "--set", "visibility.method=painter"}, {"400,000"});
 }
 
 }  // namespace

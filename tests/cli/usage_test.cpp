@@ -101,6 +101,16 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
     refused({"compare", "a.png", "b.png", "--share", "1.5"}, {"--share", "0 to 1"});
 }
 
+/// Results name what they came from, and are UTF-8: another name would be a false one.
+TEST_F(Usage, WhatIsNotUtf8IsRefusedByItsPlace) {
+    write("caf\xe9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    refused({"state", "caf\xe9.obj"}, {"argument 2: caf\\xe9.obj: not UTF-8"});
+    refused({"exercises", "--student", "32\xff", "--format", "json"}, {"argument 3: 32\\xff: not UTF-8"});
+    refused({"snapshot", "-o", "\xff.png"}, {"argument 3: \\xff.png: not UTF-8"});
+    write("caf\xc3\xa9.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    EXPECT_TRUE(has(expect(0, {"state", "caf\xc3\xa9.obj"}).out, "caf\xc3\xa9.obj"));
+}
+
 TEST_F(Usage, AVeryLongNameLeavesRoomForTheReason) {
     const Ended ended = expect(2, {"state", std::string(50'000, '[') + "/x.json"});
     EXPECT_LT(ended.err.size(), 2'100U);

@@ -7,6 +7,7 @@
 
 #include "exercise_desk.h"
 #include "readable.h"
+#include "unit/state/scratch_folder.h"
 
 namespace viewing::test {
 namespace {
@@ -198,6 +199,84 @@ TEST_F(ExercisesInTheWindow, AnotherNumberHasAnotherSheetAndTheFirstComesBack) {
     EXPECT_GT(variants.size(), 2U);
     desk.workbench.exercises.sit_down({"viewing-2026", "32201234", "Kim"});
     EXPECT_EQ(desk.workbench.exercises.entries()[15].variant, variant);
+}
+
+/// All that is drawn on the screen, its lines joined by blanks.
+std::string drawn(const Desk& desk) {
+    const widgets::Fonts& fonts = desk.workbench.widgets.fonts;
+    const Page page{fonts.text, fonts.heading, fonts.note, fonts.number, fonts.small_number, fonts.caption};
+    std::string text;
+    const ImDrawData& data = *ImGui::GetDrawData();
+    for (int i = 0; i < data.CmdListsCount; ++i)
+        for (const Line& line : lines_of(page.letters(*data.CmdLists[i]))) text += line.text + ' ';
+    return text;
+}
+
+class Practice : public testing::ScratchFolder {};
+
+/// Answers without a number, then the number: what was practised is said, taken over, and the way there and back.
+TEST_F(Practice, IsSaidAndTakenOverOnThePage) {
+    ExerciseSheetDesk desk({1600, 900}, Student{});
+    widgets::test::Harness& ui = desk.ui;
+    desk.workbench.exercises.keep_in(folder_, "test");
+    desk.workbench.exercises.sit_down(Student{});
+    const auto settle = [&] {
+        EXPECT_TRUE(desk.workbench.exercises.finish());
+        desk.make();
+        ui.frames(4);
+    };
+    const auto says = [&](const std::string& sentence) {
+        EXPECT_NE(drawn(desk).find(sentence), std::string::npos) << sentence << "\n" << drawn(desk);
+    };
+    const auto variant = [&] { return desk.workbench.exercises.entries()[15].variant; };
+    settle();
+    desk.click("top/Exercises");
+    settle();
+    says("Practice: student number and course are missing. Answers are kept on this computer and are not handed in.");
+    EXPECT_FALSE(ui.has("exercises/Take over"));
+    EXPECT_FALSE(ui.has("exercises/Practice")) << "it is practice";
+    const std::size_t practised = variant();
+    desk.click("exercises/card 16");
+    ui.frames(3);
+    desk.settle();
+    desk.run().answer() = *model_answer(desk.run().step().ask,
+                                        *numbers_of(desk.run().step().start, desk.run().step().start.params, nullptr));
+    desk.check();
+    settle();
+
+    desk.click("lesson strip/All exercises");
+    ui.frames(3);
+    Student student{"viewing-2026", "", ""};
+    for (int number = 1; number < 1000; ++number) {  // one with the same numbers in this exercise
+        student.number = std::to_string(number);
+        desk.workbench.exercises.sit_down(student);
+        if (variant() == practised) break;
+    }
+    desk.workbench.exercises.sit_down(Student{});
+    settle();
+    for (const auto& [field, text] :
+         {std::pair("exercises/Student number", student.number), std::pair("exercises/Course", student.course)}) {
+        ui.click(field);
+        ui.type(text.c_str());
+        ui.key(ImGuiKey_Tab);
+        settle();
+    }
+    says("One exercise was practised. One of them has your numbers: its answers can be taken over.");
+    EXPECT_EQ(desk.workbench.exercises.points(), 0);
+    desk.click("exercises/Take over");
+    settle();
+    EXPECT_EQ(desk.workbench.exercises.points(), 3);
+    EXPECT_FALSE(ui.has("exercises/Take over"));
+    says("One exercise was practised. The answers are kept under Practice.");
+
+    desk.click("exercises/Practice");
+    settle();
+    EXPECT_TRUE(desk.workbench.exercises.is_practice());
+    says("Practice: these numbers are not your own.");
+    desk.click("exercises/My own sheet");
+    settle();
+    EXPECT_FALSE(desk.workbench.exercises.is_practice());
+    says("One exercise was practised.");
 }
 
 }  // namespace

@@ -189,8 +189,8 @@ std::string tags_as_text(const std::vector<TagCount>& tags) {
     std::string text;
     for (const TagCount& tag : tags)
         text += tag.tag + " " + tag.text.in_english() + ": " + percent(share(tag.students, tag.students_of), 0) +
-                " of " + std::to_string(tag.students_of) + (tag.students_of == 1 ? " student, " : " students, ") +
-                percent(share(tag.at_last, tag.students_of), 0) + " at the last attempt\n";
+                " of " + counted(tag.students_of, "student") + ", " + percent(share(tag.at_last, tag.students_of), 0) +
+                " at the last attempt\n";
     return text;
 }
 
@@ -238,7 +238,7 @@ std::string grades_as_json(const std::vector<Exercise>& exercises, const std::ve
 
 std::string files_in_words(const std::vector<StudentGrade>& grades, const HandInFiles& files) {
     const FileCounts counts = counts_of(grades);
-    std::string text = std::to_string(counts.judged) + (counts.judged == 1 ? " file judged" : " files judged");
+    std::string text = counted(counts.judged, "file judged", "files judged");
     if (counts.cut > 0) text += ", " + std::to_string(counts.cut) + " not judged to the end";
     if (counts.not_read > 0) text += ", " + std::to_string(counts.not_read) + " not read";
     if (files.skipped.empty()) return text;

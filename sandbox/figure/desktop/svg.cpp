@@ -55,11 +55,20 @@ std::string path_of(const std::vector<Ring>& rings) {
     return path;
 }
 
-/// The font's name as style sheets know it, and what may stand for it where embedded fonts are not read.
-std::string family_of(const std::string& face) {
-    const std::string name = face.substr(0, face.rfind('.'));
-    const bool is_mono = face.starts_with("JetBrainsMono");
-    return "'" + name + "', " + (is_mono ? "'JetBrains Mono', monospace" : "Inter, sans-serif");
+/// The name that the embedded face has here, its weight, and what takes its place where embedded ones are not read.
+struct Css {
+    std::string name, families;
+    int weight = 400;
+};
+
+Css css_of(const std::string& face) {
+    Css css{face.substr(0, face.rfind('.')), "Inter, sans-serif"};
+    for (const auto& [begin, families] : {std::pair{"JetBrainsMono", "'JetBrains Mono', monospace"},
+                                          {"NanumBarunGothic", "NanumBarunGothic, sans-serif"},
+                                          {"DejaVuSans", "'DejaVu Sans', sans-serif"}})
+        if (css.name.starts_with(begin)) css.families = families;
+    if (css.name.ends_with("Bold")) css.weight = css.name.ends_with("SemiBold") ? 600 : 700;
+    return css;
 }
 
 class SvgWriter {
@@ -84,11 +93,12 @@ private:
         std::string text = "<style>\ntext { white-space: pre; font-variant-ligatures: none; font-kerning: none; }\n";
         int number = 0;
         for (const auto& [face, characters] : faces_) {
-            const std::string name = face.substr(0, face.rfind('.'));
-            text += "@font-face { font-family: '" + name + "'; src: url(data:font/" +
+            const Css css = css_of(face);
+            const std::string weight = "; font-weight: " + std::to_string(css.weight);
+            text += "@font-face { font-family: '" + css.name + "'" + weight + "; src: url(data:font/" +
                     (face.ends_with(".otf") ? "otf" : "ttf") + ";base64," +
                     base64(subset(embedded_font(face), characters)) + "); }\n.f" + std::to_string(number++) +
-                    " { font-family: " + family_of(face) + "; }\n";
+                    " { font-family: '" + css.name + "', " + css.families + weight + "; }\n";
         }
         return text + "</style>\n";
     }

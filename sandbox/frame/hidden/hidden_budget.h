@@ -8,8 +8,9 @@
 
 namespace viewing {
 
-/// A polygon costs a method a few hundred bytes, with its pieces in a BSP tree up to two thousand.
-inline constexpr std::uint64_t most_hidden_polygons = 1'000'000, most_bsp_polygons = 500'000;
+/// About ten seconds of one processor and a gigabyte, where all of them run through one another: with its pieces in a
+/// BSP tree a polygon takes up to seven thousand bytes.
+inline constexpr std::int64_t most_hidden_polygons = 400'000, most_bsp_polygons = 100'000;
 
 /// The sentence why the methods do not take a scene on, before anything is spent on it. `builds_tree`: one of them is
 /// the BSP tree.

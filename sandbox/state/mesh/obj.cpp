@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <limits>
+
+#include <fmt/format.h>
 
 #include "platform/file.h"
 #include "state/mesh/made_normals.h"
@@ -119,7 +120,13 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     const Bounds bounds = bounds_of_corners(*content);
     const glm::dvec3 center = bounds.center(), size = bounds.size();
     const double longest = std::max({size.x, size.y, size.z});
-    if (!(longest > std::numeric_limits<double>::min())) return refusal("has no face with an area");
+    if (!(longest > 0.0)) return refusal("has no face with an area");
+    // Below this a number has too few digits to tell corners apart; unscaled, once it is in single precision.
+    const double least = reading.fit ? 1e-300 : 1e-30;
+    if (longest < least)
+        return refusal(
+            fmt::format("is {:.3g} units across, and shapes are told apart from {:g} on: scale its coordinates up",
+                        longest, least));
     const double unit = reading.fit ? longest / 2.0 : 1.0;
     for (glm::dvec3& position : content->positions) position = (position - center) / unit;
     make_missing_normals(*content, reading.crease_deg);

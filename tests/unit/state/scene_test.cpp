@@ -178,6 +178,14 @@ TEST_F(SceneFiles, BadOnesAreRefusedByNameAndField) {
     EXPECT_NE(load_scene(folder_.string(), "").error().find("is a directory"), std::string::npos);
 }
 
+/// As where a file is dropped on the window.
+TEST_F(SceneFiles, OneWhoseNameNoStateCouldHoldIsRefused) {
+    const std::filesystem::path mesh = write("caf\xe9.obj", triangle_obj);
+    const Result<Scene> scene = load_scene(mesh.string(), "");
+    ASSERT_FALSE(scene);
+    EXPECT_NE(scene.error().find("caf\\xe9.obj: the file's name is not UTF-8"), std::string::npos) << scene.error();
+}
+
 TEST_F(SceneFiles, AMeshStandsOnTheFloor) {
     const std::filesystem::path file = write("t.obj", triangle_obj);
     const SceneDescription description = scene_of_mesh(file);

@@ -27,6 +27,12 @@ TEST(Words, InAMessageAreCutBetweenCharacters) {
     EXPECT_EQ(line, "x" + std::string(198, 'y') + "…");
 }
 
+TEST(Words, AreOneOrMany) {
+    EXPECT_EQ(counted(0, "step"), "0 steps");
+    EXPECT_EQ(counted(1, "step"), "1 step");
+    EXPECT_EQ(counted(1024, "entry", "entries"), "1,024 entries");
+}
+
 TEST(Words, OfALongMessageKeepBeginningAndEnd) {
     EXPECT_EQ(without_middle("a/b.png: no such folder", 23), "a/b.png: no such folder");
     EXPECT_EQ(without_middle("[[[[[[[[: no folder", 10), "[[[[[ … older");
