@@ -106,6 +106,8 @@ std::optional<double> number_of(std::string_view word) {
     if (!word.empty()) return std::nullopt;
     if (is_negative) digits_value = -digits_value;
     if (digits_value == 0.0) return digits_value;
+    constexpr int held = 300;  // powers of ten that are numbers
+    for (; power_of_ten < -held; power_of_ten += held) digits_value /= 1e300;
     return power_of_ten < 0 ? digits_value / std::pow(10.0, -power_of_ten)
                             : digits_value * std::pow(10.0, power_of_ten);
 }
