@@ -196,8 +196,11 @@ class Page:
     def travel(self, steps):
         """Back, negative, or forward."""
         self.driver.execute_async_script("""
-            const [steps, done] = arguments;
-            window.addEventListener('popstate', () => setTimeout(done), {once: true});
+            const [steps, done] = arguments, before = location.hash;
+            window.addEventListener('popstate', () => {  // where the page opens what the address names now, that comes later
+                if (location.hash === before) setTimeout(done);
+                else window.addEventListener('hashchange', () => setTimeout(done), {once: true});
+            }, {once: true});
             history.go(steps);""", steps)
         self.settle()
 

@@ -32,7 +32,7 @@ class Work(browser.Test):
         self.page.until("a slider's answer", lambda: self.page.field("projection.fovy") != before)
         turns = self.page.js("watched.turns")
         self.page.until("more of the work", lambda: self.page.js("watched.turns") > turns)
-        self.page.settle()
+        self.page.until("the end of the work", lambda: self.page.js("Module._page_rests()"))
         self.page.click("Save CSV")
         rows = list(csv.reader(self.page.downloaded("viewing-growth*.csv").read_text().splitlines()))
         self.assertGreater(len(rows), 10)

@@ -25,6 +25,8 @@ EM_JS(void, page_wake, (), { page.wake(); });
 EM_JS(void, page_copy, (const char* text), { page.copy(UTF8ToString(text)); });
 EM_JS(void, page_full_screen, (int wanted), { page.fullScreen(wanted); });
 EM_JS(void, page_prepare_gl, (), { page.prepareGl(GLctx); });
+// When what is handled now happened: a page that was busy hears of it later.
+EM_JS(double, page_event_ms, (), { return window.event ? window.event.timeStamp : performance.now(); });
 
 namespace viewing {
 namespace {
@@ -174,7 +176,8 @@ double page_now_s() {
 
 void push(InputEvent event) {
     page->any = true;
-    page->queue.push(std::move(event), {page_now_s(), page_now_s()});
+    const double happened_s = std::min(page_event_ms() / 1000.0, page_now_s());
+    page->queue.push(std::move(event), {happened_s, happened_s});
     page_wake();
 }
 
