@@ -38,10 +38,9 @@ void declare(Options& options, TypedMeasure& typed) {
         "visibility: what each hidden-surface method does with the scene from the camera; growth: what each "
         "costs on more and more polygons; fighting: where depth fights, counted and predicted; mirror: the "
         "mirror image in four ways, compared; order: who hides whom, and whether whole polygons have an order");
-    options.text(
-        "--size", "WxH", typed.size,
-        "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 16 million pixels; default "
-        "1280x720, for growth 320x240");
+    options.text("--size", "WxH", typed.size,
+                 "Width and height of the pictures in pixels, 1x1 to 16384x16384 and at most 4 million pixels; default "
+                 "1280x720, for growth 320x240");
     options.flag("--no-times", typed.no_times,
                  "Leave out what a clock says: the same numbers whenever they are measured, byte for byte");
     options.group("Of visibility, fighting and mirror");
@@ -84,7 +83,7 @@ GrowthRequest growth_request(const Options& options, const TypedMeasure& typed) 
         request.max_pairs = 100'000'000;
     }
     if (typed.size) {
-        const glm::ivec2 size_px = size_option(options, typed.size);
+        const glm::ivec2 size_px = size_option(options, typed.size, most_measured_pixels);
         request.width = size_px.x;
         request.height = size_px.y;
     }
@@ -145,7 +144,7 @@ ExitStatus run_measure(const Command& self, const Arguments& arguments) {
     if (!typed.what) options.refuse("--what is missing: one of visibility, growth, fighting, mirror, order");
     typed.what = quantities[choice_option(options, "--what", *typed.what, quantities)];
     refuse_strangers(options, typed);
-    const glm::ivec2 size_px = size_option(options, typed.size);
+    const glm::ivec2 size_px = size_option(options, typed.size, most_measured_pixels);
     const GrowthRequest growth = growth_request(options, typed);
     const bool as_csv = choice_option(options, "--format", typed.format.value_or("json"), measure_formats) == 1;
     const LoadedState state = state_arguments.load();

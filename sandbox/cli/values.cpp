@@ -37,11 +37,12 @@ std::string got(const std::string& text) {
 
 }  // namespace
 
-glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text) {
+glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text, int most_pixels) {
     if (!text) return default_size_px;
     const std::optional<glm::ivec2> size = parse_pair(*text, 'x');
     if (!size) options.refuse("--size: must be WIDTHxHEIGHT in pixels, such as 1280x720" + got(*text));
-    if (!is_image_size(size->x, size->y)) options.refuse("--size: " + image_size_rule() + got(*text));
+    if (!is_image_size(size->x, size->y, most_pixels))
+        options.refuse("--size: " + image_size_rule(most_pixels) + got(*text));
     return *size;
 }
 

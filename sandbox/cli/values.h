@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/options.h"
+#include "image/image_size.h"
 #include "state/person/language.h"
 
 namespace viewing {
@@ -14,8 +15,9 @@ namespace viewing {
 /// The size of a picture when --size is left out.
 inline constexpr glm::ivec2 default_size_px{1280, 720};
 
-/// "1280x720": sides 1 … 16384, at most 16 million pixels. Left out: the default.
-glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text);
+/// "1280x720": sides 1 … 16384, at most `most_pixels`. Left out: the default.
+glm::ivec2 size_option(const Options& options, const std::optional<std::string>& text,
+                       int most_pixels = most_drawn_pixels);
 
 /// "X,Y" inside a picture of that size.
 glm::ivec2 pixel_option(const Options& options, const std::optional<std::string>& text, glm::ivec2 size_px);

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 
+#include "image/image_size.h"
 #include "lesson/tree.h"
 #include "platform/file.h"
 #include "state/file/json.h"
@@ -314,6 +315,8 @@ bool tests_something(const SuiteEntry& entry) {
 void check_entry_of(const SuiteEntry& entry, const Where& where) {
     if (const Status fits = check_picture_size(entry.view, entry.size_px); !fits)
         where.refuse(excerpt(entry.name) + ": size: " + fits.error());
+    if (!entry.measures.empty() && !is_image_size(entry.size_px.x, entry.size_px.y, most_measured_pixels))
+        where.refuse(excerpt(entry.name) + ": size: to measure, " + image_size_rule(most_measured_pixels));
     if (!tests_something(entry))
         where.refuse(excerpt(entry.name) +
                      (entry.checks_picture

@@ -84,6 +84,7 @@ TEST_F(Usage, ValuesOutsideTheirRangeAreRefused) {
                              "99999999999x1", "", "10 x10"})
         refused({"snapshot", "--view", "camera", "-o", "x.png", "--size", size}, {"--size", "must be"});
     refused({"snapshot", "-o", "x.png", "--size", "319x240"}, {"--size", "320x240"});
+    refused({"measure", "--what", "visibility", "--size", "2049x2048"}, {"--size", "at most 4 million pixels"});
     refused({"snapshot", "-o", "x.png", "--samples", "2"}, {"--samples", "0 or 4"});
     refused({"snapshot", "-o", "x.png", "--repeat", "0"}, {"--repeat", "from 1"});
     refused({"snapshot", "-o", "x.png", "--timeout", "0"}, {"--timeout"});

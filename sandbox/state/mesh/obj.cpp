@@ -6,13 +6,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include <fmt/format.h>
-
 #include "platform/file.h"
 #include "state/mesh/made_normals.h"
 #include "state/mesh/obj_lines.h"
 #include "state/mesh/obj_vertices.h"
 #include "state/mesh/polygon.h"
+#include "text/numbers.h"
 
 namespace viewing {
 
@@ -124,9 +123,8 @@ Result<ObjMesh> read_obj(std::istream& stream, std::uint64_t size_bytes, const s
     // Below this a number has too few digits to tell corners apart; unscaled, once it is in single precision.
     const double least = reading.fit ? 1e-300 : 1e-30;
     if (longest < least)
-        return refusal(
-            fmt::format("is {:.3g} units across, and shapes are told apart from {:g} on: scale its coordinates up",
-                        longest, least));
+        return refusal("is " + figures(longest) + " units across, and shapes are told apart from " + figures(least) +
+                       " on: scale its coordinates up");
     const double unit = reading.fit ? longest / 2.0 : 1.0;
     for (glm::dvec3& position : content->positions) position = (position - center) / unit;
     make_missing_normals(*content, reading.crease_deg);

@@ -177,7 +177,7 @@ TEST_F(Obj, BrokenFilesAreRefusedInOneSentence) {
     EXPECT_EQ(refusal(std::string(square) + "f 1 1 1\n"), "has no face with an area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "has no face with an area");
     EXPECT_EQ(refusal("v 0 0 0\nv 1e-310 0 0\nv 0 1e-310 0\nf 1 2 3\n"),
-              "is 1e-310 units across, and shapes are told apart from 1e-300 on: scale its coordinates up");
+              "is 1·10⁻³¹⁰ units across, and shapes are told apart from 1·10⁻³⁰⁰ on: scale its coordinates up");
     EXPECT_NE(refusal(std::string("\x7f"
                                   "ELF\0\0\1\2",
                                   8))
