@@ -14,8 +14,9 @@ BEYOND = 8, 0.01  # levels, share: antialiased edges are another driver's
 
 OPEN = """
 const [fragment, done] = arguments;
+if (location.hash === fragment) return done();
+window.addEventListener('hashchange', () => setTimeout(done), {once: true});  // the page's own comes before
 location.hash = fragment;
-setTimeout(done, 300);
 """
 SETTLE = """
 const [done] = arguments;

@@ -26,6 +26,176 @@ class Input(browser.Test):
     # ---- mouse
 
     def test_a_slider_follows_the_mouse(self):
+        x, y = self.page.place("projection/fovy")
+        before = self.page.field("projection.fovy")
+        self.page.drag((x, y), (x + 40, y))
+        self.assertGreater(self.page.field("projection.fovy"), before + 5)
+
+    def test_a_click_switches(self):
+        self.page.click("depth/Depth test")
+        self.assertFalse(self.page.field("depth.test"))
+
+    def test_a_click_that_is_over_within_a_frame_counts(self):
+        """Pressed and let go before the page has drawn once."""
+        at = self.page.place("depth/Depth test")
+        self.page.mouse("mouseMoved", at)
+        self.page.settle()
+        self.page.js("""(() => {
+            const view = document.getElementById('view');
+            for (const kind of ['pointerdown', 'pointerup'])
+                view.dispatchEvent(new PointerEvent(kind, {pointerId: 1, clientX: arguments[0], clientY: arguments[1], button: 0}));
+        })()""", *at)
+        self.page.settle()
+        self.assertFalse(self.page.field("depth.test"))
+
+    def test_a_drag_in_the_view_looks_around(self):
+        before = self.page.field("camera.yaw")
+        self.page.drag(VIEW, (VIEW[0] + 80, VIEW[1] + 20))
+        self.assertNotAlmostEqual(self.page.field("camera.yaw"), before, delta=1)
+        self.assertEqual(self.page.field("camera.position"), native.state()["camera"]["position"])
+
+    def test_the_wheel_moves_the_camera_or_the_panel(self):
+        before = self.page.state()["camera"]
+        self.page.wheel(VIEW, 2)
+        after = self.page.state()["camera"]
+        self.assertNotEqual(after, before)
+        self.page.open()
+        above = self.page.place("projection/fovy")[1]
+        self.page.wheel((250, above), -2)  # beside the slider
+        self.assertLess(self.page.place("projection/fovy")[1], above)
+        self.assertEqual(self.page.state()["camera"], before)
+
+    def test_the_pointer_takes_the_shape_of_what_it_is_over(self):
+        shape = lambda: self.page.js("document.getElementById('view').style.cursor")
+        self.page.click("projection/fovy", count=2)
+        self.assertEqual(shape(), "text")
+        self.page.key("Escape")
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.settle()
+        self.assertNotEqual(shape(), "text")
+
+    # ---- keys
+
+    def test_w_flies_as_long_as_it_is_held(self):
+        before = self.page.state()["camera"]
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key_down("KeyW")
+        self.page.until("a flight", lambda: self.page.field("camera.position") != before["position"])
+        self.page.key_up("KeyW")
+        self.page.settle()
+        after = self.page.state()["camera"]
+        self.assertGreater(along(ahead(before), before["position"], after["position"]), 0)
+        self.assertEqual(self.page.state()["camera"], after, "it goes on after the key was let go")
+
+    def test_a_number_is_typed(self):
+        self.page.enter("projection/fovy", "55")
+        self.assertEqual(self.page.field("projection.fovy"), 55)
+        self.page.enter("camera/position/x", "-1.25")
+        self.assertEqual(self.page.field("camera.position")[0], -1.25)
+
+    def test_typing_w_does_not_fly(self):
+        before = self.page.state()
+        self.page.click("camera/position/x", count=2)
+        self.page.type("w")
+        self.page.key("Escape")
+        self.assertEqual(self.page.state(), before)
+
+    def test_undo_and_redo(self):
+        opening = self.page.state()
+        self.page.enter("camera/position/x", "2")
+        changed = self.page.state()
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key("KeyZ", browser.CTRL)
+        self.assertEqual(self.page.state(), opening)
+        self.page.key("KeyZ", browser.CTRL | browser.SHIFT)
+        self.assertEqual(self.page.state(), changed)
+
+    def test_a_key_that_was_held_when_the_page_lost_the_keyboard_is_let_go(self):
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key_down("KeyW")
+        self.page.js("window.dispatchEvent(new Event('blur'))")
+        self.page.settle()
+        before = self.page.state()["camera"]
+        self.page.js("window.dispatchEvent(new Event('focus'))")
+        self.page.settle()
+        self.assertEqual(self.page.state()["camera"], before)
+        self.page.key_up("KeyW")
+
+    # ---- clipboard
+
+    def test_the_state_is_copied(self):
+        self.page.enter("projection/fovy", "55")
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key("KeyC", browser.CTRL)
+        self.assertEqual(json.loads(self.page.clipboard()), self.page.state())
+
+    def test_a_state_is_pasted(self):
+        self.page.put_into_clipboard('{"projection": {"near": 0.25}}')
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key("KeyV", browser.CTRL, commands=["paste"])
+        self.assertEqual(self.page.field("projection.near"), 0.25)
+        before = self.page.state()
+        self.page.put_into_clipboard("junk")
+        self.page.key("KeyV", browser.CTRL, commands=["paste"])
+        self.assertEqual(self.page.state(), before)
+
+    def test_a_link_is_pasted(self):
+        self.page.put_into_clipboard("https://example.org/sandbox/" + native.fragment("teapot"))
+        self.page.mouse("mouseMoved", VIEW)
+        self.page.key("KeyV", browser.CTRL, commands=["paste"])
+        self.assertEqual(self.page.field("scene"), native.state("teapot")["scene"])
+
+
+class Touch(browser.Checked):
+    def setUp(self):
+        # A browser for each: after two fingers Chromium brings no more of them to the next page that is loaded.
+        self.page = browser.Page(size=(1024, 768), touch=True)
+        self.addCleanup(self.page.close)
+        self.page.open()
+
+    def slide(self, starts, ends, steps=6):
+        self.page.fingers("touchStart", *starts)
+        for step in range(1, steps + 1):
+            share = step / steps
+            self.page.fingers("touchMove", *[tuple(a + (b - a) * share for a, b in zip(start, end))
+                                             for start, end in zip(starts, ends)])
+        self.page.fingers("touchEnd")
+        self.page.settle()
+
+    def test_one_finger_drags_a_slider(self):
+        x, y = self.page.place("projection/fovy")
+        before = self.page.field("projection.fovy")
+        self.slide([(x, y)], [(x + 40, y)])
+        self.assertGreater(self.page.field("projection.fovy"), before + 5)
+
+    def test_one_finger_taps(self):
+        at = self.page.place("depth/Depth test")
+        self.page.fingers("touchStart", at)
+        self.page.fingers("touchEnd")
+        self.page.settle()
+        self.assertFalse(self.page.field("depth.test"))
+
+    def test_two_fingers_zoom(self):
+        before = self.page.state()["camera"]
+        self.slide([(480, 300), (520, 300)], [(400, 300), (600, 300)])
+        after = self.page.state()["camera"]
+        self.assertGreater(along(ahead(before), before["position"], after["position"]), 0.1)
+
+    def test_two_fingers_side_by_side_shift_the_camera(self):
+        before = self.page.state()["camera"]
+        self.slide([(480, 300), (520, 300)], [(560, 300), (600, 300)])
+        after = self.page.state()["camera"]
+        self.assertNotEqual(after["position"], before["position"])
+        self.assertAlmostEqual(along(ahead(before), before["position"], after["position"]), 0, delta=0.05)
+
+    def test_after_two_fingers_nothing_is_held(self):
+        self.slide([(480, 300), (520, 300)], [(400, 300), (600, 300)])
+        before = self.page.state()
+        self.page.mouse("mouseMoved", (560, 340))
+        self.page.settle()
+        self.assertEqual(self.page.state(), before)
+
+    def test_a_number_wants_the_keyboard_on_the_screen(self):
         # Both taps at once: between two commands a busy machine may let the time of a double tap pass.
         self.page.js("""(([x, y]) => {
             const canvas = document.getElementById('view');
