@@ -117,7 +117,7 @@ const kept = (() => {
         net.unkept.delete(path);
         try {
           take(path, other);
-        } finally {  // the program has nothing to add where it stops, or where these are answers of who has left this tab
+        } finally {  // not merged where the program stops, or where these are the answers of a student who has left this tab
           if (!net.unkept.has(path)) net.unkept.set(path, own);
         }
       }
