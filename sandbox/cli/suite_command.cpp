@@ -226,7 +226,7 @@ RunEnd run_one(const Suite& whole, const TypedSuite& typed, const Shard& shard, 
                 print(annotation(suite, entry));
     const std::vector<std::string> strays = stray_references(suite);
     if (!strays.empty())
-        print(std::to_string(strays.size()) + (strays.size() == 1 ? " reference belongs" : " references belong") +
+        print(counted(std::ssize(strays), "reference belongs", "references belong") +
               " to no entry: " + one_line(joined(strays)) + "\n");
     const std::string where = typed.only.empty() ? ": " + (suite.report / "index.html").string() : "";
     print(one_line(suite.name) + ": " + summary_of(run) + where + "\n");
@@ -276,7 +276,7 @@ ExitStatus run_suites(const Options& options, const TypedSuite& typed, const std
 
 ExitStatus accept(const Suite& suite, const std::vector<std::string>& names) {
     const std::size_t count = value_or_end(accept_results(suite, names));
-    print(std::to_string(count) + (count == 1 ? " reference" : " references") + " accepted\n");
+    print(counted(static_cast<std::int64_t>(count), "reference") + " accepted\n");
     return ExitStatus::done;
 }
 

@@ -28,7 +28,7 @@ KEEP_LOOKS = """(async () => {
     const folder = '/home/web_user/.config/viewing-sandbox';
     FS.mkdirTree(folder);
     kept.keep(`${folder}/window.json`, new Uint8Array(9));
-    await navigator.locks.request('viewing-sandbox:', () => {});  // comes after the page's own
+    await navigator.locks.request(net.kept, () => {});  // comes after the page's own
 })()"""
 
 
