@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/diagrams.h"
+#include "widgets/inner.h"
 
 namespace widgets::inner {
 
