@@ -26,12 +26,25 @@ std::string reason(int code) {
     return std::generic_category().message(code);
 }
 
+std::vector<std::string>& notes() {
+    static std::vector<std::string> lines;
+    return lines;
+}
+
 }  // namespace
 
 void print(std::string_view text) {
     errno = 0;
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
         cannot_write("standard output", reason(errno));
+}
+
+void note(const std::string& line) {
+    if (std::find(notes().begin(), notes().end(), line) == notes().end()) notes().push_back(line);
+}
+
+void print_notes() {
+    for (const std::string& line : notes()) std::fprintf(stderr, "%s\n", line.c_str());
 }
 
 void Outputs::add(const std::string& target, std::vector<std::uint8_t> bytes) {

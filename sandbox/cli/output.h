@@ -17,6 +17,11 @@ namespace viewing {
 /// Writes to standard output and flushes. Throws Failure when that is impossible (a full disk).
 void print(std::string_view text);
 
+/// Keeps a line about the input, once, for print_notes(): a command that fails says its one sentence alone.
+void note(const std::string& line);
+/// Writes the lines to standard error, in the order in which they came.
+void print_notes();
+
 /// The results of one command, written together: all files or none (file.h), and none unless standard output ("-") took
 /// its part.
 class Outputs {

@@ -123,7 +123,9 @@ int run_command_line(const Arguments& arguments) {
     gl::keep_no_cache_without_a_home();
     try {
         refuse_what_is_not_utf8(arguments);
-        return static_cast<int>(dispatch(arguments));
+        const ExitStatus status = dispatch(arguments);
+        print_notes();
+        return static_cast<int>(status);
     } catch (const Failure& failure) {
         return end(failure.status, failure.what());
     } catch (const std::bad_alloc&) {

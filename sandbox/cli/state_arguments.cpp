@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "cli/output.h"
 #include "cli/values.h"
 #include "platform/text_file.h"
 #include "state/fields.h"
@@ -167,7 +167,7 @@ LinkedStep lesson_step(const Options& options, const std::string& lesson, const 
 Scene scene_of(const LoadedState& state) {
     Scene scene = value_or_end(load_scene(state.params.scene, state.base, state.params.coplanar,
                                           {.origin = state.scene_origin, .reach = state.reach}));
-    for (const std::string& note : scene.notes) std::cerr << note << '\n';
+    for (const std::string& line : scene.notes) note(line);
     return scene;
 }
 

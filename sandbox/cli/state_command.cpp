@@ -1,6 +1,5 @@
 // state: the whole resolved state, alone, as a link, or with the files it needs.
 #include <algorithm>
-#include <iostream>
 
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -31,7 +30,7 @@ void print_link(const Linking& linking, const LoadedState& state, const Scene& s
     const bool has_meshes = described && std::any_of(described->objects.begin(), described->objects.end(),
                                                      [](const ObjectDescription& one) { return !one.file.empty(); });
     if (!scene.file.empty() || has_meshes)
-        std::cerr << "state: the link only names the scene's files, it does not carry them; --bundle DIR does\n";
+        note("state: the link only names the scene's files, it does not carry them; --bundle DIR does");
 }
 
 ExitStatus run_state(const Command& self, const Arguments& arguments) {

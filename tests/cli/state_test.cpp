@@ -381,6 +381,24 @@ TEST_F(State, ALessonsLinkIsItsStepWhereverAStateIs) {
     refused({"state", "--lesson", "own.json", "--link"}, {"own.json"});
 }
 
+TEST_F(State, NotesOnItsMeshComeOnceAndNotBesideARefusal) {
+    const std::string corners = "v 0 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n", crossed = "f 1 2 3 4\n";
+    write("crossed.obj", corners + crossed);
+    const Ended sweep = run({"sweep", "crossed.obj", "--vary", "coplanar.gap=0.01:0.03:3", "-o", "frames", "--view", "camera",
+                             "--size", "64x36"});
+    EXPECT_EQ(sweep.status, 0) << sweep.told();
+    const std::size_t first = sweep.err.find("crosses itself");
+    EXPECT_NE(first, std::string::npos) << sweep.err;
+    EXPECT_EQ(sweep.err.find("crosses itself", first + 1), std::string::npos) << sweep.err;
+    std::string many = corners + crossed;
+    for (int i = 0; i < 100'001; ++i) many += "f 1 2 3\n";
+    write("many.obj", many);
+    const Ended refused = run({"measure", "many.obj", "--what", "visibility", "--size", "64x36"});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
+    EXPECT_EQ(refused.err.find("crosses itself"), std::string::npos) << refused.err;
+}
+
 TEST_F(State, ALinkSaysThatItCarriesNoFiles) {
     write("one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     const Ended ended = run({"state", "one.obj", "--link"});
