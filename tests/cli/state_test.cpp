@@ -384,8 +384,8 @@ TEST_F(State, ALessonsLinkIsItsStepWhereverAStateIs) {
 TEST_F(State, NotesOnItsMeshComeOnceAndNotBesideARefusal) {
     const std::string corners = "v 0 0 0\nv 1 1 0\nv 0 1 0\nv 1 0 0\n", crossed = "f 1 2 3 4\n";
     write("crossed.obj", corners + crossed);
-    const Ended sweep = run({"sweep", "crossed.obj", "--vary", "coplanar.gap=0.01:0.03:3", "-o", "frames", "--view", "camera",
-                             "--size", "64x36"});
+    const Ended sweep = run({"sweep", "crossed.obj", "--vary", "coplanar.gap=0.01:0.03:3", "-o", "frames", "--view",
+                             "camera", "--size", "64x36"});
     EXPECT_EQ(sweep.status, 0) << sweep.told();
     const std::size_t first = sweep.err.find("crosses itself");
     EXPECT_NE(first, std::string::npos) << sweep.err;

@@ -68,9 +68,8 @@ std::string title(const std::vector<Exercise>& exercises, const std::vector<Stud
     int points = 0;
     for (const Exercise& exercise : exercises) points += exercise.points;
     std::string text = "<h1>Exercises" + (of_courses.empty() ? "" : ": " + of_courses) + "</h1>\n<p>" +
-                       counted(std::ssize(read), "student") + ", " +
-                       counted(std::ssize(exercises), "exercise") + ", " + counted(points, "point") +
-                       "</p>\n<p>" + escaped(files) + "</p>\n";
+                       counted(std::ssize(read), "student") + ", " + counted(std::ssize(exercises), "exercise") + ", " +
+                       counted(points, "point") + "</p>\n<p>" + escaped(files) + "</p>\n";
     for (const StudentGrade& grade : grades)
         if (!grade.error.empty()) text += "<p>Not read: " + foreign(grade.error) + "</p>\n";
     return text;
@@ -304,10 +303,10 @@ std::string attempts_rows(Grader& grader, const StudentGrade& grade, std::size_t
 }
 
 std::string student_details(Grader& grader, const StudentGrade& grade) {
-    std::string text =
-        "<details><summary><b>" + foreign(grade.hand_in.student) + "</b> " + foreign(grade.hand_in.name) +
-        fmt::format(" · {}/{} points · {}/{} at the first try · {}", grade.points(), grade.of(), grade.at_first_try(),
-                    grade.tried(), counted(grade.hints(), "hint"));
+    std::string text = "<details><summary><b>" + foreign(grade.hand_in.student) + "</b> " +
+                       foreign(grade.hand_in.name) +
+                       fmt::format(" · {}/{} points · {}/{} at the first try · {}", grade.points(), grade.of(),
+                                   grade.at_first_try(), grade.tried(), counted(grade.hints(), "hint"));
     text += "</summary>\n<p>" + escaped(grade.file) + "</p>\n";
     for (const std::string& note : grade.notes) text += "<p>Note: " + foreign(note) + "</p>\n";
     text +=
@@ -390,9 +389,9 @@ std::string matrix_pictures(Headless& headless, Grader& grader, const std::vecto
         if (!typed) continue;  // its field refuses such numbers
         ++count;
         section += "<div class=\"pair\">" +
-                   captioned(answer_picture(headless, *typed),
-                             escaped(exercise.short_id()) + ", variant " + std::to_string(wrong.variant) +
-                                 ": typed by " + counted(std::ssize(givers.students), "student")) +
+                   captioned(answer_picture(headless, *typed), escaped(exercise.short_id()) + ", variant " +
+                                                                   std::to_string(wrong.variant) + ": typed by " +
+                                                                   counted(std::ssize(givers.students), "student")) +
                    captioned(answer_picture(headless, with_right_matrix(step)), "the right one") + "<div>" +
                    matrix_table(wrong.numbers, 4) + "<p>" + told_cell(givers.verdict) + "</p></div></div>\n";
     }
